@@ -1,0 +1,3 @@
+//! The `loosepin` command.
+
+fn main() {}

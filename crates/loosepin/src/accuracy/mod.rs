@@ -1,0 +1,1 @@
+//! The quasi-static answer and the deviation of a run from the ideal motion.

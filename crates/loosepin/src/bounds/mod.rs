@@ -1,0 +1,5 @@
+//! Bounds of statistics over the epistemic inputs.
+
+mod statistic;
+
+pub use statistic::Statistic;

@@ -1,0 +1,1 @@
+//! Complaints about files: place, code, rule, hint.

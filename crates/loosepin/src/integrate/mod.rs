@@ -1,0 +1,1 @@
+//! Embedded Runge-Kutta pairs with error control and dense output.

@@ -1,0 +1,24 @@
+//! How accurately a planar mechanism moves when its parts scatter (random: a distribution) and its joints have play
+//! that is known only roughly (epistemic: an interval).
+//!
+//! Two wings and one bridge. Physics: [`contact`], [`model`], [`mechanism`], [`dynamics`], [`simulate`], [`accuracy`];
+//! it knows nothing of probability. Uncertainty: [`uncertainty`], [`bounds`]; it knows nothing of mechanisms.
+//! [`study`] joins them, [`report`] only reads results. `docs/architecture.md` says who may import whom.
+
+pub mod accuracy;
+pub mod bounds;
+pub mod contact;
+pub mod diagnostics;
+pub mod dynamics;
+pub mod integrate;
+pub mod math;
+pub mod mechanism;
+pub mod model;
+pub mod report;
+pub mod simulate;
+pub mod study;
+pub mod uncertainty;
+pub mod units;
+
+/// The version of this library, as `major.minor.patch`.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

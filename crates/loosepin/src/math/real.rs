@@ -1,0 +1,56 @@
+//! The one trait over which every equation of the physics wing is written.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A number that the equations of motion, kinematics and contact laws can be evaluated on.
+///
+/// Comparisons give a [`Real::Mask`] and choices go through [`Real::select`], never through `if`, so that a vector of
+/// lanes (one lane = one run) can implement the trait beside `f64` and [`crate::math::Dual`].
+pub trait Real:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The result of a comparison: `bool` for one number, one flag a lane for lanes.
+    type Mask: Copy;
+
+    /// The constant `value` in every lane, with zero derivative.
+    fn from_f64(value: f64) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// `self` raised to `exponent`, for `self > 0`; zero where `self` is zero.
+    fn powf(self, exponent: f64) -> Self;
+    /// The smaller of the two.
+    fn min(self, other: Self) -> Self;
+    /// The larger of the two.
+    fn max(self, other: Self) -> Self;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// `self < other`.
+    fn less_than(self, other: Self) -> Self::Mask;
+    /// `chosen` where `mask` holds, else `otherwise`.
+    fn select(mask: Self::Mask, chosen: Self, otherwise: Self) -> Self;
+
+    /// Zero.
+    fn zero() -> Self {
+        Self::from_f64(0.0)
+    }
+    /// One.
+    fn one() -> Self {
+        Self::from_f64(1.0)
+    }
+    /// The square of the number.
+    fn squared(self) -> Self {
+        self * self
+    }
+}

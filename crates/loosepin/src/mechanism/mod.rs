@@ -1,0 +1,1 @@
+//! A model compiled for computing: tree, loops, slots, ideal position.

@@ -1,0 +1,307 @@
+//! Bodies, joints, contacts, drives and outputs of a model, referring to numbers by [`QuantityId`].
+
+use super::quantity::{QuantityId, QuantityTable};
+use crate::contact::PointLaw;
+
+/// Index of a body in [`Model::bodies`]; 0 is the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BodyId(pub usize);
+
+/// Index of a joint in [`Model::joints`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct JointId(pub usize);
+
+/// Index of a contact in [`Model::contacts`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ContactId(pub usize);
+
+/// Index of a drive in [`Model::drives`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DriveId(pub usize);
+
+/// A point of a body: `body`, and the index in [`Body::points`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct PointId {
+    /// The body that carries the point.
+    pub body: BodyId,
+    /// Index in [`Body::points`].
+    pub point: usize,
+}
+
+/// A planar mechanism with its nominal values, checked and in SI.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// Name of the mechanism.
+    pub name: String,
+    /// Every number of the model, settable ones and those given by expressions.
+    pub quantities: QuantityTable,
+    /// Acceleration of gravity along -y, m/s².
+    pub gravity_m_s2: QuantityId,
+    /// Bodies; index 0 is the ground, which has points and no mass.
+    pub bodies: Vec<Body>,
+    /// Contact descriptions, shared by any number of joints.
+    pub contacts: Vec<Contact>,
+    /// Joints in file order.
+    pub joints: Vec<Joint>,
+    /// Drives in file order.
+    pub drives: Vec<Drive>,
+    /// Hints for the assembly, at the start of the cycle.
+    pub guesses: Vec<Guess>,
+    /// What is run and recorded.
+    pub cycle: Cycle,
+    /// Outputs in file order.
+    pub outputs: Vec<Output>,
+}
+
+/// A rigid body. The body frame is where its points are given; its origin need not be the centre of mass.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// Name in the file; `ground` for the ground.
+    pub name: String,
+    /// Mass, kg, > 0; absent for the ground.
+    pub mass_kg: Option<QuantityId>,
+    /// Moment of inertia about the centre of mass, kg m², > 0; absent for the ground.
+    pub inertia_kg_m2: Option<QuantityId>,
+    /// Centre of mass in the body frame, m; absent for the ground.
+    pub centre_of_mass_m: Option<[QuantityId; 2]>,
+    /// Named points in the body frame.
+    pub points: Vec<Point>,
+}
+
+/// A named point of a body.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// Name in the file.
+    pub name: String,
+    /// Coordinates in the body frame, m.
+    pub position_m: [QuantityId; 2],
+}
+
+/// A joint.
+#[derive(Debug, Clone)]
+pub struct Joint {
+    /// Name in the file.
+    pub name: String,
+    /// What it connects and how.
+    pub kind: JointKind,
+}
+
+/// The kinds of joint.
+#[derive(Debug, Clone)]
+pub enum JointKind {
+    /// The journal point turns about the bearing point; with a clearance, it may leave it.
+    Revolute {
+        /// Point of the body with the hole (body i of the method).
+        bearing: PointId,
+        /// Point of the body with the pin (body j of the method).
+        journal: PointId,
+        /// Absent for an ideal joint.
+        clearance: Option<Clearance>,
+    },
+    /// The slider point stays on a line fixed to the guide body, and the slider body does not turn against it.
+    /// Coordinate s: (r_slider - r_guide)·d, d the direction of the line; zero where the two points coincide.
+    Prismatic {
+        /// Point of the guide body that the line goes through.
+        guide: PointId,
+        /// Angle of the line's direction from the guide body's x axis, rad.
+        guide_angle_rad: QuantityId,
+        /// Point of the slider body that stays on the line.
+        slider: PointId,
+        /// Angle from the slider body's x axis to the same line, rad (zero: the slider's x axis lies along it).
+        slider_angle_rad: QuantityId,
+    },
+    /// Both points coincide and the bodies do not turn against each other.
+    Rigid {
+        /// Point of the first body.
+        first: PointId,
+        /// Point of the second body.
+        second: PointId,
+        /// Angle of the second body's x axis from the first body's x axis, rad.
+        angle_rad: QuantityId,
+    },
+}
+
+/// The play of a revolute joint.
+#[derive(Debug, Clone)]
+pub struct Clearance {
+    /// Radius R_i of the bearing (hole), m, > 0.
+    pub bearing_radius_m: QuantityId,
+    /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub radial_clearance_m: QuantityId,
+    /// The contact between pin and hole.
+    pub contact: ContactId,
+}
+
+/// Contact between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Name in the file.
+    pub name: String,
+    /// Normal force law.
+    pub law: &'static dyn PointLaw,
+    /// Nominal coefficient of restitution c_e in (0, 1].
+    pub restitution: QuantityId,
+    /// Where K and n come from.
+    pub stiffness: Stiffness,
+    /// Floor v_min of the impact speed, m/s, > 0.
+    pub minimum_impact_speed_m_s: QuantityId,
+    /// Density for the validity limit of the law, kg/m³, > 0.
+    pub density_kg_m3: Option<QuantityId>,
+    /// Friction, if any.
+    pub friction: Option<Friction>,
+}
+
+/// Where the contact stiffness K and the exponent n come from.
+#[derive(Debug, Clone)]
+pub enum Stiffness {
+    /// K from eq. (9), n = 3/2; order: bearing, journal.
+    Material {
+        /// Young's moduli E_i, E_j, Pa, > 0.
+        youngs_modulus_pa: [QuantityId; 2],
+        /// Poisson's ratios ν_i, ν_j in [0, 0.5].
+        poisson_ratio: [QuantityId; 2],
+    },
+    /// K and n as given.
+    Given {
+        /// K, N/m^n, > 0.
+        stiffness_n_m_n: QuantityId,
+        /// n, >= 1.
+        exponent: QuantityId,
+    },
+}
+
+/// Friction between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Friction {
+    /// The law.
+    pub law: FrictionLaw,
+    /// Coefficient of friction μ, >= 0.
+    pub coefficient: QuantityId,
+    /// Sliding speed v_a below which there is no friction, m/s, >= 0 and < v_b.
+    pub lower_speed_m_s: QuantityId,
+    /// Sliding speed v_b above which friction is full, m/s, > v_a.
+    pub upper_speed_m_s: QuantityId,
+    /// Which reading of eq. (7) gives the sliding velocity.
+    pub sliding_velocity: SlidingVelocity,
+}
+
+/// Friction laws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrictionLaw {
+    /// Coulomb friction modified by Ambrósio: linear between v_a and v_b.
+    Ambrosio,
+}
+
+/// The two readings of eq. (7) of the source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SlidingVelocity {
+    /// Velocity between the material points in contact, with the spin of both bodies (default).
+    Material,
+    /// Velocity of the geometric contact point, as eq. (7) differentiates eq. (5).
+    Literal,
+}
+
+/// A prescribed motion at constant speed.
+#[derive(Debug, Clone)]
+pub struct Drive {
+    /// Name in the file.
+    pub name: String,
+    /// The driven joint, ideal revolute or prismatic.
+    pub joint: JointId,
+    /// Speed of the joint coordinate: rad/s (revolute: journal body's angle from the bearing body's) or m/s (prismatic).
+    pub speed: QuantityId,
+    /// Joint coordinate at time zero: rad or m.
+    pub start: QuantityId,
+}
+
+/// A hint for the assembly at the start of the cycle.
+#[derive(Debug, Clone)]
+pub struct Guess {
+    /// The body.
+    pub body: BodyId,
+    /// Angle of its x axis from the ground's, rad.
+    pub angle_rad: QuantityId,
+}
+
+/// What `simulate` runs and a study records.
+#[derive(Debug, Clone)]
+pub struct Cycle {
+    /// The drive whose turns are counted (a revolute one: a turn is 2π of its joint coordinate).
+    pub drive: DriveId,
+    /// Turns run before recording, >= 0.
+    pub transient_turns: f64,
+    /// Turns recorded, > 0.
+    pub recorded_turns: f64,
+    /// Rows of the history per recorded turn, >= 1.
+    pub samples_per_turn: usize,
+}
+
+/// An output column of a run.
+#[derive(Debug, Clone)]
+pub struct Output {
+    /// Name in the file.
+    pub name: String,
+    /// What is measured.
+    pub kind: OutputKind,
+}
+
+/// What an output measures, seen from the ground.
+#[derive(Debug, Clone)]
+pub enum OutputKind {
+    /// Coordinate of a point, m.
+    Position {
+        /// The point.
+        point: PointId,
+        /// Along which axis of the ground.
+        along: Axis,
+    },
+    /// Velocity of a point, m/s.
+    Velocity {
+        /// The point.
+        point: PointId,
+        /// Along which axis of the ground.
+        along: Axis,
+    },
+    /// Acceleration of a point, m/s².
+    Acceleration {
+        /// The point.
+        point: PointId,
+        /// Along which axis of the ground.
+        along: Axis,
+    },
+    /// Angle of a body's x axis from the ground's, continuous, rad.
+    Angle(BodyId),
+    /// Angular velocity, rad/s.
+    AngularVelocity(BodyId),
+    /// Angular acceleration, rad/s².
+    AngularAcceleration(BodyId),
+    /// Force of a joint on its journal's (slider's, second) body, N.
+    Force {
+        /// The joint.
+        joint: JointId,
+        /// Which component.
+        component: Component,
+    },
+    /// Path of a point: two columns, x and y, m.
+    Path(PointId),
+}
+
+/// An axis of the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// Horizontal.
+    X,
+    /// Vertical, gravity along -y.
+    Y,
+}
+
+/// A component of a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Component {
+    /// Along the ground's x axis.
+    X,
+    /// Along the ground's y axis.
+    Y,
+    /// The length of the vector.
+    Magnitude,
+}

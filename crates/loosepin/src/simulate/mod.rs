@@ -1,0 +1,1 @@
+//! One run: steps, events, contact states, outputs.

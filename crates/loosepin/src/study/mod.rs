@@ -1,0 +1,1 @@
+//! Where mechanisms and uncertainty meet: a study file, its runs, its results.

@@ -1,0 +1,5 @@
+//! Random and epistemic inputs, and the points at which a response is evaluated.
+
+mod distribution;
+
+pub use distribution::Distribution;
