@@ -48,6 +48,46 @@ pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
     }
 }
 
+/// Solves the n × n system a x = b (row-major) in place by elimination with row exchanges; `a` is destroyed, `b`
+/// becomes x. Gives the ratio of the smallest to the largest pivot: zero where a is singular, and then b is worthless.
+pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
+    let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+    for j in 0..n {
+        let mut best = j;
+        for i in j + 1..n {
+            if a[i * n + j].abs() > a[best * n + j].abs() {
+                best = i;
+            }
+        }
+        let size = a[best * n + j].abs();
+        smallest = smallest.min(size);
+        largest = largest.max(size);
+        if size == 0.0 || size.is_nan() {
+            return 0.0;
+        }
+        if best != j {
+            for k in j..n {
+                a.swap(j * n + k, best * n + k);
+            }
+            b.swap(j, best);
+        }
+        for i in j + 1..n {
+            let factor = a[i * n + j] / a[j * n + j];
+            for k in j + 1..n {
+                a[i * n + k] -= factor * a[j * n + k];
+            }
+            b[i] -= factor * b[j];
+        }
+    }
+    for i in (0..n).rev() {
+        for k in i + 1..n {
+            b[i] -= a[i * n + k] * b[k];
+        }
+        b[i] /= a[i * n + i];
+    }
+    if largest > 0.0 { smallest / largest } else { 1.0 }
+}
+
 /// Gaussian elimination with full pivoting of a rectangular matrix: its rank, which rows and columns carry it, and
 /// solutions of consistent systems.
 #[derive(Debug, Clone)]
@@ -181,6 +221,19 @@ mod tests {
         for (solved, exact) in b.iter().zip(x) {
             assert!((solved - exact).abs() < ROUND_OFF);
         }
+    }
+
+    #[test]
+    fn identity_square_solution_and_singular_matrix() {
+        let matrix = [0.0, 2.3, -0.4, 1.7, 0.6, 3.1, -0.9, 0.2, 0.5];
+        let x = [0.7, -1.3, 2.9];
+        let mut b: Vec<f64> = (0..3).map(|i| (0..3).map(|j| matrix[i * 3 + j] * x[j]).sum()).collect();
+        assert!(solve_square(&mut matrix.clone(), 3, &mut b) > 0.1);
+        for (solved, exact) in b.iter().zip(x) {
+            assert!((solved - exact).abs() < ROUND_OFF);
+        }
+        let mut singular = [1.3, 2.6, 0.4, 0.8];
+        assert!(solve_square(&mut singular, 2, &mut [0.3, 0.9]) < 1e-15);
     }
 
     #[test]
