@@ -289,3 +289,43 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.kinematics.acceleration(&self.mechanism.real, slot, &self.accelerations)
     }
 }
+
+/// The loops of ideal joints at the last state that was set: what a projection onto them needs.
+impl<T: Real> Dynamics<'_, T> {
+    /// Residuals Φ of all constraint rows, m or sine of an angle.
+    pub fn constraint_residuals(&self, out: &mut [T]) {
+        constraints::residuals(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
+    }
+    /// Jacobian dΦ/dz of all rows over all coordinates, row-major.
+    pub fn constraint_jacobian(&self, out: &mut [T]) {
+        constraints::jacobian(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
+    }
+    /// The entries of the independent rows.
+    pub fn independent(&self, rows: &[T]) -> Vec<T> {
+        self.mechanism.real_rows().iter().map(|&row| rows[row]).collect()
+    }
+    /// The gradients of the independent rows with respect to the free coordinates.
+    pub fn independent_gradients<'j>(&self, jacobian: &'j [T]) -> Vec<&'j [T]> {
+        let (n, columns) = (self.mechanism.real.free, self.mechanism.real.coordinates());
+        self.mechanism.real_rows().iter().map(|&row| &jacobian[row * columns..row * columns + n]).collect()
+    }
+    /// Φ̇ of the independent rows for the present rates.
+    pub fn constraint_rates(&self, jacobian: &[T]) -> Vec<T> {
+        let columns = self.mechanism.real.coordinates();
+        self.mechanism
+            .real_rows()
+            .iter()
+            .map(|&row| {
+                let mut sum = T::zero();
+                for (slope, rate) in jacobian[row * columns..(row + 1) * columns].iter().zip(&self.rates) {
+                    sum += *slope * *rate;
+                }
+                sum
+            })
+            .collect()
+    }
+    /// The factors of M from the last evaluation.
+    pub fn factored_mass(&self) -> &[T] {
+        &self.mass
+    }
+}

@@ -112,6 +112,10 @@ impl<'a> IdealMotion<'a> {
     pub fn acceleration(&self, slot: usize) -> Twist<f64> {
         self.kinematics.acceleration(&self.mechanism.ideal, slot, &self.accelerations)
     }
+    /// Coordinates and rates of the ideal tree, free ones first. A mechanism without play has the same tree as its real one.
+    pub fn real_state(&self) -> (&[f64], &[f64]) {
+        (&self.coordinates, &self.rates)
+    }
     /// Accelerations of the free coordinates.
     pub fn accelerations(&self) -> &[f64] {
         &self.accelerations
