@@ -214,6 +214,7 @@ impl<'a> Engine<'a> {
         let turn_s = std::f64::consts::TAU / fastest_drive_rad_s(self.mechanism, self.sample);
         let longest_s = LARGEST_STEP_TURNS * turn_s;
         let mut next_s = 1e-3 * longest_s;
+        let mut last_event: Option<usize> = None;
         while self.time_s < window.end_s {
             let smallest_s = (SMALLEST_STEP_TURNS * turn_s).max(8.0 * f64::EPSILON * self.time_s);
             let left_s = window.end_s - self.time_s;
@@ -247,10 +248,16 @@ impl<'a> Engine<'a> {
             self.show(window, end_s, observer);
             self.advance(end_s);
             next_s = match event {
-                None => step_s * self.control.after_acceptance(error),
+                None => {
+                    if let Some(index) = last_event.take() {
+                        self.after_event_s[index] = taken_s;
+                    }
+                    step_s * self.control.after_acceptance(error)
+                }
                 Some(event) => {
                     self.switch(&event, observer);
                     let index = usize::from(event.crossing == Crossing::Separation);
+                    last_event = Some(index);
                     // The rest of the step that was cut is the best guess before the first event of this kind.
                     if self.after_event_s[index] > 0.0 { self.after_event_s[index] } else { 0.1 * step_s }
                 }
