@@ -1,1 +1,3 @@
 //! One run: steps, events, contact states, outputs.
+
+pub mod record;
