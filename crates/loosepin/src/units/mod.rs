@@ -28,8 +28,8 @@ mod unit;
 
 pub use dimension::Dimension;
 pub use display::{DisplayUnit, DisplayUnits, SiUnit};
-pub use format::{ReadableUnit, format_number, format_value};
 pub use error::{ExpressionError, ExpressionProblem};
+pub use format::{ReadableUnit, format_number, format_value};
 pub use parser::{Measured, parse_quantity, parse_unit};
 pub(crate) use parser::{Names, is_parameter_name, is_reserved_name, parse_expression, referenced_names};
 pub use program::LONGEST_EXPRESSION_CHARS;
