@@ -9,6 +9,7 @@ pub mod accuracy;
 pub mod bounds;
 pub mod contact;
 pub mod diagnostics;
+pub mod document;
 pub mod dynamics;
 pub mod integrate;
 pub mod math;

@@ -1,1 +1,17 @@
 //! Complaints about files: place, code, rule, hint.
+//!
+//! A module that checks something has its own error enum; each of its errors is a [`Problem`], which knows its stable
+//! [`Code`], its text and the way out. Together with a [`Place`] it becomes a [`Complaint`]; all complaints of a file
+//! are collected in [`Complaints`] and reported at once.
+
+mod code;
+mod complaint;
+mod render;
+mod source;
+mod suggestion;
+
+pub use code::{CODES, Code, CodeEntry};
+pub use complaint::{Complaint, Complaints, Label, Problem, Severity};
+pub use render::Colour;
+pub use source::{Place, Source, Span};
+pub use suggestion::nearest_name;

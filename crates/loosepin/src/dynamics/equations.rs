@@ -272,9 +272,17 @@ impl<'a, T: Real> Dynamics<'a, T> {
         needed
     }
 
+    /// The mechanism that moves.
+    pub fn mechanism(&self) -> &'a Mechanism {
+        self.mechanism
+    }
     /// Free accelerations q̈ at the last evaluation.
     pub fn accelerations(&self) -> &[T] {
         &self.accelerations
+    }
+    /// Force in the joint with play `play` at the state set last, in the contact state `state`.
+    pub fn play_force(&self, play: usize, state: &PlayState<T>) -> PlayForce<T> {
+        self.plays[play].0.force(&self.sample.plays[play], state)
     }
     /// Slots of bearing body and journal body of the joints with play.
     pub fn play_slots(&self) -> &[[usize; 2]] {

@@ -92,6 +92,11 @@ impl Mechanism {
         Ok(mechanism)
     }
 
+    /// The same mechanism with every clearance at zero: its real tree is the ideal one.
+    pub fn without_play(&self) -> Self {
+        Self { real: self.ideal.clone(), plays: Vec::new(), real_rows: self.ideal_rows.clone(), ..self.clone() }
+    }
+
     /// Whether the drives alone determine the motion: no joint has play.
     pub fn is_ideal(&self) -> bool {
         self.plays.is_empty()

@@ -97,6 +97,13 @@ impl<T: Real> Sample<T> {
     }
 }
 
+impl<T: Real> Sample<T> {
+    /// The same sample of [`Mechanism::without_play`].
+    pub fn without_play(self) -> Self {
+        Self { real: self.ideal.clone(), plays: Vec::new(), ..self }
+    }
+}
+
 fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Option<PlayGeometry<T>> {
     let model = &mechanism.model;
     let kind = &model.joints[joint.0].kind;

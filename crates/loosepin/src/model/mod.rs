@@ -1,12 +1,26 @@
 //! The checked mechanism description: in SI, immutable, with every number in a numbered slot.
 //!
-//! `ModelFile` (what was written) becomes [`Model`] (what it means). A model knows nothing of uncertainty and nothing
-//! of coordinates; [`crate::mechanism`] compiles it.
+//! The tables of a `model.toml` (what was written) become a [`Model`] (what it means). A model knows nothing of
+//! uncertainty and nothing of coordinates; [`crate::mechanism`] compiles it.
 
+mod body;
+mod contact;
+mod file;
+mod joint;
+mod keys;
+mod output;
+mod parameter;
+mod problem;
 mod quantity;
+mod setting;
 mod topology;
 
-pub use quantity::{Quantity, QuantityError, QuantityId, QuantityTable, Rule, Values};
+pub use crate::units::Rule;
+pub use file::model_schema;
+pub(crate) use keys::CYCLE_KEYS;
+pub use problem::ModelProblem;
+pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
+pub use setting::{PathError, Setting, SettingError};
 pub use topology::{
     Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, FrictionLaw, Guess,
     Joint, JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,

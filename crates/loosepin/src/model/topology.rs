@@ -1,7 +1,12 @@
 //! Bodies, joints, contacts, drives and outputs of a model, referring to numbers by [`QuantityId`].
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use super::quantity::{QuantityId, QuantityTable};
 use crate::contact::PointLaw;
+use crate::diagnostics::{Complaint, Place, Source, Span};
+use crate::units::{Dimension, ReadableUnit};
 
 /// Index of a body in [`Model::bodies`]; 0 is the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -51,6 +56,29 @@ pub struct Model {
     pub cycle: Cycle,
     /// Outputs in file order.
     pub outputs: Vec<Output>,
+    /// What is allowed and yet looks like an oversight.
+    pub warnings: Vec<Complaint>,
+    /// The file.
+    pub(super) source: Arc<Source>,
+    /// Places of its tables by dotted path, for complaints about what they mean together.
+    pub(super) places: HashMap<String, Span>,
+}
+
+impl Model {
+    /// The file that the model was read from.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+
+    /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,
+    /// `joint.gudgeon.radial_clearance`. The place of the table above it where it is not written.
+    pub fn place(&self, path: &str) -> Option<Place> {
+        let written = self.quantities.id(path).and_then(|id| self.quantities[id].span);
+        if let Some(span) = written.or_else(|| self.places.get(path).copied()) {
+            return Some(Place::new(&self.source, span));
+        }
+        path.rsplit_once('.').and_then(|(table, _)| self.place(table))
+    }
 }
 
 /// A rigid body. The body frame is where its points are given; its origin need not be the centre of mass.
@@ -243,6 +271,23 @@ pub struct Output {
     pub name: String,
     /// What is measured.
     pub kind: OutputKind,
+    /// The unit in which people read it.
+    pub unit: ReadableUnit,
+}
+
+impl OutputKind {
+    /// What its columns measure.
+    pub fn dimension(&self) -> Dimension {
+        match self {
+            Self::Position { .. } | Self::Path(_) => Dimension::LENGTH,
+            Self::Velocity { .. } => Dimension::VELOCITY,
+            Self::Acceleration { .. } => Dimension::ACCELERATION,
+            Self::Angle(_) => Dimension::ANGLE,
+            Self::AngularVelocity(_) => Dimension::ANGULAR_VELOCITY,
+            Self::AngularAcceleration(_) => Dimension::ANGULAR_ACCELERATION,
+            Self::Force { .. } => Dimension::FORCE,
+        }
+    }
 }
 
 /// What an output measures, seen from the ground.

@@ -25,6 +25,12 @@ pub enum RunFailure {
         /// Time, s.
         time_s: f64,
     },
+    /// The drive whose turns are counted does not turn.
+    #[error("drive '{drive}' stands still: its turns cannot be counted")]
+    StandsStill {
+        /// The drive.
+        drive: String,
+    },
     /// The limit of evaluations is reached.
     #[error("at {time_s} s the limit of {limit} evaluations was reached")]
     TooManyEvaluations {
@@ -45,6 +51,7 @@ impl RunFailure {
             Self::Sample(SampleError::Singular { .. }) => "singular_position",
             Self::StepTooSmall { .. } => "step_too_small",
             Self::NotFinite { .. } => "not_finite",
+            Self::StandsStill { .. } => "drive_stands_still",
             Self::TooManyEvaluations { .. } => "too_many_evaluations",
         }
     }

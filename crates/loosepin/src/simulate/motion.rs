@@ -1,6 +1,6 @@
 //! The state vector of a run and its derivative.
 
-use crate::dynamics::{Dynamics, PlayState};
+use crate::dynamics::{Dynamics, PlayForce, PlayState};
 use crate::integrate::System;
 use crate::math::{factor_ldl, solve_ldl};
 use crate::mechanism::{Attachment, Mechanism, Sample};
@@ -42,6 +42,11 @@ impl<'a> Motion<'a> {
     pub fn evaluate(&mut self, time_s: f64, state: &[f64]) {
         let n = self.freedoms;
         self.dynamics.evaluate(time_s, &state[..n], &state[n..2 * n], &self.states);
+    }
+
+    /// Force in the joint with play `play` at the state set last.
+    pub fn play_force(&self, play: usize) -> PlayForce<f64> {
+        self.dynamics.play_force(play, &self.states[play])
     }
 }
 

@@ -79,6 +79,26 @@ impl<'a> Step<'_, 'a> {
         }
     }
 
+    /// Normal force in the joint with play `play` at `time_s` within the step, N.
+    pub fn normal_force_n(&mut self, play: usize, time_s: f64) -> f64 {
+        self.look(time_s, false);
+        match &self.source {
+            Source::Integrated { motion, .. } | Source::Kinematic { motion, .. } => motion.play_force(play).normal_n,
+        }
+    }
+
+    /// Work of the drives, contact loss and friction loss since time zero at the instant looked at last, J. None where the
+    /// motion was not integrated.
+    pub fn account_j(&self) -> Option<[f64; 3]> {
+        match &self.source {
+            Source::Integrated { motion, state, .. } => {
+                let first = 2 * motion.freedoms();
+                Some([state[first], state[first + 1], state[first + 2]])
+            }
+            Source::Kinematic { .. } => None,
+        }
+    }
+
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {
         match &mut self.source {
             Source::Integrated { motion, stepper, projection, state } => {

@@ -1,4 +1,6 @@
-//! Probability distributions of a scalar random input.
+//! Probability distributions of a scalar random input, as a person states them.
+
+use thiserror::Error;
 
 /// A distribution, parameters in the unit of the variable.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,4 +57,75 @@ pub enum Distribution {
         /// Upper end, > lower.
         upper: f64,
     },
+}
+
+/// Why a distribution is none.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum DistributionError {
+    /// A parameter is infinite or not a number.
+    #[error("{parameter} {value}; must be finite")]
+    NotFinite {
+        /// Name of the parameter.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A parameter that must be positive is not.
+    #[error("{parameter} {value}; must be > 0")]
+    NotPositive {
+        /// Name of the parameter.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The ends coincide or are the wrong way round.
+    #[error("lower end {lower}, upper end {upper}; the lower end must be below the upper end")]
+    TurnedRound {
+        /// Lower end.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+    },
+    /// The most likely value lies outside the ends.
+    #[error("mode {mode}; must lie between the ends {lower} and {upper}")]
+    ModeOutside {
+        /// Most likely value.
+        mode: f64,
+        /// Lower end.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+    },
+    /// A truncation keeps nothing that arithmetic could resolve.
+    #[error(
+        "truncation to [{lower}, {upper}] keeps the share {share} of a normal distribution with mean {mean} and standard \
+         deviation {standard_deviation}; the share must be at least 1e-100\n\
+         hint: cut nearer to the mean, or state a uniform distribution"
+    )]
+    NothingKept {
+        /// Mean before the cut.
+        mean: f64,
+        /// Standard deviation before the cut.
+        standard_deviation: f64,
+        /// Lower end.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+        /// Share of the distribution between the ends.
+        share: f64,
+    },
+}
+
+impl Distribution {
+    /// The family in words, as in messages and reports.
+    pub fn family(&self) -> &'static str {
+        match self {
+            Self::Normal { .. } => "normal",
+            Self::TruncatedNormal { .. } => "truncated normal",
+            Self::Uniform { .. } => "uniform",
+            Self::Lognormal { .. } => "lognormal",
+            Self::Triangular { .. } => "triangular",
+            Self::Beta { .. } => "beta",
+        }
+    }
 }

@@ -1,0 +1,263 @@
+//! The table of codes: each with a title and the long explanation that `loosepin explain CODE` prints.
+//!
+//! A code never changes its meaning; one that is no longer used is not given out again.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A code with its texts.
+#[derive(Debug, Clone, Copy)]
+pub struct CodeEntry {
+    /// The code.
+    pub code: Code,
+    /// Its text, for example `E0203`.
+    pub text: &'static str,
+    /// One line.
+    pub title: &'static str,
+    /// A few sentences with an example.
+    pub explanation: &'static str,
+}
+
+macro_rules! codes {
+    ($($name:ident $text:literal $title:literal $explanation:literal)+) => {
+        /// The kinds of complaint.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code {
+            $(#[doc = $title] $name,)+
+        }
+
+        /// Every code with its texts, in the order of [`Code`].
+        pub static CODES: &[CodeEntry] = &[
+            $(CodeEntry { code: Code::$name, text: $text, title: $title, explanation: $explanation },)+
+        ];
+    };
+}
+
+impl Code {
+    /// The entry of this code.
+    pub fn entry(self) -> &'static CodeEntry {
+        // The table is generated in the order of the enum.
+        &CODES[self as usize]
+    }
+
+    /// Its text, for example `E0203`.
+    pub fn as_str(self) -> &'static str {
+        self.entry().text
+    }
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.as_str())
+    }
+}
+
+/// A text that is no code.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("there is no code '{text}'; codes run from {first} to {last}")]
+pub struct UnknownCode {
+    /// The text.
+    pub text: String,
+    /// The first code.
+    pub first: &'static str,
+    /// The last code.
+    pub last: &'static str,
+}
+
+impl FromStr for Code {
+    type Err = UnknownCode;
+    fn from_str(text: &str) -> Result<Code, UnknownCode> {
+        let wanted = text.trim();
+        CODES.iter().find(|entry| entry.text.eq_ignore_ascii_case(wanted)).map(|entry| entry.code).ok_or_else(|| {
+            let first = CODES.first().map_or("", |entry| entry.text);
+            UnknownCode { text: wanted.to_owned(), first, last: CODES.last().map_or("", |entry| entry.text) }
+        })
+    }
+}
+
+codes! {
+    FileNotReadable "E0101" "a file cannot be read"
+"The file named on the command line, or by `model` in a study file, cannot be opened. The path in a study file is taken \
+from the folder of the study file. Check the spelling, the folder you are in, and that you may read it."
+
+    NotUtf8 "E0102" "a file is not UTF-8 text"
+"Model and study files are UTF-8. The place given is the first byte that is not. Save the file as UTF-8; editors call \
+this the encoding."
+
+    FileTooLarge "E0103" "a file is larger than any model"
+"Files above one mebibyte are refused before they are read, since no model or study is that large. Most often a file of \
+results was given by mistake."
+
+    TomlSyntax "E0104" "a file is not TOML"
+"Model and study files are written in TOML (toml.io). Text stands in double quotes, a table begins with its name in \
+brackets, a key stands once. As long as the file is not TOML nothing else in it is checked."
+
+    UnknownKey "E0201" "a key is not known here"
+"Every table has a fixed set of keys, and a key that is not in it would have no effect. `loosepin schema model` and \
+`loosepin schema study` list them. Often the key is misspelt, or stands under the wrong table: in TOML a key belongs to \
+the last table header above it."
+
+    MissingKey "E0202" "a key is missing"
+"A value that has no sensible default must be written, for example the mass of a body. Gravity is one of them: whether it \
+acts is a decision, not a default."
+
+    WrongType "E0203" "a value has the wrong type"
+"TOML tells text (\"0.5 mm\"), numbers (0.9), tables ({ x = 1 }) and lists ([1, 2]) apart, and so do we. Values with units \
+are text. An angle, a length or a mass written as a bare number is E0303."
+
+    UnknownChoice "E0204" "a value is not one of those possible"
+"Some keys choose from a list: `kind = \"revolute\"`, `law = \"lankarani-nikravesh\"`, `along = \"x\"`. The complaint names \
+what may stand there."
+
+    ConflictingKeys "E0205" "keys exclude one another, or need one another"
+"Some keys are alternatives (contact stiffness either from materials or given; an output measures one thing), others \
+belong together (a radial clearance needs the bearing radius and a contact). The complaint names them."
+
+    BadName "E0206" "a name cannot be used"
+"Names of bodies, points, joints and outputs begin with a letter or `_` and consist of letters, digits, `_` and `-`, so \
+that paths such as `joint.gudgeon.radial_clearance` are unambiguous. Names of parameters have no `-`, and must not be \
+the name of a unit or a function, since they stand in arithmetic beside them."
+
+    NotYetSupported "E0207" "planned, and not yet in this version"
+"The key or value is part of the file format but this version cannot compute with it. It is refused rather than ignored, \
+since ignoring it would change the result in silence."
+
+    BadCount "E0208" "a count is not possible"
+"Counts (samples, turns, seeds) are whole numbers within the limits that the complaint names."
+
+    ExpressionSyntax "E0301" "a value cannot be read"
+"A value is a number with its unit, \"0.5 mm\" or \"1e-4 kg m^2\", or arithmetic over such values and parameters, \
+\"2 * crank_length + 1 mm\". Known are + - * / ^, parentheses, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, abs, min \
+and max. The column points at the first place that cannot be read. Behind `/` several units need parentheses: \
+`J/(kg m)`."
+
+    UnknownUnit "E0302" "a unit is not known"
+"Lengths are m, mm, µm (um), nm, cm, dm, km, in, ft, mil, thou; masses kg, g, mg, t, lb; times s, ms, µs (us), ns, min, h; \
+angles rad, mrad, deg, °, rev; and rpm, Hz, kHz, N, mN, kN, MN, lbf, Pa, kPa, MPa, GPa, bar, psi, J, mJ, kJ, W, mW, kW, cP, \
+%. Products and powers are written `kg m^2`, `m/s^2`, `N/m^1.5`. Capital letters matter."
+
+    MissingUnit "E0303" "a unit is missing"
+"A bare number where a unit is due is refused, zero included: no unit is assumed, since a clearance of 0.5 could mean \
+millimetres to one reader and metres to another. Write the value as text with its unit: \"0.5 mm\"."
+
+    WrongDimension "E0304" "a value measures the wrong thing"
+"The unit was read but it measures something else than is due here: a time where a length is due, say. Angles count as a \
+dimension of their own; an angular velocity times a radius therefore carries `rad` until it is divided by `1 rad`. The \
+unit of a contact stiffness depends on the exponent n of its law: N/m^n."
+
+    UnknownParameter "E0305" "a name in an expression is not known"
+"Expressions may use the names under [parameter] and nothing else; values elsewhere in the file cannot be referred to. \
+Give a quantity that several places share a name under [parameter]."
+
+    ParameterCycle "E0306" "parameters are defined by one another"
+"Each parameter must be computable from others that do not need it. The complaint names the circle."
+
+    ExpressionTooLong "E0307" "an expression is too long or nested too deeply"
+"Expressions are limited to 1000 characters and 24 levels of parentheses, signs, powers and functions. Give parts of a \
+longer one names under [parameter]."
+
+    NotFinite "E0308" "a value is not finite"
+"The value is infinite or not a number, most often by a division by zero, a root of a negative number or an exponent that \
+is too large."
+
+    MixedDimensions "E0309" "an operation does not fit its dimensions"
+"Only values of one dimension can be added, subtracted or compared; sines need angles, exponents need numbers. \"50 mm + 3\" \
+is refused, since nobody knows which unit the 3 was meant in."
+
+    UnknownReference "E0401" "a name refers to nothing"
+"Points are written `body.point`, joints, contacts, drives and outputs by their names. The complaint lists what there is."
+
+    SameBody "E0402" "a joint connects a body to itself"
+"Both points of the joint lie on one body, so that it constrains nothing."
+
+    DriveNotPossible "E0403" "a joint cannot be driven so"
+"A drive prescribes the coordinate of an ideal revolute joint (speed, start_angle) or of a prismatic joint (speed, \
+start_position). A joint with clearance has no such coordinate. The cycle counts the turns of a revolute drive."
+
+    DrivenTwice "E0404" "a joint is driven twice"
+"Two drives prescribe the coordinate of one joint. Remove one of them."
+
+    UnknownPath "E0405" "a path names no quantity"
+"Quantities are named by their place in the model file: `parameter.crank_length`, `body.crank.mass`, \
+`body.crank.points.pin.x`, `joint.gudgeon.radial_clearance`, `contact.steel_pin.restitution`, `drive.crank.speed`. Only \
+values that the model has can be set."
+
+    NotSettable "E0406" "a value given by an expression cannot be set"
+"The value follows from others by the expression in the model file; setting it would cut that connection in silence. Set \
+one of the values that it depends on, or write a number in the model file."
+
+    SettingSyntax "E0407" "a setting is not written path=value"
+"A setting on the command line is a path of the model, an equals sign, and a value with its unit: \
+`--set joint.gudgeon.radial_clearance=0.3mm`. Quote it for the shell if the value contains spaces."
+
+    Unused "E0408" "something in the file is used by nothing"
+"A warning: the parameter or contact is defined and nothing refers to it, so that changing it, or making it uncertain, has \
+no effect. Often an expression names another one by mistake."
+
+    BreaksRule "E0501" "a value is outside its range"
+"Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
+(0, 1], Poisson's ratio in [0, 0.5]. Values outside are refused, never cut or repaired."
+
+    OutOfOrder "E0502" "two values are in the wrong order"
+"One value must be below another: the radial clearance below the bearing radius (the pin has the rest), the lower speed of \
+the friction law below the upper one."
+
+    IntervalTurnedRound "E0601" "an interval is turned round"
+"The first number of an interval is its lower end, the second its upper end. They are not exchanged in silence, since the \
+slip is as likely to be in a digit as in the order."
+
+    IntervalWithoutWidth "E0602" "an interval has no width"
+"Both ends are equal, so that nothing is uncertain. Write the value in the model file, or widen the interval."
+
+    ClearanceTouchesZero "E0603" "a clearance interval reaches zero"
+"A joint without clearance is another mechanism: it has one equation more and no contact. An interval that reaches zero \
+would mix both. Run the ideal joint on its own (radial_clearance = \"0 mm\") and start the interval above zero."
+
+    BadDistribution "E0604" "a distribution is not possible"
+"The numbers of a distribution must describe one: standard deviations above 0, the lower end below the upper, the mode \
+between them, shapes above 0, the mean of a lognormal distribution above 0."
+
+    InputTwice "E0605" "a quantity is uncertain twice"
+"A quantity is either random or epistemic. One that is both, or given twice under different spellings, is refused."
+
+    ImpossibleShare "E0606" "a distribution puts too much on impossible values"
+"More than one per cent of what would be drawn is physically impossible (a mass below zero, a clearance above the bearing \
+radius, a restitution above 1), so that many runs would fail. Choose a distribution that stays within the range: a \
+truncated normal, lognormal or beta distribution."
+
+    BadProbability "E0607" "a probability is not possible"
+"Probabilities lie between 0 and 1; quantiles and required probabilities strictly so, or up to 1 for a requirement."
+
+    AskNotPossible "E0608" "an output cannot be asked for so"
+"The statistic, deviation or place does not fit the output: a path has two columns (ask for its coordinates as outputs), a \
+pose is given by the angle of the drive that the cycle counts."
+
+    NothingUncertain "E0609" "a study has nothing uncertain"
+"A study needs at least one random or epistemic input. For a single run use `loosepin simulate`."
+
+    NothingAsked "E0610" "a study asks nothing"
+"A study needs at least one [[ask]] or [[require]], otherwise there is nothing to compute bounds of."
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_is_explained_and_unique() {
+        for (index, entry) in CODES.iter().enumerate() {
+            assert_eq!(entry.code as usize, index);
+            assert!(entry.text.len() == 5 && entry.text.starts_with('E'), "{}", entry.text);
+            assert!(entry.explanation.len() > 60 && entry.explanation.ends_with('.'), "{}", entry.text);
+            assert!(!entry.explanation.contains('!') && !entry.title.contains('!'), "{}", entry.text);
+            assert!(CODES[..index].iter().all(|other| other.text < entry.text), "{} out of order", entry.text);
+            assert_eq!(entry.text.parse(), Ok(entry.code));
+        }
+    }
+
+    #[test]
+    fn an_unknown_code_is_refused() {
+        let error = "E9999".parse::<Code>().expect_err("no such code");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0610");
+    }
+}

@@ -1,0 +1,146 @@
+//! One complaint, and all complaints of a file.
+
+use std::fmt::{self, Display};
+
+use super::{Code, Place};
+
+/// Something wrong that can be complained about: `Display` says what is wrong, both numbers with units, the rule.
+pub trait Problem: Display {
+    /// The code that does not change between versions.
+    fn code(&self) -> Code;
+    /// The way out, if one is known.
+    fn hint(&self) -> Option<String> {
+        None
+    }
+}
+
+/// How grave a complaint is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The file can be used.
+    Warning,
+    /// The file cannot be used.
+    Error,
+}
+
+impl Display for Severity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        })
+    }
+}
+
+/// A second place that matters to a complaint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Label {
+    /// The place.
+    pub place: Place,
+    /// What is there.
+    pub text: String,
+}
+
+/// One complaint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Complaint {
+    /// The code that does not change between versions.
+    pub code: Code,
+    /// How grave it is.
+    pub severity: Severity,
+    /// What is wrong, and the rule.
+    pub message: String,
+    /// The way out.
+    pub hint: Option<String>,
+    /// Where; absent where no file is at fault.
+    pub place: Option<Place>,
+    /// Other places that matter.
+    pub labels: Vec<Label>,
+}
+
+impl Complaint {
+    /// An error at a place.
+    pub fn error(problem: &dyn Problem, place: Option<Place>) -> Complaint {
+        Complaint {
+            code: problem.code(),
+            severity: Severity::Error,
+            message: problem.to_string(),
+            hint: problem.hint(),
+            place,
+            labels: Vec::new(),
+        }
+    }
+
+    /// A warning at a place.
+    pub fn warning(problem: &dyn Problem, place: Option<Place>) -> Complaint {
+        Complaint { severity: Severity::Warning, ..Complaint::error(problem, place) }
+    }
+
+    /// The same with a second place.
+    pub fn with_label(mut self, place: Place, text: impl Into<String>) -> Complaint {
+        self.labels.push(Label { place, text: text.into() });
+        self
+    }
+
+    fn sort_key(&self) -> (String, usize) {
+        self.place.as_ref().map_or((String::new(), 0), |place| (place.source.name().to_owned(), place.span.start))
+    }
+}
+
+/// All complaints about a file, in the order of their places.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Complaints {
+    list: Vec<Complaint>,
+}
+
+impl Complaints {
+    /// No complaint.
+    pub fn new() -> Complaints {
+        Complaints::default()
+    }
+
+    /// One error.
+    pub fn one(problem: &dyn Problem, place: Option<Place>) -> Complaints {
+        Complaints { list: vec![Complaint::error(problem, place)] }
+    }
+
+    /// Adds a complaint.
+    pub fn push(&mut self, complaint: Complaint) {
+        self.list.push(complaint);
+    }
+
+    /// Adds all of another's.
+    pub fn extend(&mut self, other: Complaints) {
+        self.list.extend(other.list);
+    }
+
+    /// Whether any of them is an error.
+    pub fn has_errors(&self) -> bool {
+        self.list.iter().any(|complaint| complaint.severity == Severity::Error)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// The complaints, by file and place.
+    pub fn sorted(&self) -> Vec<&Complaint> {
+        let mut sorted: Vec<&Complaint> = self.list.iter().collect();
+        sorted.sort_by_key(|complaint| complaint.sort_key());
+        sorted
+    }
+}
+
+impl From<Complaint> for Complaints {
+    fn from(complaint: Complaint) -> Complaints {
+        Complaints { list: vec![complaint] }
+    }
+}
+
+impl std::error::Error for Complaints {}

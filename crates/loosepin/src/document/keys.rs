@@ -1,0 +1,130 @@
+//! Tables of keys: the one description of a file format.
+
+use crate::units::{Dimension, Rule};
+
+/// What may stand behind a key.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// Text that is not empty.
+    Text,
+    /// Text with a unit, or an expression over parameters; a bare number where the dimension is that of a number.
+    Quantity {
+        /// What it measures.
+        dimension: Dimension,
+        /// The range it must lie in.
+        rule: Rule,
+    },
+    /// As [`Kind::Quantity`], of whatever dimension its text has.
+    AnyQuantity,
+    /// A contact stiffness, whose dimension follows from the exponent beside it.
+    Stiffness,
+    /// Two lengths, x and y.
+    Vector,
+    /// A bare number.
+    Number {
+        /// The range it must lie in.
+        rule: Rule,
+    },
+    /// A whole number.
+    Count {
+        /// The least.
+        least: u64,
+    },
+    /// One of a few words.
+    Choice(&'static [&'static str]),
+    /// One of the words that the function gives.
+    ChoiceOf(fn() -> Vec<&'static str>),
+    /// A point, written `body.point`.
+    Point,
+    /// The name of something in the file, for example a joint.
+    Reference(&'static str),
+    /// A unit in which the value is shown.
+    Unit,
+    /// A table with fixed keys.
+    Table(&'static Keys),
+    /// Tables under names of the person's choosing; some names may have keys of their own.
+    Tables {
+        /// Keys of the tables.
+        keys: &'static Keys,
+        /// Names with other keys.
+        except: &'static [(&'static str, &'static Keys)],
+    },
+    /// Tables under names of the person's choosing whose keys depend on the choice behind `tag`.
+    TaggedTables {
+        /// The key that chooses.
+        tag: &'static str,
+        /// The choices with their keys.
+        variants: &'static [(&'static str, &'static Keys)],
+    },
+    /// Values under names of the person's choosing.
+    Values(&'static Kind),
+    /// A list.
+    List(&'static Kind),
+    /// One of several kinds.
+    AnyOf(&'static [Kind]),
+}
+
+/// One key of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// The key.
+    pub name: &'static str,
+    /// What may stand behind it.
+    pub kind: Kind,
+    /// Whether it must be there.
+    pub is_required: bool,
+    /// An example, as written in the file; empty for tables.
+    pub example: &'static str,
+    /// What it means, for hints and editors.
+    pub doc: &'static str,
+}
+
+/// The keys of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Keys {
+    /// What the table describes, for editors.
+    pub doc: &'static str,
+    /// Its keys.
+    pub keys: &'static [Key],
+    /// Groups of keys of which exactly one must be there.
+    pub exactly_one: &'static [&'static [&'static str]],
+    /// Keys that are planned, with what they will do; refused for now.
+    pub planned: &'static [(&'static str, &'static str)],
+}
+
+impl Keys {
+    /// Keys without alternatives.
+    pub const fn new(doc: &'static str, keys: &'static [Key]) -> Keys {
+        Keys { doc, keys, exactly_one: &[], planned: &[] }
+    }
+
+    /// The same, where exactly one key of each group must be there.
+    pub const fn with_exactly_one(self, exactly_one: &'static [&'static [&'static str]]) -> Keys {
+        Keys { exactly_one, ..self }
+    }
+
+    /// The same, with keys that a later version will know.
+    pub const fn with_planned(self, planned: &'static [(&'static str, &'static str)]) -> Keys {
+        Keys { planned, ..self }
+    }
+
+    /// The key called `name`.
+    pub fn find(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+}
+
+/// A key that must be there.
+pub const fn required(name: &'static str, kind: Kind, example: &'static str, doc: &'static str) -> Key {
+    Key { name, kind, is_required: true, example, doc }
+}
+
+/// A key that may be left out.
+pub const fn optional(name: &'static str, kind: Kind, example: &'static str, doc: &'static str) -> Key {
+    Key { name, kind, is_required: false, example, doc }
+}
+
+/// A value with a unit.
+pub const fn quantity(dimension: Dimension, rule: Rule) -> Kind {
+    Kind::Quantity { dimension, rule }
+}

@@ -1,0 +1,275 @@
+//! What can be wrong with the entries of a file, whatever they mean.
+
+use thiserror::Error;
+
+use crate::diagnostics::{Code, Problem};
+use crate::units::Dimension;
+
+/// The largest file that is read.
+pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
+
+/// What can be wrong with a file or an entry of it. `entry` and `table` are paths in words.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DocumentProblem {
+    /// A file that cannot be opened or read.
+    #[error("cannot read {file}: {reason}")]
+    NotReadable {
+        /// The file.
+        file: String,
+        /// What the operating system says.
+        reason: String,
+    },
+    /// A byte that is not UTF-8.
+    #[error("the file is not UTF-8 text from here on")]
+    NotUtf8,
+    /// A file too large to be a model.
+    #[error("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read")]
+    TooLarge {
+        /// The file.
+        file: String,
+        /// Its size.
+        size_bytes: usize,
+    },
+    /// Not TOML.
+    #[error("not TOML here: {reason}")]
+    Syntax {
+        /// What the TOML parser says.
+        reason: String,
+    },
+    /// A key that the table does not have.
+    #[error("{} has no key '{key}'", or_file(.table))]
+    UnknownKey {
+        /// The table.
+        table: String,
+        /// The key.
+        key: String,
+        /// The key that was probably meant.
+        nearest: Option<String>,
+        /// All keys of the table.
+        known: Vec<&'static str>,
+    },
+    /// A key that a later version will know.
+    #[error("{entry} is not yet supported by this version")]
+    NotYetSupported {
+        /// The entry.
+        entry: String,
+        /// What can be done instead.
+        instead: String,
+    },
+    /// A key that must be there.
+    #[error("{}{key} is missing", prefix(.table))]
+    MissingKey {
+        /// The table.
+        table: String,
+        /// The key.
+        key: &'static str,
+        /// How it is written.
+        example: &'static str,
+        /// What it means.
+        doc: &'static str,
+    },
+    /// The key that decides which others there are is missing.
+    #[error("{}{key} is missing; must be {}", prefix(.table), one_of(.choices))]
+    MissingTag {
+        /// The table.
+        table: String,
+        /// The key.
+        key: &'static str,
+        /// What may stand there.
+        choices: Vec<&'static str>,
+    },
+    /// None of several keys of which one must be there.
+    #[error("{}one of {} is missing", prefix(.table), quoted(.keys))]
+    MissingOneOf {
+        /// The table.
+        table: String,
+        /// The keys.
+        keys: Vec<&'static str>,
+    },
+    /// More than one of several keys of which one must be there.
+    #[error("{}{} exclude one another; exactly one of {} is due", prefix(.table), quoted(.given), quoted(.keys))]
+    MoreThanOneOf {
+        /// The table.
+        table: String,
+        /// Those that stand there.
+        given: Vec<&'static str>,
+        /// All of them.
+        keys: Vec<&'static str>,
+    },
+    /// Text where a table is due, and so on.
+    #[error("{entry} is {found}; {due} is due")]
+    WrongType {
+        /// The entry.
+        entry: String,
+        /// What stands there.
+        found: String,
+        /// What should.
+        due: &'static str,
+    },
+    /// A list of the wrong length.
+    #[error("{entry} has {found} entries; {due} are due")]
+    WrongLength {
+        /// The entry.
+        entry: String,
+        /// How many there are.
+        found: usize,
+        /// How many should.
+        due: usize,
+    },
+    /// A word that is none of those possible.
+    #[error("{entry} is '{found}'; must be {}", one_of(.choices))]
+    UnknownChoice {
+        /// The entry.
+        entry: String,
+        /// What stands there.
+        found: String,
+        /// What may.
+        choices: Vec<&'static str>,
+        /// What was probably meant.
+        nearest: Option<String>,
+    },
+    /// A name with characters that names do not have.
+    #[error("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -")]
+    BadName {
+        /// What is called so.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A count below its least, negative or with a fraction.
+    #[error("{entry} is {found}; must be a whole number from {least} to {most}")]
+    BadCount {
+        /// The entry.
+        entry: String,
+        /// What stands there.
+        found: String,
+        /// The least.
+        least: u64,
+        /// The most.
+        most: u64,
+    },
+    /// A bare number where a unit is due.
+    #[error("{entry} is {found} without a unit; must be {due}")]
+    MissingUnit {
+        /// The entry.
+        entry: String,
+        /// What stands there.
+        found: String,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A value of another dimension.
+    #[error("{entry} is {found}; must be {due}")]
+    WrongDimension {
+        /// The entry.
+        entry: String,
+        /// What it measures.
+        found: Dimension,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A number that is infinite or no number.
+    #[error("{entry} is {found}; must be finite")]
+    NotFinite {
+        /// The entry.
+        entry: String,
+        /// What stands there.
+        found: String,
+    },
+    /// A number outside its range.
+    #[error("{entry} {found}; must be {rule}")]
+    BreaksRule {
+        /// The entry.
+        entry: String,
+        /// The value with its unit.
+        found: String,
+        /// The range.
+        rule: &'static str,
+    },
+}
+
+/// A table in front of what is wrong with it; nothing for the top of the file.
+fn prefix(table: &str) -> String {
+    if table.is_empty() { String::new() } else { format!("{table}: ") }
+}
+
+fn or_file(table: &str) -> &str {
+    if table.is_empty() { "the file" } else { table }
+}
+
+fn quoted(keys: &[&'static str]) -> String {
+    let quoted: Vec<String> = keys.iter().map(|key| format!("'{key}'")).collect();
+    listed(&quoted, "and")
+}
+
+fn one_of(choices: &[&'static str]) -> String {
+    let quoted: Vec<String> = choices.iter().map(|choice| format!("\"{choice}\"")).collect();
+    listed(&quoted, "or")
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(crate) fn listed(items: &[String], conjunction: &str) -> String {
+    match items {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
+    }
+}
+
+impl Problem for DocumentProblem {
+    fn code(&self) -> Code {
+        match self {
+            Self::NotReadable { .. } => Code::FileNotReadable,
+            Self::NotUtf8 => Code::NotUtf8,
+            Self::TooLarge { .. } => Code::FileTooLarge,
+            Self::Syntax { .. } => Code::TomlSyntax,
+            Self::UnknownKey { .. } => Code::UnknownKey,
+            Self::NotYetSupported { .. } => Code::NotYetSupported,
+            Self::MissingKey { .. } | Self::MissingTag { .. } | Self::MissingOneOf { .. } => Code::MissingKey,
+            Self::MoreThanOneOf { .. } => Code::ConflictingKeys,
+            Self::WrongType { .. } | Self::WrongLength { .. } => Code::WrongType,
+            Self::UnknownChoice { .. } => Code::UnknownChoice,
+            Self::BadName { .. } => Code::BadName,
+            Self::BadCount { .. } => Code::BadCount,
+            Self::MissingUnit { .. } => Code::MissingUnit,
+            Self::WrongDimension { .. } => Code::WrongDimension,
+            Self::NotFinite { .. } => Code::NotFinite,
+            Self::BreaksRule { .. } => Code::BreaksRule,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownKey { known, .. } => Some(format!("its keys are {}", known.join(", "))),
+            Self::NotYetSupported { instead, .. } => Some(instead.clone()),
+            Self::MissingKey { key, example, doc, .. } if !example.is_empty() => {
+                Some(format!("for example {key} = {example} ({doc})"))
+            }
+            Self::MissingKey { doc, .. } => Some((*doc).to_owned()),
+            Self::UnknownChoice { nearest: Some(nearest), .. } => Some(format!("did you mean \"{nearest}\"?")),
+            Self::MissingUnit { due, found, .. } => Some(match due.example() {
+                Some(example) => {
+                    let unit = example.split_once(' ').map_or("", |(_, unit)| unit);
+                    if found.parse::<f64>().is_ok() {
+                        format!("write the unit, for example \"{found} {unit}\"")
+                    } else {
+                        format!("write the unit, for example \"{example}\"")
+                    }
+                }
+                None => format!("write the unit, for example \"{found} {}\"", due.si_unit()),
+            }),
+            Self::WrongDimension { due, .. } => Some(match due.example() {
+                Some(example) => format!("for example \"{example}\""),
+                None => format!("its unit is {}", due.si_unit()),
+            }),
+            Self::WrongType { due, .. } if *due == TEXT_WITH_UNIT => {
+                Some("values with units are written as text, for example \"0.5 mm\"".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// What is due where a quantity stands.
+pub(super) const TEXT_WITH_UNIT: &str = "text with a unit";

@@ -1,0 +1,162 @@
+//! Contacts between pin and hole.
+
+use super::file::{ModelReader, UNREAD};
+use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
+use super::problem::ModelProblem;
+use super::quantity::{Origin, QuantityId};
+use super::topology::{Contact, ContactId, Friction, FrictionLaw, SlidingVelocity, Stiffness};
+use crate::contact::{POINT_LAWS, PointLaw};
+use crate::document::{Entry, Table};
+use crate::units::{Dimension, Rule};
+
+/// The law where the file names none: that of the source paper.
+const DEFAULT_LAW: &str = "lankarani-nikravesh";
+/// v_min where the file gives none (method, section 2), m/s.
+const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
+/// v_a where the file gives none (method, section 2.3), m/s.
+const LOWER_SPEED_M_S: f64 = 1e-4;
+/// v_b where the file gives none (method, section 2.3), m/s.
+const UPPER_SPEED_M_S: f64 = 1e-3;
+
+impl ModelReader {
+    /// Reads the table of contacts.
+    pub fn read_contacts(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.named(entry, "a contact") {
+            self.remember(&entry);
+            let contact = self.reader.table(&entry, &CONTACT_KEYS).and_then(|table| self.contact(entry.name, &table));
+            let id = contact.map(|contact| {
+                self.contacts.push(contact);
+                ContactId(self.contacts.len() - 1)
+            });
+            self.contact_names.push((entry.name.to_owned(), id));
+        }
+    }
+
+    fn contact(&mut self, name: &str, table: &Table<'_>) -> Option<Contact> {
+        let law = self.law(table);
+        let restitution = self.quantity(table, "restitution").unwrap_or(UNREAD);
+        let stiffness = self.stiffness(table);
+        let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
+        let density_kg_m3 = self.quantity(table, "density");
+        let friction = table.get("friction").and_then(|entry| self.friction(&entry));
+        Some(Contact {
+            name: name.to_owned(),
+            law: law?,
+            restitution,
+            stiffness: stiffness?,
+            minimum_impact_speed_m_s: minimum_impact_speed_m_s?,
+            density_kg_m3,
+            friction,
+        })
+    }
+
+    fn law(&mut self, table: &Table<'_>) -> Option<&'static dyn PointLaw> {
+        match table.get("law") {
+            Some(entry) => {
+                let choices: Vec<(&'static str, &'static dyn PointLaw)> =
+                    POINT_LAWS.iter().map(|law| (law.name(), *law)).collect();
+                self.reader.choice(&entry, &choices)
+            }
+            None => crate::contact::point_law(DEFAULT_LAW),
+        }
+    }
+
+    fn stiffness(&mut self, table: &Table<'_>) -> Option<Stiffness> {
+        let material = YOUNGS_MODULUS.iter().chain(&POISSON_RATIO).find(|key| table.has(key));
+        let given = ["stiffness", "exponent"].into_iter().find(|key| table.has(key));
+        match (material, given) {
+            (Some(&material), Some(given)) => {
+                let problem = ModelProblem::StiffnessTwice { entry: table.path.describe(), material, given };
+                let span = table.get(given).map_or(table.span, |entry| entry.key_span);
+                self.reader.complain(&problem, span);
+                None
+            }
+            (None, None) => {
+                self.reader.complain(&ModelProblem::NoStiffness { entry: table.path.describe() }, table.span);
+                None
+            }
+            (Some(_), None) => {
+                let youngs_modulus_pa = self.of_both_parts(table, YOUNGS_MODULUS);
+                let poisson_ratio = self.of_both_parts(table, POISSON_RATIO);
+                Some(Stiffness::Material { youngs_modulus_pa: youngs_modulus_pa?, poisson_ratio: poisson_ratio? })
+            }
+            (None, Some(_)) => self.given_stiffness(table),
+        }
+    }
+
+    /// A material value for bearing and journal: one key for both, or one each.
+    fn of_both_parts(&mut self, table: &Table<'_>, keys: [&'static str; 3]) -> Option<[QuantityId; 2]> {
+        let [both, bearing, journal] = keys;
+        let [for_both, of_bearing, of_journal] = keys.map(|key| self.quantity(table, key));
+        let entry = table.path.describe();
+        let one = [bearing, journal].into_iter().find(|key| table.has(key));
+        match (table.has(both), one) {
+            (true, Some(one)) => {
+                let span = table.get(one).map_or(table.span, |entry| entry.key_span);
+                self.reader.complain(&ModelProblem::MaterialTwice { entry, both, one }, span);
+                None
+            }
+            (true, None) => for_both.map(|id| [id, id]),
+            (false, Some(one)) => {
+                let missing: Vec<&'static str> = [bearing, journal].into_iter().filter(|key| !table.has(key)).collect();
+                if missing.is_empty() {
+                    return of_bearing.zip(of_journal).map(|(bearing, journal)| [bearing, journal]);
+                }
+                self.reader.complain(&ModelProblem::NeedsKeys { entry, key: one, needs: missing }, table.span);
+                None
+            }
+            (false, None) => {
+                // The other material value is there, or we would not be here.
+                let [key, missing] =
+                    if both == YOUNGS_MODULUS[0] { [POISSON_RATIO, keys] } else { [YOUNGS_MODULUS, keys] };
+                let key = key.into_iter().find(|key| table.has(key)).unwrap_or(key[0]);
+                self.reader.complain(&ModelProblem::NeedsKeys { entry, key, needs: vec![missing[0]] }, table.span);
+                None
+            }
+        }
+    }
+
+    fn given_stiffness(&mut self, table: &Table<'_>) -> Option<Stiffness> {
+        for (key, needs) in [("stiffness", "exponent"), ("exponent", "stiffness")] {
+            if !table.has(needs) {
+                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
+                self.reader.complain(&problem, table.span);
+                return None;
+            }
+        }
+        let entry = table.get("exponent")?;
+        let written = self.expression(&entry)?;
+        if !self.reader.measures(&entry, written.dimension, Dimension::NUMBER) {
+            return None;
+        }
+        // The exponent fixes the unit of the stiffness, so that neither a study nor a setting may move it.
+        let exponent = self.add_with_origin(&entry, &written, Rule::AtLeastOne, Origin::Fixed)?;
+        let dimension = Dimension::contact_stiffness(self.quantities.nominal_value(exponent));
+        let stiffness_n_m_n = self.quantity_of(&table.get("stiffness")?, dimension, Rule::Positive)?;
+        Some(Stiffness::Given { stiffness_n_m_n, exponent })
+    }
+
+    fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
+        let table = self.reader.table(entry, &FRICTION_KEYS)?;
+        let law = match table.get("law") {
+            Some(entry) => self.reader.choice(&entry, &[("ambrosio", FrictionLaw::Ambrosio)])?,
+            None => FrictionLaw::Ambrosio,
+        };
+        let sliding_velocity = match table.get("sliding_velocity") {
+            Some(entry) => {
+                let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
+                self.reader.choice(&entry, &readings)?
+            }
+            None => SlidingVelocity::Material,
+        };
+        let coefficient = self.quantity(&table, "coefficient")?;
+        let lower_speed_m_s = self.quantity_or(&table, "lower_speed", LOWER_SPEED_M_S);
+        let upper_speed_m_s = self.quantity_or(&table, "upper_speed", UPPER_SPEED_M_S);
+        let (lower_speed_m_s, upper_speed_m_s) = lower_speed_m_s.zip(upper_speed_m_s)?;
+        if let Err(problem) = self.quantities.demand_order(lower_speed_m_s, upper_speed_m_s) {
+            let written = ["lower_speed", "upper_speed"].into_iter().find_map(|key| table.get(key));
+            self.reader.complain(&problem, written.map_or(table.span, |entry| entry.span));
+        }
+        Some(Friction { law, coefficient, lower_speed_m_s, upper_speed_m_s, sliding_velocity })
+    }
+}

@@ -1,0 +1,197 @@
+//! Joints and drives.
+
+use super::file::ModelReader;
+use super::keys::{DRIVE_KEYS, GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
+use super::problem::{HAS_PLAY, IS_RIGID, ModelProblem};
+use super::quantity::{Origin, QuantityId};
+use super::topology::{BodyId, Clearance, Drive, DriveId, Joint, JointId, JointKind, PointId};
+use crate::document::{Entry, Table};
+use crate::units::{Dimension, Expression, Rule, run};
+
+impl ModelReader {
+    /// Reads the table of joints.
+    pub fn read_joints(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.named(entry, "a joint") {
+            self.remember(&entry);
+            let kind = self.joint_kind(&entry);
+            let id = kind.map(|kind| {
+                self.joints.push(Joint { name: entry.name.to_owned(), kind });
+                JointId(self.joints.len() - 1)
+            });
+            self.joint_names.push((entry.name.to_owned(), id));
+        }
+    }
+
+    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<JointKind> {
+        let kinds: Vec<(&'static str, &'static str)> = JOINT_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
+        let kind = self.reader.tag(entry, "kind", &kinds)?;
+        let kind = match kind {
+            "revolute" => self.reader.table(entry, &REVOLUTE_KEYS).and_then(|table| self.revolute(&table)),
+            "prismatic" => self.reader.table(entry, &PRISMATIC_KEYS).and_then(|table| self.prismatic(&table)),
+            _ => self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)),
+        }?;
+        let [first, second] = kind.bodies();
+        if first != second {
+            return Some(kind);
+        }
+        let body = self.bodies[first.0].name.clone();
+        self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
+        None
+    }
+
+    fn revolute(&mut self, table: &Table<'_>) -> Option<JointKind> {
+        let [bearing, journal] = ["bearing", "journal"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
+        let clearance = self.clearance(table);
+        Some(JointKind::Revolute { bearing: bearing?, journal: journal?, clearance: clearance? })
+    }
+
+    /// The clearance of a revolute joint; the outer option is absent after a complaint, the inner for an ideal joint.
+    fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
+        let bearing_radius_m = self.quantity(table, "bearing_radius");
+        let contact = table.get("contact").and_then(|entry| {
+            let name = self.reader.text(&entry)?.to_owned();
+            self.used_contacts.push(name.clone());
+            self.named(&entry, "contact", &name, |file| &file.contact_names)
+        });
+        let missing: Vec<&'static str> =
+            ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
+        let Some(entry) = table.get("radial_clearance") else {
+            if let Some(key) = ["bearing_radius", "contact"].into_iter().find(|key| table.has(key)) {
+                let needs = vec!["radial_clearance"];
+                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
+                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+                return None;
+            }
+            return Some(None);
+        };
+        let expression = self.expression(&entry)?;
+        if !self.reader.measures(&entry, expression.dimension, Dimension::LENGTH) {
+            return None;
+        }
+        if !missing.is_empty() && is_literal_zero(&expression) {
+            // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
+            self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
+            return Some(None);
+        }
+        let radial_clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
+        if !missing.is_empty() {
+            let key = "radial_clearance";
+            let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: missing };
+            self.reader.complain(&problem, entry.key_span);
+            return None;
+        }
+        let bearing_radius_m = bearing_radius_m?;
+        if let Err(problem) = self.quantities.demand_order(radial_clearance_m, bearing_radius_m) {
+            self.reader.complain(&problem, entry.span);
+            return None;
+        }
+        Some(Some(Clearance { bearing_radius_m, radial_clearance_m, contact: contact? }))
+    }
+
+    fn prismatic(&mut self, table: &Table<'_>) -> Option<JointKind> {
+        let guide = table.get("guide").and_then(|entry| {
+            let guide = self.reader.table(&entry, &GUIDE_KEYS)?;
+            let point = guide.get("point").and_then(|entry| self.point(&entry));
+            let angle_rad = self.quantity(&guide, "angle");
+            Some((point?, angle_rad?))
+        });
+        let slider = table.get("slider").and_then(|entry| self.slider(&entry));
+        let ((guide, guide_angle_rad), (slider, slider_angle_rad)) = guide.zip(slider)?;
+        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad })
+    }
+
+    fn slider(&mut self, entry: &Entry<'_>) -> Option<(PointId, QuantityId)> {
+        if entry.is_text() {
+            let point = self.point(entry)?;
+            let path = entry.path.join("angle");
+            return Some((point, self.default_quantity(&path, Dimension::ANGLE, Rule::Finite, 0.0)));
+        }
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "a point or a table with point and angle");
+        }
+        let table = self.reader.table(entry, &SLIDER_KEYS)?;
+        let point = table.get("point").and_then(|entry| self.point(&entry));
+        let angle_rad = self.quantity_or(&table, "angle", 0.0);
+        Some((point?, angle_rad?))
+    }
+
+    fn rigid(&mut self, table: &Table<'_>) -> Option<JointKind> {
+        let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
+        let angle_rad = self.quantity(table, "angle");
+        Some(JointKind::Rigid { first: first?, second: second?, angle_rad: angle_rad? })
+    }
+
+    /// Reads the table of drives.
+    pub fn read_drives(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.named(entry, "a drive") {
+            self.remember(&entry);
+            let drive = self.reader.table(&entry, &DRIVE_KEYS).and_then(|table| self.drive(&entry, &table));
+            let id = drive.map(|drive| {
+                self.drives.push(drive);
+                DriveId(self.drives.len() - 1)
+            });
+            self.drive_names.push((entry.name.to_owned(), id));
+        }
+    }
+
+    fn drive(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Drive> {
+        let joint_entry = table.get("joint")?;
+        let joint_name = self.reader.text(&joint_entry)?.to_owned();
+        let joint = self.named(&joint_entry, "joint", &joint_name, |file| &file.joint_names)?;
+        let words = entry.path.describe();
+        if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
+            let other = other.name.clone();
+            let problem = ModelProblem::DrivenTwice { entry: words, joint: joint_name, other };
+            self.reader.complain(&problem, joint_entry.span);
+            return None;
+        }
+        let (kind, speed_dimension, start_key, other_key) = match &self.joints[joint.0].kind {
+            JointKind::Revolute { clearance, .. } => {
+                let is_ideal = clearance.as_ref().is_none_or(|clearance| {
+                    self.quantities[clearance.radial_clearance_m].is_settable()
+                        && self.quantities.nominal_value(clearance.radial_clearance_m) == 0.0
+                });
+                if !is_ideal {
+                    let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why: HAS_PLAY };
+                    self.reader.complain(&problem, joint_entry.span);
+                    return None;
+                }
+                ("revolute", Dimension::ANGULAR_VELOCITY, "start_angle", "start_position")
+            }
+            JointKind::Prismatic { .. } => ("prismatic", Dimension::VELOCITY, "start_position", "start_angle"),
+            JointKind::Rigid { .. } => {
+                let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why: IS_RIGID };
+                self.reader.complain(&problem, joint_entry.span);
+                return None;
+            }
+        };
+        let speed = table.get("speed").and_then(|entry| self.quantity_of(&entry, speed_dimension, Rule::Finite));
+        if let Some(found) = table.get(other_key) {
+            let problem =
+                ModelProblem::WrongStart { entry: words, found: other_key, due: start_key, kind, joint: joint_name };
+            self.reader.complain(&problem, found.key_span);
+        }
+        let start = self.quantity(table, start_key);
+        Some(Drive { name: entry.name.to_owned(), joint, speed: speed?, start: start? })
+    }
+
+    /// Whether a joint has an angle, whose turns can be counted.
+    pub fn turns(&self, joint: JointId) -> bool {
+        matches!(self.joints[joint.0].kind, JointKind::Revolute { .. })
+    }
+}
+
+fn is_literal_zero(expression: &Expression) -> bool {
+    expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
+}
+
+impl JointKind {
+    /// The bodies that it connects: bearing and journal, guide and slider, first and second.
+    pub fn bodies(&self) -> [BodyId; 2] {
+        match self {
+            JointKind::Revolute { bearing, journal, .. } => [bearing.body, journal.body],
+            JointKind::Prismatic { guide, slider, .. } => [guide.body, slider.body],
+            JointKind::Rigid { first, second, .. } => [first.body, second.body],
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! The keys of a model file.
+
+use crate::contact::POINT_LAWS;
+use crate::document::{Keys, Kind, optional, quantity, required};
+use crate::units::{Dimension as D, Rule};
+
+const POINTS: Kind = Kind::Values(&Kind::Vector);
+const POINTS_DOC: &str = "named points in the frame of the body";
+
+pub(super) static GROUND_KEYS: Keys = Keys::new(
+    "the ground: points that do not move",
+    &[optional("points", POINTS, "{ o = [\"0 mm\", \"0 mm\"] }", POINTS_DOC)],
+);
+
+pub(super) static BODY_KEYS: Keys = Keys::new(
+    "a rigid body",
+    &[
+        required("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of the body"),
+        required(
+            "inertia",
+            quantity(D::INERTIA, Rule::Positive),
+            "\"1e-4 kg m^2\"",
+            "moment of inertia about the centre of mass",
+        ),
+        required("centre_of_mass", Kind::Vector, "[\"25 mm\", \"0 mm\"]", "centre of mass in the frame of the body"),
+        optional("points", POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }", POINTS_DOC),
+    ],
+);
+
+fn law_names() -> Vec<&'static str> {
+    POINT_LAWS.iter().map(|law| law.name()).collect()
+}
+
+pub(super) static FRICTION_KEYS: Keys = Keys::new(
+    "friction between pin and hole",
+    &[
+        optional("law", Kind::Choice(&["ambrosio"]), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+        required(
+            "coefficient",
+            quantity(D::NUMBER, Rule::NonNegative),
+            "0.03",
+            "coefficient of friction at full sliding",
+        ),
+        optional(
+            "lower_speed",
+            quantity(D::VELOCITY, Rule::NonNegative),
+            "\"0.1 mm/s\"",
+            "sliding speed up to which there is no friction; 0.1 mm/s if left out",
+        ),
+        optional(
+            "upper_speed",
+            quantity(D::VELOCITY, Rule::Positive),
+            "\"1 mm/s\"",
+            "sliding speed from which friction is full; 1 mm/s if left out",
+        ),
+        optional(
+            "sliding_velocity",
+            Kind::Choice(&["material", "literal"]),
+            "\"material\"",
+            "between the material points (material, if left out) or of the geometric contact point (literal)",
+        ),
+    ],
+);
+
+pub(super) const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
+pub(super) const POISSON_RATIO: [&str; 3] = ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
+
+pub(super) static CONTACT_KEYS: Keys = Keys::new(
+    "contact between pin and hole: its stiffness comes from the materials, or is given with its exponent",
+    &[
+        optional(
+            "law",
+            Kind::ChoiceOf(law_names),
+            "\"lankarani-nikravesh\"",
+            "the normal force law; lankarani-nikravesh if left out",
+        ),
+        required(
+            "restitution",
+            quantity(D::NUMBER, Rule::Restitution),
+            "0.9",
+            "nominal coefficient of restitution, in (0, 1]",
+        ),
+        optional(
+            YOUNGS_MODULUS[0],
+            quantity(D::PRESSURE, Rule::Positive),
+            "\"207 GPa\"",
+            "Young's modulus of bearing and journal",
+        ),
+        optional(
+            YOUNGS_MODULUS[1],
+            quantity(D::PRESSURE, Rule::Positive),
+            "\"110 GPa\"",
+            "Young's modulus of the bearing",
+        ),
+        optional(
+            YOUNGS_MODULUS[2],
+            quantity(D::PRESSURE, Rule::Positive),
+            "\"207 GPa\"",
+            "Young's modulus of the journal",
+        ),
+        optional(
+            POISSON_RATIO[0],
+            quantity(D::NUMBER, Rule::PoissonRatio),
+            "0.3",
+            "Poisson's ratio of bearing and journal",
+        ),
+        optional(POISSON_RATIO[1], quantity(D::NUMBER, Rule::PoissonRatio), "0.34", "Poisson's ratio of the bearing"),
+        optional(POISSON_RATIO[2], quantity(D::NUMBER, Rule::PoissonRatio), "0.3", "Poisson's ratio of the journal"),
+        optional("stiffness", Kind::Stiffness, "\"6.6e10 N/m^1.5\"", "stiffness K of F = K x^n, in place of materials"),
+        optional("exponent", quantity(D::NUMBER, Rule::AtLeastOne), "1.5", "exponent n of F = K x^n, beside stiffness"),
+        optional(
+            "minimum_impact_speed",
+            quantity(D::VELOCITY, Rule::Positive),
+            "\"1 mm/s\"",
+            "floor of the impact speed in the force law; 1 mm/s if left out",
+        ),
+        optional(
+            "density",
+            quantity(D::DENSITY, Rule::Positive),
+            "\"7800 kg/m^3\"",
+            "density, to say which impacts are too fast for the law",
+        ),
+        optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
+    ],
+);
+
+pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
+    "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
+        required("bearing", Kind::Point, "\"rod.small_end\"", "point at the centre of the hole"),
+        required("journal", Kind::Point, "\"slider.pin\"", "point at the centre of the pin"),
+        optional("bearing_radius", quantity(D::LENGTH, Rule::Positive), "\"10 mm\"", "radius of the hole"),
+        optional(
+            "radial_clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.5 mm\"",
+            "radius of the hole minus radius of the pin; ideal joint if left out or zero",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
+    ],
+);
+
+pub(super) static GUIDE_KEYS: Keys = Keys::new(
+    "the line of a guide",
+    &[
+        required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
+        required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
+    ],
+);
+
+pub(super) static SLIDER_KEYS: Keys = Keys::new(
+    "the point that stays on the line of a guide",
+    &[
+        required("point", Kind::Point, "\"slider.pin\"", "the point"),
+        optional(
+            "angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"0 deg\"",
+            "direction of the line from the x axis of the slider; 0 deg if left out",
+        ),
+    ],
+);
+
+pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
+    "a slider moves along a line of its guide and does not turn against it",
+    &[
+        required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
+        required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
+        required(
+            "slider",
+            Kind::AnyOf(&[Kind::Point, Kind::Table(&SLIDER_KEYS)]),
+            "\"slider.pin\"",
+            "the point on the line, with an angle where the line is not along the slider's x axis",
+        ),
+    ],
+);
+
+pub(super) static RIGID_KEYS: Keys = Keys::new(
+    "two points coincide and the bodies do not turn against each other",
+    &[
+        required("kind", Kind::Choice(&["rigid"]), "\"rigid\"", "the kind of joint"),
+        required("first", Kind::Point, "\"arm.end\"", "point of the first body"),
+        required("second", Kind::Point, "\"tool.base\"", "point of the second body"),
+        required(
+            "angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"0 deg\"",
+            "angle of the second body's x axis from the first's",
+        ),
+    ],
+);
+
+pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
+    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("rigid", &RIGID_KEYS)];
+
+pub(super) static DRIVE_KEYS: Keys = Keys::new(
+    "a joint moved at constant speed",
+    &[
+        required("joint", Kind::Reference("joint"), "\"main\"", "an ideal revolute or a prismatic joint"),
+        required(
+            "speed",
+            Kind::AnyOf(&[quantity(D::ANGULAR_VELOCITY, Rule::Finite), quantity(D::VELOCITY, Rule::Finite)]),
+            "\"5000 rpm\"",
+            "speed of the journal's body against the bearing's, or of the slider along the guide",
+        ),
+        optional(
+            "start_angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"0 deg\"",
+            "angle of the journal's body from the bearing's at time zero",
+        ),
+        optional(
+            "start_position",
+            quantity(D::LENGTH, Rule::Finite),
+            "\"0 mm\"",
+            "position of the slider along the guide at time zero",
+        ),
+    ],
+)
+.with_exactly_one(&[&["start_angle", "start_position"]]);
+
+pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
+    "how loops close that can close in two ways",
+    &[required(
+        "guess",
+        Kind::Values(&Kind::Quantity { dimension: D::ANGLE, rule: Rule::Finite }),
+        "{ rocker = \"94 deg\" }",
+        "about the angle of bodies at time zero",
+    )],
+);
+
+/// Keys of `[cycle]` in a model file and, all optional, in a study file.
+pub(crate) static CYCLE_KEYS: Keys = Keys::new(
+    "what is run and recorded; every number can be overridden",
+    &[
+        required("drive", Kind::Reference("drive"), "\"crank\"", "the revolute drive whose turns are counted"),
+        optional(
+            "transient_turns",
+            Kind::Number { rule: Rule::NonNegative },
+            "2",
+            "turns run before recording; 2 if left out",
+        ),
+        optional("recorded_turns", Kind::Number { rule: Rule::Positive }, "1", "turns recorded; 1 if left out"),
+        optional("samples_per_turn", Kind::Count { least: 1 }, "500", "rows recorded in a turn; 500 if left out"),
+    ],
+);
+
+/// What an output may measure.
+pub(super) const MEASURES: [&str; 8] = [
+    "position_of",
+    "velocity_of",
+    "acceleration_of",
+    "angle_of",
+    "angular_velocity_of",
+    "angular_acceleration_of",
+    "force_in",
+    "path_of",
+];
+
+pub(super) static OUTPUT_KEYS: Keys = Keys::new(
+    "a column of the results, seen from the ground",
+    &[
+        optional(MEASURES[0], Kind::Point, "\"slider.pin\"", "a coordinate of a point"),
+        optional(MEASURES[1], Kind::Point, "\"slider.pin\"", "a velocity of a point"),
+        optional(MEASURES[2], Kind::Point, "\"slider.pin\"", "an acceleration of a point"),
+        optional(MEASURES[3], Kind::Reference("body"), "\"rod\"", "the angle of a body"),
+        optional(MEASURES[4], Kind::Reference("body"), "\"rod\"", "the angular velocity of a body"),
+        optional(MEASURES[5], Kind::Reference("body"), "\"rod\"", "the angular acceleration of a body"),
+        optional(MEASURES[6], Kind::Reference("joint"), "\"joint.gudgeon\"", "the force in a joint"),
+        optional(MEASURES[7], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
+        optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground"),
+        optional("component", Kind::Choice(&["x", "y", "magnitude"]), "\"magnitude\"", "the component of a force"),
+        optional(
+            "unit",
+            Kind::Unit,
+            "\"mm\"",
+            "the unit in which people read it; chosen by what it measures if left out",
+        ),
+    ],
+)
+.with_exactly_one(&[&MEASURES]);
+
+pub(super) static MODEL_KEYS: Keys = Keys::new(
+    "a planar mechanism with its nominal values",
+    &[
+        required("name", Kind::Text, "\"worn pin\"", "name of the mechanism"),
+        required(
+            "gravity",
+            quantity(D::ACCELERATION, Rule::Finite),
+            "\"9.81 m/s^2\"",
+            "acceleration along -y; \"0 m/s^2\" for none",
+        ),
+        optional("parameter", Kind::Values(&Kind::AnyQuantity), "", "named values for use in expressions"),
+        required(
+            "body",
+            Kind::Tables { keys: &BODY_KEYS, except: &[("ground", &GROUND_KEYS)] },
+            "",
+            "the bodies, each under [body.NAME]",
+        ),
+        optional("contact", Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "", "contacts, shared by joints"),
+        optional("joint", Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "", "the joints"),
+        required("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
+        required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),
+        optional("output", Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "", "the outputs, in their order"),
+    ],
+);

@@ -1,0 +1,225 @@
+//! What can be wrong with a model beyond its single entries.
+
+use thiserror::Error;
+
+use crate::diagnostics::{Code, Problem};
+use crate::document::listed;
+
+/// What can be wrong with a model file. `entry` is a path in words.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ModelProblem {
+    /// A parameter with a name that expressions could not use.
+    #[error("a parameter cannot be called '{name}'")]
+    BadParameterName {
+        /// The name.
+        name: String,
+        /// Whether it is the name of a unit or a function.
+        is_reserved: bool,
+    },
+    /// Parameters that need one another.
+    #[error("parameters are defined by one another: {}", .circle.join(" -> "))]
+    ParameterCycle {
+        /// The names, the first again at the end.
+        circle: Vec<String>,
+    },
+    /// A reference to something that is not there.
+    #[error("{entry}: there is no {what} '{name}'")]
+    UnknownReference {
+        /// The entry.
+        entry: String,
+        /// A body, point, joint, contact or drive.
+        what: &'static str,
+        /// The name.
+        name: String,
+        /// The nearest name there is.
+        nearest: Option<String>,
+        /// What there is.
+        known: Vec<String>,
+    },
+    /// A point not written `body.point`.
+    #[error("{entry} is '{text}'; must be body.point")]
+    NotAPoint {
+        /// The entry.
+        entry: String,
+        /// The text.
+        text: String,
+    },
+    /// A joint whose points lie on one body.
+    #[error("{entry} connects body '{body}' to itself")]
+    SameBody {
+        /// The joint.
+        entry: String,
+        /// The body.
+        body: String,
+    },
+    /// Contact stiffness both from materials and given.
+    #[error("{entry}: '{material}' and '{given}' exclude one another; the stiffness comes from materials or is given")]
+    StiffnessTwice {
+        /// The contact.
+        entry: String,
+        /// A key of the materials that stands there.
+        material: &'static str,
+        /// A key of a given stiffness that stands there.
+        given: &'static str,
+    },
+    /// Contact stiffness not given at all.
+    #[error("{entry}: the stiffness is missing")]
+    NoStiffness {
+        /// The contact.
+        entry: String,
+    },
+    /// A material value for both parts and for one of them.
+    #[error("{entry}: '{both}' and '{one}' exclude one another")]
+    MaterialTwice {
+        /// The contact.
+        entry: String,
+        /// The key for both parts.
+        both: &'static str,
+        /// The key for one part.
+        one: &'static str,
+    },
+    /// A key that needs others.
+    #[error("{entry}: '{key}' needs {}", quoted(.needs))]
+    NeedsKeys {
+        /// The table.
+        entry: String,
+        /// The key.
+        key: &'static str,
+        /// What is missing.
+        needs: Vec<&'static str>,
+    },
+    /// A key without effect in this combination.
+    #[error("{entry}: '{key}' has no meaning beside '{beside}'")]
+    KeyWithoutEffect {
+        /// The table.
+        entry: String,
+        /// The key.
+        key: &'static str,
+        /// What makes it meaningless.
+        beside: &'static str,
+    },
+    /// A drive of a joint that has no coordinate to prescribe.
+    #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
+    NotDrivable {
+        /// The drive.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// Why.
+        why: &'static str,
+    },
+    /// A start that does not fit the kind of joint.
+    #[error("{entry}: '{found}' does not fit the {kind} joint '{joint}'")]
+    WrongStart {
+        /// The drive.
+        entry: String,
+        /// The key.
+        found: &'static str,
+        /// The key that fits.
+        due: &'static str,
+        /// Revolute or prismatic.
+        kind: &'static str,
+        /// The joint.
+        joint: String,
+    },
+    /// Two drives of one joint.
+    #[error("{entry}: joint '{joint}' is already driven by '{other}'")]
+    DrivenTwice {
+        /// The second drive.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// The first drive.
+        other: String,
+    },
+    /// A cycle over a drive that does not turn.
+    #[error("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted")]
+    CycleNeedsTurns {
+        /// The drive.
+        drive: String,
+    },
+    /// A guess for the ground.
+    #[error("assembly: the ground does not move; its angle cannot be guessed")]
+    GuessOfGround,
+    /// A unit that an output cannot be shown in.
+    #[error("{entry} is '{unit}'; must be a unit of {due}")]
+    WrongUnit {
+        /// The entry.
+        entry: String,
+        /// The unit.
+        unit: String,
+        /// What the output measures.
+        due: crate::units::Dimension,
+    },
+    /// A parameter or contact that nothing refers to.
+    #[error("{entry} is used by nothing")]
+    Unused {
+        /// The entry.
+        entry: String,
+    },
+}
+
+fn quoted(keys: &[&'static str]) -> String {
+    listed(&keys.iter().map(|key| format!("'{key}'")).collect::<Vec<_>>(), "and")
+}
+
+impl Problem for ModelProblem {
+    fn code(&self) -> Code {
+        match self {
+            Self::BadParameterName { .. } => Code::BadName,
+            Self::ParameterCycle { .. } => Code::ParameterCycle,
+            Self::UnknownReference { .. } | Self::NotAPoint { .. } => Code::UnknownReference,
+            Self::SameBody { .. } => Code::SameBody,
+            Self::StiffnessTwice { .. }
+            | Self::MaterialTwice { .. }
+            | Self::NeedsKeys { .. }
+            | Self::KeyWithoutEffect { .. } => Code::ConflictingKeys,
+            Self::NoStiffness { .. } => Code::MissingKey,
+            Self::NotDrivable { .. } | Self::WrongStart { .. } | Self::CycleNeedsTurns { .. } => Code::DriveNotPossible,
+            Self::DrivenTwice { .. } => Code::DrivenTwice,
+            Self::GuessOfGround => Code::UnknownReference,
+            Self::WrongUnit { .. } => Code::WrongDimension,
+            Self::Unused { .. } => Code::Unused,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::BadParameterName { name, is_reserved: true } => Some(format!(
+                "'{name}' is a unit or a function in expressions; choose another name, for example {name}_value"
+            )),
+            Self::BadParameterName { .. } => {
+                Some("names of parameters begin with a letter or _ and have letters, digits and _".to_owned())
+            }
+            Self::UnknownReference { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownReference { what: "point", name, known, .. } if known.is_empty() => {
+                let body = name.split_once('.').map_or("", |(body, _)| body);
+                Some(format!("body '{body}' has no points"))
+            }
+            Self::UnknownReference { what, known, .. } if known.is_empty() => {
+                Some(format!("the file defines no {what}"))
+            }
+            Self::UnknownReference { known, .. } => Some(format!("there is {}", listed(known, "and"))),
+            Self::NotAPoint { .. } => Some("for example \"crank.pin\": point 'pin' of body 'crank'".to_owned()),
+            Self::NoStiffness { .. } => {
+                Some("give youngs_modulus and poisson_ratio, or stiffness and exponent".to_owned())
+            }
+            Self::NeedsKeys { key: "radial_clearance", .. } => {
+                Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())
+            }
+            Self::WrongStart { due, .. } => Some(format!("write {due}")),
+            Self::NotDrivable { why, .. } if *why == HAS_PLAY => {
+                Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
+            }
+            Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
+            Self::CycleNeedsTurns { .. } => Some("name a drive of a revolute joint".to_owned()),
+            Self::Unused { .. } => Some("changing it has no effect on the results".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+/// Why a joint with clearance cannot be driven.
+pub(super) const HAS_PLAY: &str = "has play";
+/// Why a rigid joint cannot be driven.
+pub(super) const IS_RIGID: &str = "is rigid";

@@ -1,0 +1,190 @@
+//! What can be wrong with the text of a value.
+
+use std::ops::Range;
+
+use thiserror::Error;
+
+use super::{Dimension, LONGEST_EXPRESSION_CHARS};
+use crate::diagnostics::{Code, Problem};
+
+/// A problem in the text of a value, and where in that text it is.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{problem}")]
+pub struct ExpressionError {
+    /// What is wrong.
+    pub problem: ExpressionProblem,
+    /// Byte range within the text.
+    pub span: Range<usize>,
+}
+
+/// What can be wrong with the text of a value.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ExpressionProblem {
+    /// The text is empty.
+    #[error("the value is empty")]
+    Empty,
+    /// The text is longer than an expression may be.
+    #[error("the expression has {length_chars} characters; at most {LONGEST_EXPRESSION_CHARS} are read")]
+    TooLong {
+        /// Its length.
+        length_chars: usize,
+    },
+    /// Parentheses, signs or powers nested too deeply.
+    #[error("the expression is nested more than {limit} deep")]
+    TooDeep {
+        /// The limit.
+        limit: usize,
+    },
+    /// A character that belongs to no expression.
+    #[error("'{character}' does not belong in a value")]
+    UnexpectedCharacter {
+        /// The character.
+        character: char,
+    },
+    /// A number that is no number.
+    #[error("'{text}' is not a number")]
+    BadNumber {
+        /// The text.
+        text: String,
+    },
+    /// A number too large for a double.
+    #[error("the number {text} is too large; at most 1.8e308 can be held")]
+    NumberTooLarge {
+        /// The text.
+        text: String,
+    },
+    /// Something else was due here.
+    #[error("found {found}; {expected} is due here")]
+    Unexpected {
+        /// What stands there.
+        found: String,
+        /// What should.
+        expected: &'static str,
+    },
+    /// A symbol after a number that is not a unit.
+    #[error("'{symbol}' is not a known unit")]
+    UnknownUnit {
+        /// The symbol.
+        symbol: String,
+        /// The nearest known unit.
+        nearest: Option<String>,
+    },
+    /// A unit without a number before it.
+    #[error("the unit '{symbol}' has no number before it")]
+    UnitWithoutNumber {
+        /// The unit.
+        symbol: String,
+    },
+    /// `kg/m s` can be read in two ways.
+    #[error("the unit '{unit}' can be read in two ways")]
+    AmbiguousUnit {
+        /// The unit up to there.
+        unit: String,
+    },
+    /// A name that is no parameter.
+    #[error("there is no parameter '{name}'")]
+    UnknownName {
+        /// The name.
+        name: String,
+        /// The nearest known parameter or function.
+        nearest: Option<String>,
+    },
+    /// A name where only a number with a unit may stand.
+    #[error("'{name}' is a name; a number with its unit is due here")]
+    NameNotAllowed {
+        /// The name.
+        name: String,
+    },
+    /// A function called with the wrong number of values.
+    #[error("{function} takes {due} value(s); {given} given")]
+    WrongArgumentCount {
+        /// The function.
+        function: &'static str,
+        /// How many it takes.
+        due: usize,
+        /// How many stand there.
+        given: usize,
+    },
+    /// Two dimensions that cannot be added or compared.
+    #[error("{operation} needs two values of one dimension; the first is {first}, the second {second}")]
+    MixedDimensions {
+        /// The operation.
+        operation: &'static str,
+        /// Dimension of the first.
+        first: Dimension,
+        /// Dimension of the second.
+        second: Dimension,
+    },
+    /// A function of a value of the wrong dimension.
+    #[error("{function} needs {due}; found {found}")]
+    WrongArgument {
+        /// The function or operator.
+        function: &'static str,
+        /// What it needs.
+        due: Dimension,
+        /// What stands there.
+        found: Dimension,
+    },
+    /// A power of a value with a unit whose exponent depends on parameters.
+    #[error("the exponent of {base} must be a fixed number")]
+    ExponentNotFixed {
+        /// Dimension of the base.
+        base: Dimension,
+    },
+    /// A value that is not finite.
+    #[error("the value is {value}; must be finite")]
+    NotFinite {
+        /// The value.
+        value: f64,
+    },
+}
+
+impl Problem for ExpressionProblem {
+    fn code(&self) -> Code {
+        match self {
+            Self::Empty
+            | Self::UnexpectedCharacter { .. }
+            | Self::BadNumber { .. }
+            | Self::Unexpected { .. }
+            | Self::AmbiguousUnit { .. }
+            | Self::UnitWithoutNumber { .. }
+            | Self::NameNotAllowed { .. }
+            | Self::WrongArgumentCount { .. } => Code::ExpressionSyntax,
+            Self::UnknownUnit { .. } => Code::UnknownUnit,
+            Self::UnknownName { .. } => Code::UnknownParameter,
+            Self::MixedDimensions { .. } | Self::WrongArgument { .. } | Self::ExponentNotFixed { .. } => {
+                Code::MixedDimensions
+            }
+            Self::TooLong { .. } | Self::TooDeep { .. } => Code::ExpressionTooLong,
+            Self::NumberTooLarge { .. } | Self::NotFinite { .. } => Code::NotFinite,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Empty => Some("write a number with its unit, for example \"0.5 mm\"".to_owned()),
+            Self::UnknownUnit { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownUnit { .. } => Some(
+                "known units include m, mm, µm, kg, g, s, ms, rad, deg, rpm, N, kN, Pa, GPa, J, W; products and powers are \
+                 written kg m^2, m/s^2"
+                    .to_owned(),
+            ),
+            Self::UnitWithoutNumber { symbol } => Some(format!("write \"1 {symbol}\" for one of it")),
+            Self::AmbiguousUnit { .. } => Some("write parentheses, for example kg/(m s)".to_owned()),
+            Self::UnknownName { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownName { name, .. } => Some(format!("define it under [parameter]: {name} = \"...\"")),
+            Self::NameNotAllowed { .. } => Some("names of parameters are known in the model file only".to_owned()),
+            Self::MixedDimensions { first, second, .. } if first.is_number() || second.is_number() => {
+                let example = if first.is_number() { second.example() } else { first.example() };
+                example.map(|example| format!("a number needs its unit, for example \"{example}\""))
+            }
+            Self::WrongArgument { due, found, .. } if *due == Dimension::ANGLE && found.is_number() => {
+                Some("an angle needs its unit, for example 30 deg or 0.5 rad".to_owned())
+            }
+            Self::TooLong { .. } | Self::TooDeep { .. } => {
+                Some("give parts of it names under [parameter]".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
