@@ -35,9 +35,9 @@ class Settings:
 
 @dataclass
 class History:
-    """`rows`: time, then x, y, θ of every body, velocities, accelerations. `events`: time_s, joint, kind,
-    δ̇ m/s, impact speed m/s, and: at an end the peak force of that contact N, at a change the new mode. `integrals` per row: contact loss, friction loss, work of
-    drives, kinetic, potential, elastic energy, J."""
+    """`rows`: time, then x, y, θ of every body, velocities, accelerations. `events`: time s, joint, kind, δ̇ m/s, impact
+    speed m/s, and: at an end the peak force of that contact N, at a change the new mode. `integrals` per row: contact
+    loss, friction loss, work of drives, kinetic, potential, elastic energy, J."""
 
     rows: np.ndarray
     events: np.ndarray

@@ -18,7 +18,7 @@ UNITS = {
 }  # fmt: skip
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)|([A-Za-z_]\w*)|([-+*/^()]))")
 
-REVOLUTE, PRISMATIC, RIGID, DRIVE, SLIDE = 0, 1, 2, 3, 4  # DRIVE turns a revolute joint, SLIDE moves a prismatic one
+REVOLUTE, PRISMATIC, RIGID, DRIVE, SLIDE = 0, 1, 2, 3, 4  # DRIVE is of a revolute joint, SLIDE of a prismatic one
 GROUND = -1
 
 
