@@ -68,7 +68,7 @@ def free_pair(law, restitution, friction, is_literal=False, spin_rad_s=(0.0, 0.0
         model_file.damping_factor(law, restitution), 1e-3, friction, 1e-4, 1e-3, is_literal, law, restitution,
     )  # fmt: skip
     masses = np.array([[1.7, 2.3e-3], [0.14, 1.1e-5]])
-    empty_integers, empty_numbers = np.zeros((0, 4), dtype=np.int64), np.zeros((0, 7))
+    empty_integers, empty_numbers = np.zeros((0, 4), dtype=np.int64), np.zeros((0, 8))
     pair = np.array([[0, 1, int(is_literal)]], dtype=np.int64)
     numbers = np.array([[
         *joint.point_i_m, *joint.point_j_m, joint.bearing_radius_m, joint.radial_clearance_m, joint.stiffness_n_m_n,

@@ -9,9 +9,9 @@ every step the state is projected onto the ideal joints.
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from scipy.integrate._ivp import dop853_coefficients as table
 
+from compiled import njit
 from mechanics import (
     CONTACT, CUT, ZONE, INTEGRALS, constraint_rows, contact_force, derivative, energy, gap, project,
 )  # fmt: skip
@@ -35,9 +35,9 @@ class Settings:
 
 @dataclass
 class History:
-    """`rows`: time, then x, y, θ of every body, velocities, accelerations. `events`: time_s, joint, kind,
-    δ̇ m/s, impact speed m/s, and: at an end the peak force of that contact N, at a change the new mode. `integrals` per row: contact loss, friction loss, work of
-    drives, kinetic, potential, elastic energy, J."""
+    """`rows`: time, then x, y, θ of every body, velocities, accelerations. `events`: time s, joint, kind, δ̇ m/s, impact
+    speed m/s, and: at an end the peak force of that contact N, at a change the new mode. `integrals` per row: contact
+    loss, friction loss, work of drives, kinetic, potential, elastic energy, J."""
 
     rows: np.ndarray
     events: np.ndarray
@@ -54,7 +54,7 @@ class History:
         return float(np.max(np.abs(total - total[0])))
 
 
-@njit(cache=True)
+@njit()
 def step(time_s, y, slope, h, system, mode, v0, scale):
     """One DOP853 step: new state, its slope, the stages, the error in units of `scale`."""
     n = y.size
@@ -74,7 +74,7 @@ def step(time_s, y, slope, h, system, mode, v0, scale):
     return new, stages, error
 
 
-@njit(cache=True)
+@njit()
 def dense(time_s, y, new, stages, h, system, mode, v0):
     """Coefficients of the dense output of degree 7."""
     for s in range(STAGES + 1, 16):
@@ -88,7 +88,7 @@ def dense(time_s, y, new, stages, h, system, mode, v0):
     return f
 
 
-@njit(cache=True)
+@njit()
 def between(y, f, x):
     """Dense output at the share x of the step."""
     result = np.zeros_like(y)
@@ -98,14 +98,14 @@ def between(y, f, x):
     return result + y
 
 
-@njit(cache=True)
+@njit()
 def zone_of(sliding, lower, upper):
     size = abs(sliding)
     zone = 0 if size <= lower else (1 if size <= upper else 2)
     return zone if sliding >= 0.0 else -zone
 
 
-@njit(cache=True)
+@njit()
 def event_values(y, system, mode, v0):
     """Per clearance joint four functions that stay positive while the mode lasts."""
     size = 3 * system[0].shape[0]
@@ -138,12 +138,12 @@ def event_values(y, system, mode, v0):
     return values
 
 
-@njit(cache=True)
+@njit()
 def value_at(which, y, f, x, system, mode, v0):
     return event_values(between(y, f, x), system, mode, v0)[which]
 
 
-@njit(cache=True)
+@njit()
 def lowest(which, y, f, left, right, system, mode, v0):
     """Golden section for the lowest value of an event function between two shares of the step."""
     ratio = 0.5 * (np.sqrt(5.0) - 1.0)
@@ -163,7 +163,7 @@ def lowest(which, y, f, left, right, system, mode, v0):
     return (c, gc) if gc < gd else (d, gd)
 
 
-@njit(cache=True)
+@njit()
 def first_event(y, f, system, mode, v0):
     """First share of the step at which an event function reaches zero: (which, share), (-1, 1.0) if none.
     (-2, share): a function that begins at zero rises and falls again before the first node; take a step so short."""
@@ -208,7 +208,7 @@ def first_event(y, f, system, mode, v0):
     return found, share
 
 
-@njit(cache=True)
+@njit()
 def land(time_s, y, slope, h, which, system, mode, v0, scale):
     """The step taken again with a length at which the event function is zero to round-off."""
     new, stages, _ = step(time_s, y, slope, h, system, mode, v0, scale)
@@ -232,7 +232,7 @@ def land(time_s, y, slope, h, which, system, mode, v0, scale):
     return new, h
 
 
-@njit(cache=True)
+@njit()
 def normal_at(k, y, f, x, system, mode, v0):
     size = 3 * system[0].shape[0]
     inside = between(y, f, x)
@@ -240,7 +240,7 @@ def normal_at(k, y, f, x, system, mode, v0):
     return contact_force(delta, rate, sliding, system[6][k], mode[k], v0[k])[0]
 
 
-@njit(cache=True)
+@njit()
 def note_peaks(y, f, reach, system, mode, v0, peaks):
     """Raises `peaks` to the largest normal force on the shares [0, reach] of the step."""
     for k in range(system[5].shape[0]):
@@ -263,7 +263,7 @@ def note_peaks(y, f, reach, system, mode, v0, peaks):
         peaks[k] = max(peaks[k], best, normal_at(k, y, f, 0.5 * (a + b), system, mode, v0))
 
 
-@njit(cache=True)
+@njit()
 def change_mode(time_s, y, which, system, mode, v0, peaks, events, count):
     """Switches the mode whose event function number `which` reached zero and logs it."""
     size = 3 * system[0].shape[0]
@@ -292,7 +292,7 @@ def change_mode(time_s, y, which, system, mode, v0, peaks, events, count):
     return count + 1
 
 
-@njit(cache=True)
+@njit()
 def integrate(y, times, system, position_error, velocity_error, largest_step):
     size = 3 * system[0].shape[0]
     joints = system[5].shape[0]

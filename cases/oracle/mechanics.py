@@ -12,11 +12,11 @@ contact loss, friction loss and work of the drives, J.
 """
 
 import numpy as np
-from numba import njit
 
-from model_file import DRIVE, PRISMATIC, REVOLUTE, RIGID, Constraint, Mechanism
+from compiled import njit
+from model_file import DRIVE, PRISMATIC, REVOLUTE, RIGID, SLIDE, Constraint, Mechanism
 
-ROWS = {REVOLUTE: 2, PRISMATIC: 2, RIGID: 3, DRIVE: 1}
+ROWS = {REVOLUTE: 2, PRISMATIC: 2, RIGID: 3, DRIVE: 1, SLIDE: 1}
 CONTACT, CUT, ZONE = 0, 1, 2
 INTEGRALS = 3
 
@@ -28,7 +28,7 @@ def tables(mechanism):
     integers, numbers, row = [], [], 0
     for c in mechanism.constraints:
         integers.append([c.kind, c.i, c.j, row])
-        numbers.append([*c.point_i_m, *c.point_j_m, c.angle_i_rad, c.angle_j_rad, c.speed_rad_s])
+        numbers.append([*c.point_i_m, *c.point_j_m, c.angle_i_rad, c.angle_j_rad, c.start, c.speed])
         row += ROWS[c.kind]
     pair = [[c.i, c.j, int(c.is_literal)] for c in mechanism.clearances]
     joint = [
@@ -38,12 +38,12 @@ def tables(mechanism):
     ]  # fmt: skip
     return (
         masses, mechanism.gravity_m_s2, np.array(integers, dtype=np.int64).reshape(-1, 4),
-        np.array(numbers).reshape(-1, 7), row,
+        np.array(numbers).reshape(-1, 8), row,
         np.array(pair, dtype=np.int64).reshape(-1, 3), np.array(joint).reshape(-1, 13),
     )  # fmt: skip
 
 
-@njit(cache=True)
+@njit()
 def arm(q, body, x, y):
     """Vector from the centre of mass to the point, in ground axes (for the ground: the point itself)."""
     if body < 0:
@@ -52,26 +52,26 @@ def arm(q, body, x, y):
     return cosine * x - sine * y, sine * x + cosine * y
 
 
-@njit(cache=True)
+@njit()
 def place(q, body, ax, ay):
     if body < 0:
         return ax, ay
     return q[3 * body] + ax, q[3 * body + 1] + ay
 
 
-@njit(cache=True)
+@njit()
 def velocity(v, body, ax, ay):
     if body < 0:
         return 0.0, 0.0
     return v[3 * body] - v[3 * body + 2] * ay, v[3 * body + 1] + v[3 * body + 2] * ax
 
 
-@njit(cache=True)
+@njit()
 def turn(q, body):
     return 0.0 if body < 0 else q[3 * body + 2]
 
 
-@njit(cache=True)
+@njit()
 def put(jacobian, row, body, fx, fy, moment):
     if body >= 0:
         jacobian[row, 3 * body] += fx
@@ -79,7 +79,7 @@ def put(jacobian, row, body, fx, fy, moment):
         jacobian[row, 3 * body + 2] += moment
 
 
-@njit(cache=True)
+@njit()
 def constraint_rows(time_s, q, v, system):
     """C, J, C_t and γ of all ideal joints and drives."""
     integers, numbers, rows = system[2], system[3], system[4]
@@ -91,8 +91,8 @@ def constraint_rows(time_s, q, v, system):
         kind, i, j, row = integers[k]
         number = numbers[k]
         if kind == DRIVE:
-            c[row] = turn(q, j) - turn(q, i) - number[4] - number[6] * time_s
-            c_t[row] = -number[6]
+            c[row] = turn(q, j) - turn(q, i) - number[6] - number[7] * time_s
+            c_t[row] = -number[7]
             put(jacobian, row, j, 0.0, 0.0, 1.0)
             put(jacobian, row, i, 0.0, 0.0, -1.0)
             continue
@@ -105,13 +105,23 @@ def constraint_rows(time_s, q, v, system):
         # Difference of the centripetal accelerations of the two points.
         nx = -w_j * w_j * jx + (w_i * w_i * ix if i >= 0 else 0.0)
         ny = -w_j * w_j * jy + (w_i * w_i * iy if i >= 0 else 0.0)
-        if kind == PRISMATIC:
+        if kind == PRISMATIC or kind == SLIDE:
             line = turn(q, i) + number[4]
             ux, uy = np.cos(line), np.sin(line)
             vix, viy = velocity(v, i, ix, iy)
             vjx, vjy = velocity(v, j, jx, jy)
             along = ux * dx + uy * dy
-            c[row] = -uy * dx + ux * dy
+            across = -uy * dx + ux * dy
+            if kind == SLIDE:
+                c[row] = along - number[6] - number[7] * time_s
+                c_t[row] = -number[7]
+                put(jacobian, row, j, ux, uy, ux * -jy + uy * jx)
+                put(jacobian, row, i, -ux, -uy, -ux * -iy - uy * ix + across)
+                gamma[row] = -(
+                    ux * nx + uy * ny + 2.0 * w_i * (-uy * (vjx - vix) + ux * (vjy - viy)) - w_i * w_i * along
+                )
+                continue
+            c[row] = across
             put(jacobian, row, j, -uy, ux, -uy * -jy + ux * jx)
             put(jacobian, row, i, uy, -ux, uy * -iy - ux * ix - along)
             gamma[row] = -(
@@ -134,7 +144,7 @@ def constraint_rows(time_s, q, v, system):
     return c, jacobian, c_t, gamma
 
 
-@njit(cache=True)
+@njit()
 def gap(q, v, system, k):
     """Penetration δ, δ̇, sliding velocity by the reading of the joint, material sliding velocity, n, common contact
     point. Bearing i, journal j; both bodies are touched in one point with arms R_j - δ/2 and R_i + δ/2."""
@@ -163,7 +173,7 @@ def gap(q, v, system, k):
     return delta, rate, sliding, material, nx, ny, rx + arm_j * nx, ry + arm_j * ny
 
 
-@njit(cache=True)
+@njit()
 def friction_share(sliding, zone, lower, upper):
     """μ(|v|) sign(v)/μ by Ambrósio, smooth inside each zone: ±2 full, ±1 ramp, 0 none."""
     if zone == 0:
@@ -174,7 +184,7 @@ def friction_share(sliding, zone, lower, upper):
     return sign * (sign * sliding - lower) / (upper - lower)
 
 
-@njit(cache=True)
+@njit()
 def contact_force(delta, rate, sliding, number, mode, v0):
     """F_N, its elastic part, and F_T."""
     if mode[CONTACT] == 0 or delta <= 0.0:
@@ -187,7 +197,7 @@ def contact_force(delta, rate, sliding, number, mode, v0):
     return normal, elastic, tangential
 
 
-@njit(cache=True)
+@njit()
 def push(force, q, body, x, y, fx, fy):
     if body >= 0:
         force[3 * body] += fx
@@ -195,7 +205,7 @@ def push(force, q, body, x, y, fx, fy):
         force[3 * body + 2] += (x - q[3 * body]) * fy - (y - q[3 * body + 1]) * fx
 
 
-@njit(cache=True)
+@njit()
 def derivative(time_s, y, system, mode, v0_m_s):
     """ẏ of the state y, and the multipliers."""
     masses, gravity = system[0], system[1]
@@ -233,12 +243,12 @@ def derivative(time_s, y, system, mode, v0_m_s):
     result[:size] = v
     result[size : 2 * size] = solution[:size]
     for k in range(system[2].shape[0]):
-        if system[2][k, 0] == DRIVE:
-            result[2 * size + 2] -= solution[size + system[2][k, 3]] * system[3][k, 6]
+        if system[2][k, 0] == DRIVE or system[2][k, 0] == SLIDE:
+            result[2 * size + 2] -= solution[size + system[2][k, 3]] * system[3][k, 7]
     return result
 
 
-@njit(cache=True)
+@njit()
 def project(time_s, y, system):
     """y moved onto C = 0 and J v + C_t = 0 by the smallest correction in the mass norm; the largest position and
     velocity corrections."""
@@ -265,7 +275,7 @@ def project(time_s, y, system):
     return result, moved, kicked
 
 
-@njit(cache=True)
+@njit()
 def energy(y, system):
     """Kinetic and potential energy of the bodies, and elastic energy in the contacts, J."""
     masses, gravity = system[0], system[1]
@@ -316,9 +326,11 @@ def guess(mechanism, size):
         q[3 * body + 2] = angle_rad
     for c in mechanism.constraints:
         if c.kind == DRIVE and c.i < 0:
-            q[3 * c.j + 2] = c.angle_i_rad
+            q[3 * c.j + 2] = c.start
         if c.kind == DRIVE and c.j < 0:
-            q[3 * c.i + 2] = -c.angle_i_rad
+            q[3 * c.i + 2] = -c.start
+        if c.kind == DRIVE and c.i >= 0 and c.j >= 0:
+            q[3 * c.j + 2] = q[3 * c.i + 2] + c.start
     for c in mechanism.constraints:
         if c.kind == PRISMATIC and c.i < 0:
             q[3 * c.j + 2] = c.angle_i_rad - c.angle_j_rad

@@ -18,7 +18,7 @@ UNITS = {
 }  # fmt: skip
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)|([A-Za-z_]\w*)|([-+*/^()]))")
 
-REVOLUTE, PRISMATIC, RIGID, DRIVE = 0, 1, 2, 3
+REVOLUTE, PRISMATIC, RIGID, DRIVE, SLIDE = 0, 1, 2, 3, 4  # DRIVE is of a revolute joint, SLIDE of a prismatic one
 GROUND = -1
 
 
@@ -107,7 +107,8 @@ class Constraint:
 
     `point_*_m` are measured from the centre of mass, in the axes of the body (from the origin for the ground).
     `angle_*_rad` is the angle of a prismatic line in each body; `angle_j_rad` of a rigid joint is the turn of `j`
-    from `i`; a drive keeps θ_j - θ_i = `angle_i_rad` + `speed_rad_s` t.
+    from `i`; a drive keeps θ_j - θ_i = `start` + `speed` t (rad, rad/s) or the slide (r_j - r_i)·u = `start` + `speed` t
+    (m, m/s), u the direction of the prismatic line.
     """
 
     name: str
@@ -118,7 +119,8 @@ class Constraint:
     point_j_m: tuple
     angle_i_rad: float = 0.0
     angle_j_rad: float = 0.0
-    speed_rad_s: float = 0.0
+    start: float = 0.0
+    speed: float = 0.0
 
 
 @dataclass
@@ -248,19 +250,22 @@ def read(path):
                 constraints.append(Constraint(name, RIGID, i, j, point_i, point_j, 0.0, si(table["angle"])))
             case kind:
                 raise ValueError(f"joint '{name}' has kind '{kind}'")
-    speeds_rad_s = {}
+    speeds = {}
     for name, table in document["drive"].items():
-        joint = next(c for c in constraints if c.name == table["joint"] and c.kind == REVOLUTE)
-        speeds_rad_s[name] = si(table["speed"])
+        joint = next(c for c in constraints if c.name == table["joint"] and c.kind in (REVOLUTE, PRISMATIC))
+        turns = joint.kind == REVOLUTE
+        speeds[name] = si(table["speed"])
+        start = si(table["start_angle" if turns else "start_position"])
         constraints.append(Constraint(
-            name, DRIVE, joint.i, joint.j, (0.0, 0.0), (0.0, 0.0), si(table["start_angle"]), 0.0, speeds_rad_s[name],
+            name, DRIVE if turns else SLIDE, joint.i, joint.j, joint.point_i_m, joint.point_j_m, joint.angle_i_rad,
+            joint.angle_j_rad, start, speeds[name],
         ))  # fmt: skip
 
     cycle = document["cycle"]
     guess = {index[name]: si(value) for name, value in document.get("assembly", {}).get("guess", {}).items()}
     return Mechanism(
         document["name"], si(document["gravity"]), bodies, constraints, clearances, guess,
-        float(cycle["recorded_turns"]), int(cycle["samples_per_turn"]), speeds_rad_s[cycle["drive"]], document,
+        float(cycle["recorded_turns"]), int(cycle["samples_per_turn"]), speeds[cycle["drive"]], document,
     )  # fmt: skip
 
 

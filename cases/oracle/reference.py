@@ -61,7 +61,8 @@ def longest_predictable(path):
     growth = differences(fine, wider, len(mechanism.bodies))[:, 0] / PROBE_M
     for share in np.linspace(0.1, 1.0, 10):
         last = int(share * (len(size) - 1))
-        print(f"{share * mechanism.recorded_turns:8.4f} turns: {size[: last + 1].max():.2e} m, growth {growth[: last + 1].max():.2g}")
+        agreement_m, grown = size[: last + 1].max(), growth[: last + 1].max()
+        print(f"{share * mechanism.recorded_turns:8.4f} turns: {agreement_m:.2e} m, growth {grown:.2g}")
     onsets = fine.events[fine.events[:, 2] == ONSET]
     print(
         f"{len(onsets)} onsets, {count_of(fine, CUT_CHANGE)} cuts, {count_of(fine, ZONE_CHANGE)} changes"
