@@ -1,1 +1,8 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
+
+mod file;
+
+pub use file::{
+    Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
+    study_schema,
+};
