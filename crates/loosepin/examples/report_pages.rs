@@ -1,0 +1,28 @@
+//! Writes the three kinds of page from made-up results, so that they can be looked at and tested in a browser:
+//! `cargo run --example report_pages -- FOLDER`.
+
+#[path = "../tests/report_fixture/mod.rs"]
+mod report_fixture;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::{env, fs, io};
+
+fn main() -> ExitCode {
+    let Some(folder) = env::args_os().nth(1).map(PathBuf::from) else {
+        eprintln!("report_pages: no folder given\nhint: cargo run --example report_pages -- target/report_pages");
+        return ExitCode::from(2);
+    };
+    match write_pages(&folder) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("report_pages: cannot write into {}: {error}", folder.display());
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn write_pages(folder: &std::path::Path) -> io::Result<()> {
+    fs::create_dir_all(folder)?;
+    fs::write(folder.join("study.html"), loosepin::report::study_page(&report_fixture::study::worn_pin()))
+}
