@@ -73,6 +73,7 @@
       axes: [
         axis(data.x_label, data.x_symbol, {
           values: splitText,
+          size: 34,
           incrs: data.horizontal === 'angle' ? [0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720] : undefined,
           space: 48,
         }),

@@ -8,6 +8,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
+use loosepin::report;
+
 fn main() -> ExitCode {
     let Some(folder) = env::args_os().nth(1).map(PathBuf::from) else {
         eprintln!("report_pages: no folder given\nhint: cargo run --example report_pages -- target/report_pages");
@@ -24,5 +26,7 @@ fn main() -> ExitCode {
 
 fn write_pages(folder: &std::path::Path) -> io::Result<()> {
     fs::create_dir_all(folder)?;
-    fs::write(folder.join("study.html"), loosepin::report::study_page(&report_fixture::study::worn_pin()))
+    fs::write(folder.join("study.html"), report::study_page(&report_fixture::study::worn_pin()))?;
+    fs::write(folder.join("simulation.html"), report::simulation_page(&report_fixture::simulation::worn_pin()))?;
+    fs::write(folder.join("motion.html"), report::motion_page(&report_fixture::motion::worn_pin()))
 }

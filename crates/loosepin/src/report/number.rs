@@ -11,8 +11,10 @@ const ERROR_DIGITS: usize = 1;
 const MOST_DIGITS: usize = 7;
 /// Digits of what a person wrote, before zeros at the end are dropped.
 const INPUT_DIGITS: usize = 8;
-/// Below this and from its inverse up, powers of ten are used.
-const SMALLEST_PLAIN: f64 = 1e-3;
+/// Below this, powers of ten are used.
+const SMALLEST_PLAIN: f64 = 1e-5;
+/// From this up, powers of ten are used.
+const LARGEST_PLAIN: f64 = 1e7;
 /// A scaled value this close to a whole number (relative) is that number: decimal fractions have no exact binary form.
 const REPRESENTATION_NOISE: f64 = 1e-12;
 
@@ -71,6 +73,12 @@ impl<'a> NumberWriter<'a> {
         self.rounded(value_si, unit, PLAIN_DIGITS, Rounding::Nearest)
     }
 
+    /// Number with unit to four digits, without zeros at its end: for values that are exact or nearly so.
+    pub fn value_trimmed(&self, value_si: f64, unit: &SiUnit) -> String {
+        let text = significant(self.scaled(value_si, unit), PLAIN_DIGITS, Rounding::Nearest);
+        self.with_symbol(self.dress(without_trailing_zeros(text)), unit)
+    }
+
     /// An input number without unit, in the fewest digits that tell it.
     pub fn shortest(&self, value_si: f64, unit: &SiUnit) -> String {
         let text = significant(self.scaled(value_si, unit), INPUT_DIGITS, Rounding::Nearest);
@@ -95,6 +103,12 @@ impl<'a> NumberWriter<'a> {
         self.with_symbol(self.dress(text), unit)
     }
 
+    /// Like [`Self::to_error`], but to three digits at most: for sentences.
+    pub fn for_sentence(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
+        let least_error_si = 1e-3 * value_si.abs();
+        self.to_error(value_si, error_si.max(least_error_si), unit, rounding)
+    }
+
     /// An error: one digit, rounded up, with unit.
     pub fn error(&self, error_si: f64, unit: &SiUnit) -> String {
         self.rounded(error_si, unit, ERROR_DIGITS, Rounding::Up)
@@ -106,21 +120,17 @@ impl<'a> NumberWriter<'a> {
         format!("{}{}%", self.dress(text), self.space())
     }
 
-    /// The epistemic inputs of a witness in plain words.
+    /// The epistemic inputs of a witness in plain words, in the order of the study file.
     pub fn witness(&self, witness: &Witness, inputs: &[InputDescription]) -> String {
-        let parts: Vec<String> = witness
-            .iter()
+        let place = |path: &str| inputs.iter().position(|input| input.path == path).unwrap_or(usize::MAX);
+        let mut ordered: Vec<(&String, &WitnessValue)> = witness.iter().collect();
+        ordered.sort_by_key(|(path, _)| place(path));
+        let parts: Vec<String> = ordered
+            .into_iter()
             .map(|(path, value)| {
-                let unit = inputs.iter().find(|input| &input.path == path).map_or(&SiUnit::NONE, |input| &input.unit);
+                let unit = inputs.get(place(path)).map_or(&SiUnit::NONE, |input| &input.unit);
                 let shown = match value {
-                    WitnessValue::Number(value_si) => self.with_symbol(
-                        self.dress(without_trailing_zeros(significant(
-                            self.scaled(*value_si, unit),
-                            PLAIN_DIGITS,
-                            Rounding::Nearest,
-                        ))),
-                        unit,
-                    ),
+                    WitnessValue::Number(value_si) => self.value_trimmed(*value_si, unit),
                     WitnessValue::Choice(choice) => choice.clone(),
                 };
                 format!("{} {shown}", plain_name(path, inputs))
@@ -183,7 +193,7 @@ pub(super) fn significant(value: f64, digits: usize, rounding: Rounding) -> Stri
     }
     let magnitude = decimal_magnitude(value);
     let last_place = magnitude - digits as i32 + 1;
-    if value.abs() < SMALLEST_PLAIN || value.abs() >= 1e7 {
+    if value.abs() < SMALLEST_PLAIN || value.abs() >= LARGEST_PLAIN {
         let mantissa_places = digits.saturating_sub(1);
         let mantissa = round_to_place(value / 10f64.powi(magnitude), -(mantissa_places as i32), rounding);
         if mantissa.abs() >= 10.0 {
@@ -223,7 +233,7 @@ fn percent(share: f64, rounding: Rounding) -> String {
     } else {
         -1
     };
-    fixed(round_to_place(percent, last_place, rounding), last_place)
+    without_trailing_zeros(fixed(round_to_place(percent, last_place, rounding), last_place))
 }
 
 fn not_finite(value: f64) -> String {
@@ -307,6 +317,7 @@ mod tests {
         assert_eq!(significant(0.53, 2, Rounding::Up), "0.53", "0.53 has no exact binary form, and is still 0.53");
         assert_eq!(significant(0.999, 2, Rounding::Up), "1.0");
         assert_eq!(percent(0.97449, Rounding::Down), "97.4");
+        assert_eq!(percent(0.95, Rounding::Nearest), "95");
         assert_eq!(percent(0.99731, Rounding::Down), "99.73");
         assert_eq!(percent(1.0, Rounding::Down), "100");
         assert_eq!(percent(0.0, Rounding::Up), "0");

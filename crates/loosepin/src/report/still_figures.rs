@@ -16,13 +16,13 @@ const ORBIT_POINTS: usize = 3000;
 
 /// Path of a journal inside the circle of its clearance.
 pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Markup {
-    let clearance = writer.value(orbit.radial_clearance_m, &SiUnit::LENGTH);
+    let clearance = writer.value_trimmed(orbit.radial_clearance_m, &SiUnit::LENGTH);
     let scale = if orbit.radial_clearance_m > 0.0 { ORBIT_RADIUS / orbit.radial_clearance_m } else { 0.0 };
     let radii = || orbit.x_m.iter().zip(&orbit.y_m).map(|(x_m, y_m)| x_m.hypot(*y_m));
     let farthest_m = radii().fold(0.0, f64::max);
     let on_rim = radii().filter(|radius_m| *radius_m >= 0.999 * orbit.radial_clearance_m).count();
     let rim_share = on_rim as f64 / orbit.x_m.len().max(1) as f64;
-    let farthest = writer.value(farthest_m, &SiUnit::LENGTH);
+    let farthest = writer.value_trimmed(farthest_m, &SiUnit::LENGTH);
     let rim = writer.percent(rim_share, Rounding::Nearest);
     let step = orbit.x_m.len().div_ceil(ORBIT_POINTS).max(1);
     let mut path = String::new();

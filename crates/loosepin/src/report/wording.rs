@@ -20,7 +20,7 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
     match at {
         ResponsePoint::Whole => "over the whole cycle".to_owned(),
         ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
-            format!("at {}", writer.value(pose_rad, &SiUnit::ANGLE))
+            format!("at {}", writer.value_trimmed(pose_rad, &SiUnit::ANGLE))
         }
         ResponsePoint::Reduced { reduction } => match reduction {
             Reduction::Maximum => "largest in the cycle",
@@ -42,13 +42,13 @@ pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &
             format!("{} quantile", writer.percent(probability, Rounding::Nearest))
         }
         StatisticKind::ProbabilityAbove { limit_si } => {
-            format!("probability above {}", writer.value(limit_si, unit))
+            format!("probability above {}", writer.value_trimmed(limit_si, unit))
         }
         StatisticKind::ProbabilityBelow { limit_si } => {
-            format!("probability below {}", writer.value(limit_si, unit))
+            format!("probability below {}", writer.value_trimmed(limit_si, unit))
         }
         StatisticKind::ProbabilityBeyond { limit_si } => {
-            format!("probability beyond ±{}", writer.value(limit_si, unit))
+            format!("probability beyond ±{}", writer.value_trimmed(limit_si, unit))
         }
     }
 }

@@ -181,10 +181,10 @@ fn inputs() -> Vec<InputDescription> {
     ]
 }
 
-fn end(value_si: f64, error_si: f64, outwards: f64, at: &Witness) -> BoundEnd {
+fn end(value_si: f64, error_si: f64, outwards: f64, [least, most]: [f64; 2], at: &Witness) -> BoundEnd {
     BoundEnd {
         value_si,
-        widened_si: value_si + outwards * error_si,
+        widened_si: (value_si + outwards * error_si).clamp(least, most),
         witness: at.clone(),
         error: NumericalError { sampling_si: 0.8 * error_si, optimisation_si: 0.2 * error_si, surrogate_si: 0.0 },
     }
@@ -197,6 +197,7 @@ fn bound(
     error_si: f64,
     values: &[(f64, &Witness)],
 ) -> BoundRecord {
+    let widest = if statistic.is_probability() { [0.0, 1.0] } else { [f64::NEG_INFINITY, f64::INFINITY] };
     let by_value = |a: &&(f64, &Witness), b: &&(f64, &Witness)| a.0.total_cmp(&b.0);
     let lower = values.iter().min_by(by_value).expect("the fixture has outer points");
     let upper = values.iter().max_by(by_value).expect("the fixture has outer points");
@@ -208,8 +209,8 @@ fn bound(
         treatment: TreatmentKind::Mixed,
         reading: IntervalReading::Fixed,
         unit,
-        lower: end(lower.0, error_si, -1.0, lower.1),
-        upper: end(upper.0, error_si, 1.0, upper.1),
+        lower: end(lower.0, error_si, -1.0, widest, lower.1),
+        upper: end(upper.0, error_si, 1.0, widest, upper.1),
         guarantee: GuaranteeKind::Sampled { confidence: 0.95 },
     }
 }
