@@ -12,10 +12,15 @@
       const [mantissa, exponent] = value.toExponential(2).split('e');
       return (mantissa + ' · 10' + Number(exponent).toString().replace(/[-0-9]/g, (c) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)])).replace('-', '−');
     }
-    const places = step !== undefined
-      ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
-      : magnitude === 0 ? 0 : Math.max(0, 3 - Math.floor(Math.log10(magnitude)));
-    return value.toFixed(Math.min(places, 10)).replace('-', '−');
+    let places = magnitude === 0 ? 0 : Math.max(0, 3 - Math.floor(Math.log10(magnitude)));
+    if (step !== undefined) {
+      // As many places as the step between ticks has: 0.25 has two.
+      places = 0;
+      while (places < 10 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) places += 1;
+    }
+    const [whole, rest] = value.toFixed(Math.min(places, 10)).replace('-', '−').split('.');
+    const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') : whole;
+    return rest === undefined ? grouped : grouped + '.' + rest;
   }
 
   const withUnit = (number, symbol) => symbol === '' ? number : symbol === '°' || symbol === '%' ? number + symbol : number + ' ' + symbol;
@@ -59,6 +64,26 @@
     const finite = data.x.filter((value) => value !== null);
     const full = { min: finite[0], max: finite[finite.length - 1] };
 
+    function drawMarks(u) {
+      const { ctx, bbox } = u;
+      data.marks.forEach((mark) => {
+        const x = Math.round(u.valToPos(mark.at, 'x', true));
+        if (x < bbox.left || x > bbox.left + bbox.width) return;
+        ctx.save();
+        ctx.strokeStyle = ctx.fillStyle = colour('limit');
+        ctx.lineWidth = 1.5 * devicePixelRatio;
+        ctx.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
+        ctx.beginPath();
+        ctx.moveTo(x, bbox.top);
+        ctx.lineTo(x, bbox.top + bbox.height);
+        ctx.stroke();
+        ctx.font = 12 * devicePixelRatio + 'px system-ui, "DejaVu Sans", sans-serif';
+        ctx.textAlign = 'left';
+        ctx.fillText(mark.label, x + 5 * devicePixelRatio, bbox.top + 14 * devicePixelRatio);
+        ctx.restore();
+      });
+    }
+
     const plot = new uPlot({
       width: Math.max(holder.clientWidth, 200),
       height: height(),
@@ -79,10 +104,11 @@
         }),
         axis(data.y_label, data.y_symbol, {
           values: splitText,
-          size: (u, values) => values === null ? 48 : 16 + 7.2 * values.reduce((most, value) => Math.max(most, String(value).length), 3),
+          size: (u, values) => values === null ? 48 : 22 + 7.4 * values.reduce((most, value) => Math.max(most, String(value).length), 3),
         }),
       ],
       hooks: {
+        draw: [drawMarks],
         setCursor: [(u) => readOut(u)],
         setScale: [(u, key) => {
           if (key !== 'x') return;

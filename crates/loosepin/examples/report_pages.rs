@@ -1,4 +1,4 @@
-//! Writes the three kinds of page from made-up results, so that they can be looked at and tested in a browser:
+//! Writes the three kinds of page, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
 //! `cargo run --example report_pages -- FOLDER`.
 
 #[path = "../tests/report_fixture/mod.rs"]
@@ -28,5 +28,8 @@ fn write_pages(folder: &std::path::Path) -> io::Result<()> {
     fs::create_dir_all(folder)?;
     fs::write(folder.join("study.html"), report::study_page(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.html"), report::simulation_page(&report_fixture::simulation::worn_pin()))?;
-    fs::write(folder.join("motion.html"), report::motion_page(&report_fixture::motion::worn_pin()))
+    fs::write(folder.join("motion.html"), report::motion_page(&report_fixture::motion::worn_pin()))?;
+    fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
+    fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
+    fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))
 }

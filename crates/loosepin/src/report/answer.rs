@@ -168,14 +168,13 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 Verdict::Undecided => "is undecided, because the numerical error reaches over it",
             };
             format!(
-                "The requirement that {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true share \
-                 lies between {} and {}.",
+                "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
+                 share is {}.",
                 super::wording::deviation_words(requirement.of),
                 requirement.output,
                 place_words(requirement.at, writer),
                 writer.percent(requirement.probability_at_least, Rounding::Nearest),
-                writer.percent(requirement.probability[0], Rounding::Down),
-                writer.percent(requirement.probability[1], Rounding::Up),
+                writer.percent_range(requirement.probability[0], requirement.probability[1]),
             )
         })
         .collect()

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
 use super::mechanism_figure::mechanism_figure;
-use super::number::{NumberWriter, Rounding};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts};
 use super::script_data::rounded;
 use super::still_figures::percent_of;
@@ -65,9 +65,9 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
                 "Play alone can move the {} by up to ±{} (worst at {}), if nothing presses the joints to one side; its \
                  standard deviation is at most {} with the journals on their rims.",
                 output.name,
-                writer.rounded(worst_si, &output.unit, 3, Rounding::Up),
+                writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
                 writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
-                writer.rounded(rim_si, &output.unit, 3, Rounding::Up),
+                writer.rounded(rim_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
             )
         })
         .collect();
@@ -76,7 +76,7 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
     }
     for position in &record.singular_positions {
         sentences.push(format!(
-            "At {} of {}: {}.",
+            "Singular at {} of {}: {}.",
             writer.value_trimmed(position.drive_angle_rad, &SiUnit::ANGLE),
             record.drive,
             position.words
@@ -107,6 +107,7 @@ fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Char
         y_symbol: String::new(),
         y_range: None,
         entries: Vec::new(),
+        marks: Vec::new(),
         height: 300,
         caption: html! {},
         alternative: String::new(),
@@ -152,7 +153,7 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
     let (angle_rad, worst_si) = largest(record, &answer.worst_case_si);
     let words = format!(
         "at most ±{}, at {}",
-        writer.rounded(worst_si, &output.unit, 3, Rounding::Up),
+        writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
         writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
     );
     chart.caption = html! {

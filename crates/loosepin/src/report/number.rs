@@ -31,7 +31,7 @@ pub(super) enum Rounding {
 /// Where the text goes, which decides on its characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Medium {
-    /// Typographic minus, no-break spaces, superscripts.
+    /// Typographic minus, superscripts, thousands apart.
     Page,
     /// Characters that can be copied back into a program.
     Terminal,
@@ -61,11 +61,6 @@ impl<'a> NumberWriter<'a> {
     /// The number in its display unit.
     pub fn scaled(&self, value_si: f64, unit: &SiUnit) -> f64 {
         self.units.of(unit).from_si(value_si)
-    }
-
-    /// Number without unit.
-    pub fn bare(&self, value_si: f64, unit: &SiUnit, digits: usize) -> String {
-        self.dress(significant(self.scaled(value_si, unit), digits, Rounding::Nearest))
     }
 
     /// Number with unit.
@@ -114,10 +109,21 @@ impl<'a> NumberWriter<'a> {
         self.rounded(error_si, unit, ERROR_DIGITS, Rounding::Up)
     }
 
+    /// A count.
+    pub fn count(&self, value: u64) -> String {
+        self.dress(value.to_string())
+    }
+
     /// A share from 0 to 1 in percent.
     pub fn percent(&self, share: f64, rounding: Rounding) -> String {
         let text = percent(share, rounding);
         format!("{}{}%", self.dress(text), self.space())
+    }
+
+    /// Two shares, the lower rounded down and the upper up; one where they are the same.
+    pub fn percent_range(&self, least: f64, most: f64) -> String {
+        let (least, most) = (self.percent(least, Rounding::Down), self.percent(most, Rounding::Up));
+        if least == most { least } else { format!("{least} to {most}") }
     }
 
     /// The epistemic inputs of a witness in plain words, in the order of the study file.
@@ -148,11 +154,9 @@ impl<'a> NumberWriter<'a> {
         }
     }
 
+    /// Between a number and its unit: a line must not end there. Terminal text turns it into a space once it is wrapped.
     pub fn space(&self) -> char {
-        match self.medium {
-            Medium::Page => '\u{a0}',
-            Medium::Terminal => ' ',
-        }
+        '\u{a0}'
     }
 
     /// Typographic minus and powers of ten where the medium has them.
@@ -165,7 +169,7 @@ impl<'a> NumberWriter<'a> {
                 let raised: String = exponent.chars().map(superscript).collect();
                 format!("{}\u{a0}·\u{a0}10{raised}", mantissa.replace('-', "−"))
             }
-            None => text.replace('-', "−"),
+            None => grouped(&text).replace('-', "−"),
         }
     }
 }
@@ -201,7 +205,10 @@ pub(super) fn significant(value: f64, digits: usize, rounding: Rounding) -> Stri
         }
         return format!("{mantissa:.mantissa_places$}e{magnitude}");
     }
-    fixed(round_to_place(value, last_place, rounding), last_place)
+    let rounded = round_to_place(value, last_place, rounding);
+    // 0.999 to two digits is 1.0, not 1.00.
+    let carried = i32::from(decimal_magnitude(rounded) > magnitude);
+    fixed(rounded, last_place + carried)
 }
 
 /// A value to the place of the first digit of its error (the second, where the first is a 1).
@@ -277,6 +284,26 @@ fn fixed(value: f64, last_place: i32) -> String {
     }
 }
 
+/// Thousands apart from five digits on, with a narrow space that does not break.
+fn grouped(text: &str) -> String {
+    let whole = text.find('.').unwrap_or(text.len());
+    let digits = text[..whole].trim_start_matches('-').len();
+    if digits < 5 || !text[..whole].trim_start_matches('-').chars().all(|c| c.is_ascii_digit()) {
+        return text.to_owned();
+    }
+    let mut result = String::new();
+    for (index, character) in text.char_indices() {
+        if index > 0 && index < whole && character.is_ascii_digit() && (whole - index).is_multiple_of(3) {
+            let after_sign = text.starts_with('-') && index == 1;
+            if !after_sign {
+                result.push('\u{202f}');
+            }
+        }
+        result.push(character);
+    }
+    result
+}
+
 fn without_trailing_zeros(text: String) -> String {
     let (mantissa, exponent) = match text.split_once('e') {
         Some((mantissa, exponent)) => (mantissa.to_owned(), format!("e{exponent}")),
@@ -329,7 +356,7 @@ mod tests {
         assert_eq!(to_error(0.53467, 0.0012, Rounding::Nearest), "0.5347");
         assert_eq!(to_error(123.4, 30.0, Rounding::Nearest), "120");
         assert_eq!(to_error(0.5, f64::INFINITY, Rounding::Nearest), "0.5000");
-        assert_eq!(significant(1.2345e-9, 3, Rounding::Nearest), "1.23e-9");
+        assert_eq!(significant(1.2346e-9, 3, Rounding::Nearest), "1.23e-9");
         assert_eq!(significant(9.999e-9, 2, Rounding::Nearest), "1.0e-8");
         assert_eq!(significant(327334.2, 4, Rounding::Nearest), "327300");
         assert_eq!(significant(f64::NAN, 4, Rounding::Nearest), "not known");
@@ -341,9 +368,11 @@ mod tests {
         let page = NumberWriter::for_page(&units);
         let terminal = NumberWriter::for_terminal(&units);
         assert_eq!(page.value(-0.0005347, &SiUnit::LENGTH), "−0.5347\u{a0}mm");
-        assert_eq!(terminal.value(-0.0005347, &SiUnit::LENGTH), "-0.5347 mm");
-        assert_eq!(page.value(1.2345e-9, &SiUnit::NONE), "1.234\u{a0}·\u{a0}10⁻⁹");
+        assert_eq!(terminal.value(-0.0005347, &SiUnit::LENGTH), "-0.5347\u{a0}mm");
+        assert_eq!(page.value(1.2346e-9, &SiUnit::NONE), "1.235\u{a0}·\u{a0}10⁻⁹");
         assert_eq!(page.value(std::f64::consts::FRAC_PI_3, &SiUnit::ANGLE), "60.00°");
+        assert_eq!(page.value(-327_334.2, &SiUnit::FORCE), "−327\u{202f}300\u{a0}N");
+        assert_eq!(page.value(45_870.0, &SiUnit::FORCE), "45\u{202f}870\u{a0}N");
         assert_eq!(plain_name("joint.gudgeon.radial_clearance", &[]), "gudgeon radial clearance");
     }
 }

@@ -96,10 +96,10 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };
     if let Some(extreme) = deviation {
         sentences.push(format!(
-            "{with}, the {} stays between {} and {} of its ideal motion.",
+            "{with}, the {} departs from its ideal motion by {} to {}.",
             extreme.name.trim_end_matches(", deviation"),
-            writer.rounded(extreme.minimum.value_si, &extreme.unit, PLAIN_DIGITS, Rounding::Down),
-            writer.rounded(extreme.maximum.value_si, &extreme.unit, PLAIN_DIGITS, Rounding::Up),
+            writer.value(extreme.minimum.value_si, &extreme.unit),
+            writer.value(extreme.maximum.value_si, &extreme.unit),
         ));
     } else {
         sentences.push(format!("{with}, {} were recorded.", turns(record.settings.recorded_turns)));
@@ -133,6 +133,7 @@ fn time_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> C
         y_symbol: String::new(),
         y_range: None,
         entries: Vec::new(),
+        marks: Vec::new(),
         height: 300,
         caption: html! {},
         alternative: String::new(),

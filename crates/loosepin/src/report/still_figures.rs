@@ -55,11 +55,18 @@ pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
 /// Where `value` lies between `from` and `to`, in percent of the width.
 pub(super) fn percent_of(value: f64, from: f64, to: f64) -> String {
     let share = if to > from { (value - from) / (to - from) } else { 0.5 };
-    format!("{:.3}%", 100.0 * share.clamp(0.0, 1.0))
+    // The ends may be infinite where a bound does not exist.
+    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    format!("{:.3}%", 100.0 * share)
 }
 
 /// Bars over a logarithmic axis.
 pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup, alternative: &str) -> Markup {
+    // A logarithmic axis has no place for anything else, and its decades are counted below.
+    let bins: Vec<&HistogramBin> = bins
+        .iter()
+        .filter(|bin| bin.from.is_normal() && bin.from > 0.0 && bin.to > bin.from && bin.to.is_finite())
+        .collect();
     let most = bins.iter().map(|bin| bin.count).max().unwrap_or(0).max(1) as f64;
     let (Some(first), Some(last)) = (bins.first(), bins.last()) else { return html! {} };
     let (from, to) = (first.from.log10(), last.to.log10());
@@ -68,7 +75,7 @@ pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup,
     html! {
         figure.histogram id=(id) {
             svg width="100%" height="170" role="img" aria-label=(alternative) {
-                @for bin in bins {
+                @for bin in &bins {
                     @let share = bin.count as f64 / most;
                     @let left = (bin.from.log10() - from) / (to - from) * 94.0 + 3.0;
                     @let width = (bin.to.log10() - bin.from.log10()) / (to - from) * 94.0;

@@ -98,17 +98,9 @@ pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String 
     }
 }
 
-/// A count with thousands apart: `16 384`.
+/// A count, on a page with thousands apart: `16 384`.
 pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
-    let digits = value.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) && digits.len() > 4 {
-            text.push(writer.space());
-        }
-        text.push(digit);
-    }
-    text
+    writer.count(value)
 }
 
 /// `1 run`, `2 runs`.

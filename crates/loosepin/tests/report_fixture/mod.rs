@@ -3,6 +3,8 @@
 //! The kinematics are exact (crank 50 mm, rod 120 mm); the journal's path in its bearing is invented, so these numbers
 //! illustrate and prove nothing about the mechanism.
 
+#![allow(dead_code, reason = "each test and example uses a part of it")]
+
 mod kinematics;
 pub mod motion;
 pub mod simulation;
