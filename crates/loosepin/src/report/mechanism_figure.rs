@@ -16,6 +16,8 @@ const MOST_POSES: usize = 361;
 const PIN_SHARE: f64 = 0.011;
 /// A clearance is magnified at first to about this share of the diagonal.
 const VISIBLE_SHARE: f64 = 0.02;
+/// The still picture shows the pose at this fraction of the cycle (one over it): not a dead centre.
+const FIRST_POSE: usize = 6;
 /// Magnifications on offer.
 const MAGNIFICATIONS: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
 
@@ -24,6 +26,8 @@ struct Motion {
     /// Angle of the drive at each pose, degrees.
     angle_deg: Vec<Option<f64>>,
     magnification: f64,
+    /// The pose that is shown first.
+    start: usize,
     bodies: Vec<BodyMotion>,
 }
 
@@ -81,7 +85,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
                         g.ghost aria-hidden="true" {
                             @for (index, body) in drawing.bodies.iter().enumerate() {
                                 @if !body.is_ground {
-                                    g data-ghost=(index) transform=(transform(&motion.bodies[index], 0.0)) {
+                                    g data-ghost=(index) transform=(transform(&motion, index, 0.0)) {
                                         (outline(drawing, index, reference, pin))
                                     }
                                 }
@@ -90,7 +94,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
                     }
                     @for (index, body) in drawing.bodies.iter().enumerate() {
                         @if !body.is_ground {
-                            g.body data-body=(index) transform=(transform(&motion.bodies[index], magnification)) {
+                            g.body data-body=(index) transform=(transform(&motion, index, magnification)) {
                                 title { (body.name) }
                                 (outline(drawing, index, reference, pin))
                             }
@@ -100,7 +104,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
                     @for layer in [PinLayer::Bearings, PinLayer::Journals] {
                         @for (index, body) in drawing.bodies.iter().enumerate() {
                             @if !body.is_ground {
-                                g data-body=(index) transform=(transform(&motion.bodies[index], magnification)) {
+                                g data-body=(index) transform=(transform(&motion, index, magnification)) {
                                     (pins(drawing, index, pin, magnification, layer))
                                 }
                             }
@@ -111,8 +115,8 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
             div.controls {
                 button.play type="button" aria-pressed="false" { "Play" }
                 label {
-                    span { (drive) " at " output.angle { (format!("{:.0}°", motion.angle_deg[0].unwrap_or(0.0))) } }
-                    input.pose type="range" min="0" max=(motion.angle_deg.len().saturating_sub(1)) value="0"
+                    span { (drive) " at " output.angle { (format!("{:.0}°", motion.angle_deg[motion.start].unwrap_or(0.0))) } }
+                    input.pose type="range" min="0" max=(motion.angle_deg.len().saturating_sub(1)) value=(motion.start)
                         step="1" aria-label=(format!("Angle of {drive}"));
                 }
                 @if has_ideal && largest_clearance_mm > 0.0 {
@@ -186,16 +190,19 @@ fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnificati
             }
         })
         .collect();
-    Motion { angle_deg: pick(&|pose| reference.drive_angle_rad[pose].to_degrees()), magnification, bodies }
+    let angle_deg = pick(&|pose| reference.drive_angle_rad[pose].to_degrees());
+    let start = angle_deg.len() / FIRST_POSE;
+    Motion { angle_deg, magnification, start, bodies }
 }
 
-fn transform(body: &BodyMotion, magnification: f64) -> String {
-    let first = |list: &[Option<f64>]| list.first().copied().flatten().unwrap_or(0.0);
+fn transform(motion: &Motion, index: usize, magnification: f64) -> String {
+    let body = &motion.bodies[index];
+    let at = |list: &[Option<f64>]| list.get(motion.start).copied().flatten().unwrap_or(0.0);
     format!(
         "translate({:.4} {:.4}) rotate({:.5})",
-        first(&body.x) + magnification * first(&body.dx),
-        first(&body.y) + magnification * first(&body.dy),
-        first(&body.a) + magnification * first(&body.da)
+        at(&body.x) + magnification * at(&body.dx),
+        at(&body.y) + magnification * at(&body.dy),
+        at(&body.a) + magnification * at(&body.da)
     )
 }
 

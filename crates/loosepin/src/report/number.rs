@@ -92,16 +92,16 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// Number with unit, to as many places as its error allows, rounded in the given direction.
-    pub fn to_error(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
+    pub fn down_to_error(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let display = self.units.of(unit);
         let text = to_error(display.from_si(value_si), display.from_si(error_si), rounding);
         self.with_symbol(self.dress(text), unit)
     }
 
-    /// Like [`Self::to_error`], but to three digits at most: for sentences.
+    /// Like [`Self::down_to_error`], but to three digits at most: for sentences.
     pub fn for_sentence(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let least_error_si = 1e-3 * value_si.abs();
-        self.to_error(value_si, error_si.max(least_error_si), unit, rounding)
+        self.down_to_error(value_si, error_si.max(least_error_si), unit, rounding)
     }
 
     /// An error: one digit, rounded up, with unit.

@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
-use super::answer::{answer, treatment_sentences};
+use super::answer::{answer, output_unit, treatment_sentences};
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
 use super::wording::{count, counted, deviation_words, output_words, place_words, statistic_words, treatment_words};
@@ -175,11 +175,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
 fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
     let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
     for bound in group {
-        let output_unit = result
-            .outputs
-            .iter()
-            .find(|output| output.name == bound.output)
-            .map_or(SiUnit::NONE, |output| output.unit.clone());
+        let output_unit = output_unit(result, &bound.output);
         bounds.add_row([
             statistic_words(bound.statistic, &output_unit, writer),
             bound_value(&bound.lower, bound, Rounding::Down, writer),

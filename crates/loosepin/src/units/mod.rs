@@ -1,5 +1,6 @@
 //! Text with units to SI numbers and back.
 
 pub mod display;
+pub mod extended;
 
 pub use display::{DisplayUnit, DisplayUnits, SiUnit};
