@@ -88,6 +88,7 @@
     const plot = new uPlot({
       width: Math.max(holder.clientWidth, 200),
       height: height(),
+      pxAlign: 0,
       series: series,
       bands: bands,
       legend: { show: false },

@@ -282,6 +282,12 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             };
             let kept = if band.coverage_minimum >= 1.0 {
                 "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
+            } else if keeps && band.coverage_minimum < promised {
+                format!(
+                    "Its band keeps the promise of {promise} within numerical error: where the truth is unkind, {least} \
+                     ± {} lie inside",
+                    writer.percent(band.coverage_error, Rounding::Up)
+                )
             } else if keeps {
                 format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
             } else {

@@ -143,13 +143,14 @@ pub fn motion_text(record: &MotionRecord) -> String {
         let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
         let smallest = output.value_si.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let where_known = |text: String| if worst_si.is_finite() { text } else { "-".to_owned() };
         ranges.add_row([
             output_words_of(&output.name, &output.words),
             writer.value(smallest, &output.unit),
             writer.value(largest, &output.unit),
-            format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up)),
-            writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest),
-            writer.rounded(rim_si, &output.unit, 4, Rounding::Up),
+            where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
+            where_known(writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)),
+            where_known(writer.rounded(rim_si, &output.unit, 4, Rounding::Up)),
         ]);
     }
     push_table(&mut text, &ranges);
