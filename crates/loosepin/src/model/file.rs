@@ -145,10 +145,8 @@ impl ModelReader {
                 source: self.reader.source,
                 places: self.places,
             }),
-            _ => {
-                self.warnings.into_iter().for_each(|warning| self.reader.complaints.push(warning));
-                Err(self.reader.complaints)
-            }
+            // What looks unused may be so only because of an error, so warnings wait until there is none.
+            _ => Err(self.reader.complaints),
         }
     }
 

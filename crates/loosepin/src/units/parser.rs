@@ -502,9 +502,9 @@ impl Parser<'_> {
         loop {
             if self.unit_begins(0) || (self.is_sign('*') && self.unit_begins(1)) {
                 if divided {
-                    let unit = self.tokens[..=self.next].iter().filter(|token| token.span.start >= start);
-                    let unit = unit.map(word_of).collect::<Vec<_>>().join("");
-                    return Err(self.error(ExpressionProblem::AmbiguousUnit { unit }, start..self.span().end));
+                    let span = start..self.span().end;
+                    let unit = self.text.get(span.clone()).unwrap_or_default().to_owned();
+                    return Err(self.error(ExpressionProblem::AmbiguousUnit { unit }, span));
                 }
                 self.take_sign('*');
                 product = product.times(self.unit_factor()?);
@@ -593,16 +593,6 @@ impl Parser<'_> {
             }
         }
         Ok(if negative { -exponent } else { exponent })
-    }
-}
-
-fn word_of(token: &Token) -> String {
-    match &token.kind {
-        TokenKind::Word(word) => format!(" {word}"),
-        TokenKind::Sign(sign) => sign.to_string(),
-        TokenKind::Number(value) => super::format_number(*value),
-        TokenKind::Superscript(exponent) => format!("^{exponent}"),
-        TokenKind::End => String::new(),
     }
 }
 
