@@ -131,7 +131,7 @@ pub fn parse_expression(text: &str, names: &dyn Names) -> Result<Expression, Exp
 /// Reads a value without parameters, for example `0.5 mm` or `2 * (1 mm + 3 um)`.
 ///
 /// # Errors
-/// As [`parse_expression`]; a value that is not finite.
+/// The first place where the text is no value, or where dimensions do not agree; a value that is not finite.
 pub fn parse_quantity(text: &str) -> Result<Measured, ExpressionError> {
     let expression = parse_expression(text, &NoNames)?;
     let value_si = run(&expression.ops, &mut []);
