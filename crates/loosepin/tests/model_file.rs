@@ -188,3 +188,20 @@ fn ids_are_in_table_order() {
         assert_eq!(model.quantities.id(&quantity.path), Some(id), "{} stands twice", quantity.path);
     }
 }
+
+#[test]
+fn what_nothing_uses_is_warned_about() {
+    let text = SKETCH.replace("[parameter]", "[parameter]\nspare = \"1 mm\"").replace(
+        "[joint.main]",
+        "[contact.brass]\nrestitution = 0.8\nstiffness = \"1e10 N/m^1.5\"\nexponent = 1.5\n[joint.main]",
+    );
+    let model = Model::from_text("unused.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let warnings: Vec<String> = model.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        warnings,
+        [
+            "unused.toml:30:10: warning[E0408]: contact 'brass' is used by nothing\nhint: changing it has no effect on the results",
+            "unused.toml:4:1: warning[E0408]: parameter 'spare' is used by nothing\nhint: changing it has no effect on the results",
+        ]
+    );
+}

@@ -71,7 +71,12 @@ pub(crate) fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, C
     let mut complaints = Complaints::new();
     for error in errors {
         let place = error.span().map(|span| Place::new(source, span));
-        let problem = DocumentProblem::Syntax { reason: error.message().replace('\n', "; ") };
+        let problem = if error.message() == "duplicate key" {
+            let key = error.span().map(|span| source.text()[source.clamp(span.into())].to_owned());
+            DocumentProblem::DuplicateKey { key: shortened(&key.unwrap_or_default()) }
+        } else {
+            DocumentProblem::Syntax { reason: error.message().replace('\n', "; ") }
+        };
         complaints.push(Complaint::error(&problem, place));
     }
     Err(complaints)
@@ -146,12 +151,15 @@ impl Reader {
         let table = Table { path, span, entries, keys };
         let words = table.path.describe();
         let mut meant = Vec::new();
+        let mut has_unknown = false;
+        let mut has_planned = false;
         for written in entries.keys() {
             let key: &str = written.get_ref();
             if keys.find(key).is_some() {
                 continue;
             }
             let problem = if let Some((_, instead)) = keys.planned.iter().find(|(planned, _)| *planned == key) {
+                has_planned = true;
                 DocumentProblem::NotYetSupported {
                     entry: table.path.join(key).describe(),
                     instead: (*instead).to_owned(),
@@ -159,14 +167,15 @@ impl Reader {
             } else {
                 let known: Vec<&'static str> = keys.keys.iter().map(|key| key.name).collect();
                 let nearest = nearest_name(key, known.iter().copied()).map(str::to_owned);
+                has_unknown = true;
                 meant.extend(nearest.clone());
                 DocumentProblem::UnknownKey { table: words.clone(), key: shortened(key), nearest, known }
             };
             self.complain(&problem, written.span().into());
         }
         for key in keys.keys.iter().filter(|key| key.is_required && !table.has(key.name)) {
-            // A misspelt key is one slip, not two.
-            if meant.iter().any(|meant| meant == key.name) {
+            // A misspelt key is one slip, not two; and a planned one stands where another would.
+            if has_planned || meant.iter().any(|meant| meant == key.name) {
                 continue;
             }
             let problem =
@@ -177,9 +186,8 @@ impl Reader {
             let given: Vec<&'static str> = group.iter().copied().filter(|key| table.has(key)).collect();
             match given.as_slice() {
                 [_] => {}
-                // A planned key was complained about already.
-                [] if group.iter().any(|key| meant.iter().any(|meant| meant == key)) => {}
-                [] if entries.keys().any(|key| keys.planned.iter().any(|(planned, _)| key.get_ref() == planned)) => {}
+                // Whatever was complained about may have been meant for it.
+                [] if has_unknown || has_planned => {}
                 [] => {
                     self.complain(&DocumentProblem::MissingOneOf { table: words.clone(), keys: group.to_vec() }, span)
                 }
@@ -393,7 +401,7 @@ impl Reader {
             return true;
         }
         let found = format_value(value_si, dimension);
-        let problem = DocumentProblem::BreaksRule { entry: entry.path.describe(), found, rule: rule.words() };
+        let problem = DocumentProblem::BreaksRule { entry: entry.path.describe(), found, rule };
         self.complain(&problem, entry.span);
         false
     }

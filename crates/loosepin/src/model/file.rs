@@ -145,10 +145,8 @@ impl ModelReader {
                 source: self.reader.source,
                 places: self.places,
             }),
-            _ => {
-                self.warnings.into_iter().for_each(|warning| self.reader.complaints.push(warning));
-                Err(self.reader.complaints)
-            }
+            // What looks unused may be so only because of an error, so warnings wait until there is none.
+            _ => Err(self.reader.complaints),
         }
     }
 
@@ -259,6 +257,17 @@ impl ModelReader {
             return None;
         }
         Some(id)
+    }
+
+    /// Demands that one quantity be below another; complains at `span` if the values of the file do not obey.
+    pub fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool {
+        let Err(problem) = self.quantities.demand_order(smaller, larger) else { return true };
+        let mut complaint = Complaint::error(&problem, Some(self.reader.place(span)));
+        if let Some(limit) = self.quantities[larger].span.filter(|limit| *limit != span) {
+            complaint = complaint.with_label(self.reader.place(limit), "it must be below this");
+        }
+        self.reader.complaints.push(complaint);
+        false
     }
 
     /// Two lengths, x and y.

@@ -30,7 +30,7 @@ fn choices<T: Copy, const N: usize>(words: [&'static str; N], meanings: [T; N]) 
 impl StudyReader {
     /// Reads the questions.
     pub fn read_asks(&mut self, root: &Table<'_>) -> Vec<Ask> {
-        let Some(entries) = root.get("ask").and_then(|entry| self.reader.list(&entry)) else { return Vec::new() };
+        let entries = self.double_brackets(root, "ask");
         entries
             .iter()
             .filter_map(|entry| {
@@ -40,10 +40,20 @@ impl StudyReader {
             .collect()
     }
 
+    /// The tables under `[[key]]`.
+    fn double_brackets<'t>(&mut self, root: &Table<'t>, key: &str) -> Vec<Entry<'t>> {
+        let Some(entry) = root.get(key) else { return Vec::new() };
+        if entry.is_table() {
+            self.reader.wrong_type::<()>(&entry, "a list of tables, each under a header in double brackets");
+            return Vec::new();
+        }
+        self.reader.list(&entry).unwrap_or_default()
+    }
+
     fn ask(&mut self, table: &Table<'_>) -> Option<Ask> {
         let output = self.output(table);
         let deviation = self.deviation(table);
-        let location = self.location(table, "at");
+        let location = self.location(table, "at", Some("reduce"));
         // Without the output the dimension of limits is not known.
         let output = output?;
         let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
@@ -52,7 +62,7 @@ impl StudyReader {
 
     /// Reads the requirements.
     pub fn read_requirements(&mut self, root: &Table<'_>) -> Vec<Requirement> {
-        let Some(entries) = root.get("require").and_then(|entry| self.reader.list(&entry)) else { return Vec::new() };
+        let entries = self.double_brackets(root, "require");
         entries
             .iter()
             .filter_map(|entry| {
@@ -65,7 +75,7 @@ impl StudyReader {
     fn requirement(&mut self, table: &Table<'_>) -> Option<Requirement> {
         let output = self.output(table);
         let deviation = self.deviation(table);
-        let location = self.location(table, "over");
+        let location = self.location(table, "over", None);
         let probability_at_least = self.reader.number(table, "probability_at_least");
         let output = output?;
         let within = table.get("within").and_then(|entry| {
@@ -105,15 +115,15 @@ impl StudyReader {
         self.reader.choice(&entry, &choices(DEVIATIONS, DEVIATION_MEANINGS))
     }
 
-    /// Where in the cycle; `everywhere` is the key that stands for the whole curve.
-    fn location(&mut self, table: &Table<'_>, everywhere: &str) -> Option<Where> {
+    /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it.
+    fn location(&mut self, table: &Table<'_>, everywhere: &str, reduction: Option<&str>) -> Option<Where> {
         if let Some(entry) = table.get(everywhere) {
             return self.reader.choice(&entry, &[("cycle", ())]).map(|()| Where::Cycle);
         }
         if let Some(entry) = table.get("poses") {
             return self.poses(&entry);
         }
-        let entry = table.get("reduce")?;
+        let entry = table.get(reduction?)?;
         self.reader.choice(&entry, &choices(REDUCTIONS, REDUCTION_MEANINGS)).map(Where::Reduced)
     }
 

@@ -7,19 +7,26 @@ use super::keys::{
     TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
 };
 use super::problem::StudyProblem;
-use crate::document::{Entry, Keys, Table};
+use crate::document::{DocumentProblem, Entry, Keys, Table};
 use crate::model::QuantityId;
 use crate::uncertainty::{Distribution, Interval, RandomVariable};
-use crate::units::{Dimension, Rule, format_value};
+use crate::units::{Dimension, Rule, format_number, format_value};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
 const FIRST_WORDS: [&str; 6] = ["parameter", "body", "joint", "contact", "drive", "assembly"];
+
+/// Shapes of a beta distribution that are accepted. Above, it is a normal distribution a thousand times narrower than
+/// its interval; below, it is two values; and its quantiles take longer than the runs.
+const SHAPES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
+
+const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
+const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
 
 impl StudyReader {
     /// Reads the table of random inputs.
     pub fn read_random(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.any_keys(entry) {
-            let Some(quantity) = self.input(&entry) else { continue };
+            let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
             let dimension = self.model.quantities[quantity].dimension;
             let distribution =
                 self.reader.table(&entry, &RANDOM_KEYS).and_then(|table| self.distribution(&table, dimension));
@@ -28,9 +35,8 @@ impl StudyReader {
                 Ok(variable) => {
                     self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable });
                 }
-                Err(error) => {
-                    self.complain(&StudyProblem::Distribution { entry: entry.path.describe(), error }, &entry)
-                }
+                Err(error) => self
+                    .complain(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, &entry),
             }
         }
     }
@@ -38,7 +44,7 @@ impl StudyReader {
     /// Reads the table of epistemic inputs.
     pub fn read_epistemic(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.any_keys(entry) {
-            let Some(quantity) = self.input(&entry) else { continue };
+            let Some(quantity) = self.input(&entry, EPISTEMIC_EXAMPLE) else { continue };
             if self.random.iter().any(|input| input.quantity == quantity) {
                 self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
@@ -50,13 +56,22 @@ impl StudyReader {
         }
     }
 
-    /// The quantity that a key names.
-    fn input(&mut self, entry: &Entry<'_>) -> Option<QuantityId> {
+    /// The quantity that a key names, where a table stands behind it.
+    fn input(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<QuantityId> {
         if FIRST_WORDS.contains(&entry.name) && entry.is_table() {
-            self.complain(&StudyProblem::UnquotedPath { key: entry.name.to_owned() }, &entry.at_key());
+            let next = self.reader.any_keys(entry).first().map_or("name", |next| next.name);
+            let problem = StudyProblem::UnquotedPath { path: format!("{}.{next}", entry.name) };
+            self.complain(&problem, &entry.at_key());
+            return None;
+        }
+        if entry.name.starts_with("contact.") && entry.name.ends_with(".law") {
+            let instead = "run one study for each law".to_owned();
+            self.reader
+                .complain(&DocumentProblem::NotYetSupported { entry: entry.path.describe(), instead }, entry.key_span);
             return None;
         }
         match self.model.find(entry.name) {
+            Ok(_) if !entry.is_table() => self.reader.wrong_type(entry, due),
             Ok(quantity) => Some(quantity),
             Err(error) => {
                 self.complain(&error.into(), &entry.at_key());
@@ -81,10 +96,11 @@ impl StudyReader {
             self.complain(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry);
             return None;
         }
-        for (value_si, place) in [lower, upper].into_iter().zip(&pair) {
-            if !self.check_end(quantity, path, value_si, place) {
-                return None;
-            }
+        let [first, second] = &pair;
+        let lower_is_possible = self.check_end(quantity, path, lower, first);
+        let upper_is_possible = self.check_end(quantity, path, upper, second);
+        if !lower_is_possible || !upper_is_possible {
+            return None;
         }
         Interval::try_new(lower, upper).ok()
     }
@@ -134,11 +150,7 @@ impl StudyReader {
                 Some(Distribution::Triangular { lower, mode, upper })
             }
             _ => {
-                let [alpha, beta] = ["alpha", "beta"].map(|key| {
-                    self.reader
-                        .number(&table, key)
-                        .filter(|value| self.positive(&table, key, *value, Dimension::NUMBER))
-                });
+                let [alpha, beta] = ["alpha", "beta"].map(|key| self.shape(&table, key));
                 let (lower, upper) = self.ends(&table, dimension)?;
                 Some(Distribution::Beta { alpha: alpha?, beta: beta?, lower, upper })
             }
@@ -181,6 +193,17 @@ impl StudyReader {
         }
         self.refuse(table, key, value, dimension, "> 0".to_owned());
         false
+    }
+
+    /// A shape of a beta distribution.
+    fn shape(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+        let shape = self.reader.number(table, key)?;
+        if SHAPES.contains(&shape) {
+            return Some(shape);
+        }
+        let rule = format!("from {} to {}", format_number(*SHAPES.start()), format_number(*SHAPES.end()));
+        self.refuse(table, key, shape, Dimension::NUMBER, rule);
+        None
     }
 
     fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {

@@ -6,6 +6,7 @@ use crate::diagnostics::{Code, Problem};
 use crate::document::{describe_path, listed};
 use crate::model::{PathError, QuantityError};
 use crate::uncertainty::DistributionError;
+use crate::units::{Dimension, format_value};
 
 /// What can be wrong with a study file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -14,10 +15,10 @@ pub enum StudyProblem {
     #[error(transparent)]
     Path(#[from] PathError),
     /// A path written without quotes, which TOML takes apart.
-    #[error("'{key}' is a table here; paths of the model stand in quotes")]
+    #[error("'{path}' is not in quotes; TOML takes it for tables within tables")]
     UnquotedPath {
-        /// The first part of the path.
-        key: String,
+        /// The path, as far as it can be told.
+        path: String,
     },
     /// A quantity both random and epistemic.
     #[error("'{path}' is both random and epistemic")]
@@ -42,12 +43,14 @@ pub enum StudyProblem {
         rule: String,
     },
     /// A distribution whose numbers are right one by one and still describe none.
-    #[error("{entry}: {}", without_hint(.error))]
+    #[error("{entry}: {}", without_hint(.error, *.dimension))]
     Distribution {
         /// The entry.
         entry: String,
         /// Why.
         error: DistributionError,
+        /// What the numbers measure.
+        dimension: Dimension,
     },
     /// An interval whose lower end lies above its upper end.
     #[error("{entry} begins at {lower} and ends at {upper}; the lower end stands first")]
@@ -164,17 +167,19 @@ pub enum StudyProblem {
     NothingAsked,
 }
 
-/// The hint of a distribution error stands on a line of its own.
-fn split_hint(error: &DistributionError) -> (String, Option<String>) {
-    let text = error.to_string();
-    match text.split_once("\nhint: ") {
-        Some((message, hint)) => (message.to_owned(), Some(hint.to_owned())),
-        None => (text, None),
+/// The text of a distribution error, with units where it says more than the rules checked before.
+fn without_hint(error: &DistributionError, dimension: Dimension) -> String {
+    let text = |value_si: f64| format_value(value_si, dimension);
+    match *error {
+        DistributionError::NothingKept { mean, standard_deviation, lower, upper, .. } => format!(
+            "next to nothing of a normal distribution with mean {} and standard deviation {} lies between {} and {}",
+            text(mean),
+            text(standard_deviation),
+            text(lower),
+            text(upper)
+        ),
+        _ => error.to_string(),
     }
-}
-
-fn without_hint(error: &DistributionError) -> String {
-    split_hint(error).0
 }
 
 impl Problem for StudyProblem {
@@ -202,10 +207,12 @@ impl Problem for StudyProblem {
     fn hint(&self) -> Option<String> {
         match self {
             Self::Path(error) => error.hint(),
-            Self::UnquotedPath { key } => Some(format!("write \"{key}.name.value\" = {{ ... }} with quotes")),
+            Self::UnquotedPath { path } => Some(format!("write \"{path}\" = {{ ... }}")),
             Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
             Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
-            Self::Distribution { error, .. } => split_hint(error).1,
+            Self::Distribution { error: DistributionError::NothingKept { .. }, .. } => {
+                Some("cut nearer to the mean, or state a uniform distribution".to_owned())
+            }
             Self::IntervalTurnedRound { lower, upper, .. } => Some(format!("write [\"{upper}\", \"{lower}\"]")),
             Self::IntervalWithoutWidth { .. } => {
                 Some("write the value in the model file, or widen the interval".to_owned())
