@@ -2,8 +2,8 @@
 
 use pyo3::prelude::*;
 
-/// Uncertainty-aware motion accuracy of planar mechanisms with joint play.
-#[pymodule]
+/// How accurately a planar mechanism moves when its parts scatter and its joints have play.
+#[pymodule(name = "loosepin")]
 fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", loosepin::VERSION)
 }

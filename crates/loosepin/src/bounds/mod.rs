@@ -1,5 +1,48 @@
-//! Bounds of statistics over the epistemic inputs.
+//! Bounds of statistics over the epistemic inputs: the direct double loop.
+//!
+//! A response turns a row of numbers into a row of numbers. Its random inputs X have distributions, its epistemic inputs
+//! u are known to lie in a box U. For every requested statistic S of every requested column Y = g(X, u),
+//!
+//! ```text
+//! S_low = min over u in U of S(u),   S_up = max over u in U of S(u),   S(u) = statistic of g(X, u) over X.
+//! ```
+//!
+//! Planning and running are separate: [`DoubleLoop::next_round`] says which runs come next, given the [`SampleTable`] of
+//! all rounds before; whoever calls it runs them in any order and on any machine, and adds them in the order given.
+//! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate`] does all of it in one call.
 
+mod assemble;
+mod bound;
+mod coverage;
+mod dense;
+mod evaluate;
+mod measure;
+mod moments;
+mod plan;
+mod points;
+mod pool;
+mod probability;
+mod probability_box;
+mod problem;
+mod quantile;
+mod sample;
+mod search;
+mod smoother;
 mod statistic;
+mod table;
+mod treatment;
 
+pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, Reading, Treatment, Witness};
+pub use coverage::{Coverage, CoveragePoint};
+pub use evaluate::{EvaluateError, Response, evaluate, execute};
+pub use plan::{DoubleLoop, PlanError};
+pub use probability_box::ProbabilityBox;
+pub use problem::{Problem, ProblemError, Request, Sampling};
 pub use statistic::Statistic;
+pub use table::{Failure, Purpose, RunInputs, SampleTable, TableError};
+pub use treatment::{Band, TreatmentComparison};
+
+#[cfg(test)]
+mod exact_cases;
+#[cfg(test)]
+mod noisy_cases;

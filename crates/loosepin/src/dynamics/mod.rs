@@ -1,1 +1,13 @@
-//! Equations of motion of a compiled mechanism.
+//! Equations of motion of a compiled mechanism, written once over [`crate::math::Real`].
+//!
+//! Kane's method in tree coordinates q: the mass matrix M and the generalised forces h come from the partial velocities
+//! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
+
+mod energy;
+mod equations;
+mod play;
+mod reactions;
+
+pub use energy::MechanicalEnergy;
+pub use equations::{Dynamics, Powers};
+pub use play::{PlayForce, PlayMotion, PlayState};

@@ -1,5 +1,15 @@
-//! Numbers that the equations run on: plain, dual (exact derivatives), and small linear algebra over them.
+//! Numbers that the equations run on: plain, dual (exact derivatives), and small geometry and linear algebra over them.
 
-pub mod real;
+mod angle;
+mod dual;
+mod hermite;
+mod linear;
+mod real;
+mod vector;
 
+pub use angle::sin_cos;
+pub use dual::Dual;
+pub use hermite::Quintic;
+pub use linear::{Elimination, factor_ldl, solve_ldl, solve_square};
 pub use real::Real;
+pub use vector::Vec2;

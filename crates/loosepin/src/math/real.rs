@@ -54,3 +54,51 @@ pub trait Real:
         self * self
     }
 }
+
+impl Real for f64 {
+    type Mask = bool;
+
+    #[inline]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        super::angle::sin_cos(self)
+    }
+    #[inline]
+    fn powf(self, exponent: f64) -> Self {
+        // Metals have n = 3/2 and linear springs n = 1: both are exact without a logarithm.
+        if exponent == 1.5 {
+            self * f64::sqrt(self)
+        } else if exponent == 1.0 {
+            self
+        } else {
+            libm::pow(self, exponent)
+        }
+    }
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline]
+    fn less_than(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline]
+    fn select(mask: bool, chosen: Self, otherwise: Self) -> Self {
+        if mask { chosen } else { otherwise }
+    }
+}

@@ -5,7 +5,7 @@ use super::keys::{MEASURES, OUTPUT_KEYS};
 use super::problem::ModelProblem;
 use super::topology::{Axis, Component, Output, OutputKind};
 use crate::document::{DocumentProblem, Entry, Table};
-use crate::units::DisplayUnit;
+use crate::units::ReadableUnit;
 
 impl ModelReader {
     /// Reads the table of outputs.
@@ -92,11 +92,11 @@ impl ModelReader {
         }
     }
 
-    fn output_unit(&mut self, table: &Table<'_>, kind: &OutputKind) -> Option<DisplayUnit> {
+    fn output_unit(&mut self, table: &Table<'_>, kind: &OutputKind) -> Option<ReadableUnit> {
         let due = kind.dimension();
-        let Some(entry) = table.get("unit") else { return Some(DisplayUnit::default_for(due)) };
+        let Some(entry) = table.get("unit") else { return Some(ReadableUnit::default_for(due)) };
         let text = self.reader.text(&entry)?;
-        let unit = DisplayUnit::of_dimension(text, due);
+        let unit = ReadableUnit::of_dimension(text, due);
         if unit.is_none() {
             let problem = ModelProblem::WrongUnit { entry: entry.path.describe(), unit: text.to_owned(), due };
             self.reader.complain(&problem, entry.span);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::quantity::{QuantityId, QuantityTable};
 use crate::contact::PointLaw;
 use crate::diagnostics::{Complaint, Place, Source, Span};
-use crate::units::{Dimension, DisplayUnit};
+use crate::units::{Dimension, ReadableUnit};
 
 /// Index of a body in [`Model::bodies`]; 0 is the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -272,7 +272,7 @@ pub struct Output {
     /// What is measured.
     pub kind: OutputKind,
     /// The unit in which people read it.
-    pub unit: DisplayUnit,
+    pub unit: ReadableUnit,
 }
 
 impl OutputKind {

@@ -1,1 +1,22 @@
-//! Self-contained HTML pages from results.
+//! Self-contained HTML pages and terminal tables from results. This module only reads; it computes nothing that is not
+//! in the result, except how to show it.
+
+mod answer;
+mod chart;
+mod glossary;
+mod mechanism_figure;
+mod mechanism_shapes;
+mod motion_page;
+mod number;
+mod page;
+mod script_data;
+mod simulation_page;
+mod still_figures;
+mod study_page;
+mod terminal;
+mod wording;
+
+pub use motion_page::motion_page;
+pub use simulation_page::simulation_page;
+pub use study_page::study_page;
+pub use terminal::{TERMINAL_COLUMNS, motion_text, simulation_text, study_text};

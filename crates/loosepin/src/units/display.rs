@@ -1,130 +1,137 @@
-//! SI numbers to text for people.
+//! From SI numbers to the units that people read: mm, degrees, rpm.
 
-use super::{Dimension, Measured, parse_unit};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+use std::fmt;
 
-/// Significant digits shown: more than a person reads, fewer than round-off reaches.
-const SHOWN_DIGITS: usize = 7;
+use serde::{Deserialize, Serialize};
 
-/// Decimal exponents outside this range are written with an exponent.
-const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=6;
+/// An SI unit by its symbol, as it stands in files: `m`, `rad`, `m/s`, `kg m^2`, `N/m^1.5`, and `1` for a pure number.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct SiUnit(Cow<'static, str>);
 
-/// The unit in which a quantity is shown.
-#[derive(Debug, Clone, PartialEq)]
+impl SiUnit {
+    /// A pure number: probabilities, restitution, shares, counts.
+    pub const NONE: SiUnit = SiUnit(Cow::Borrowed("1"));
+    /// Length, m.
+    pub const LENGTH: SiUnit = SiUnit(Cow::Borrowed("m"));
+    /// Angle, rad.
+    pub const ANGLE: SiUnit = SiUnit(Cow::Borrowed("rad"));
+    /// Time, s.
+    pub const TIME: SiUnit = SiUnit(Cow::Borrowed("s"));
+    /// Velocity, m/s.
+    pub const VELOCITY: SiUnit = SiUnit(Cow::Borrowed("m/s"));
+    /// Acceleration, m/s^2.
+    pub const ACCELERATION: SiUnit = SiUnit(Cow::Borrowed("m/s^2"));
+    /// Angular velocity, rad/s.
+    pub const ANGULAR_VELOCITY: SiUnit = SiUnit(Cow::Borrowed("rad/s"));
+    /// Angular acceleration, rad/s^2.
+    pub const ANGULAR_ACCELERATION: SiUnit = SiUnit(Cow::Borrowed("rad/s^2"));
+    /// Force, N.
+    pub const FORCE: SiUnit = SiUnit(Cow::Borrowed("N"));
+    /// Moment of a force, N m.
+    pub const MOMENT: SiUnit = SiUnit(Cow::Borrowed("N m"));
+    /// Energy, J.
+    pub const ENERGY: SiUnit = SiUnit(Cow::Borrowed("J"));
+    /// Mass, kg.
+    pub const MASS: SiUnit = SiUnit(Cow::Borrowed("kg"));
+    /// Moment of inertia, kg m^2.
+    pub const INERTIA: SiUnit = SiUnit(Cow::Borrowed("kg m^2"));
+    /// Pressure and elastic modulus, Pa.
+    pub const PRESSURE: SiUnit = SiUnit(Cow::Borrowed("Pa"));
+    /// Density, kg/m^3.
+    pub const DENSITY: SiUnit = SiUnit(Cow::Borrowed("kg/m^3"));
+
+    /// A unit by its SI symbol, for quantities without a constant here.
+    pub fn from_symbol(symbol: impl Into<String>) -> SiUnit {
+        SiUnit(Cow::Owned(symbol.into()))
+    }
+
+    /// The symbol as files write it.
+    pub fn symbol(&self) -> &str {
+        &self.0
+    }
+
+    /// The unit of the time derivative; `None` where this table has no name for it.
+    pub fn per_second(&self) -> Option<SiUnit> {
+        match self.symbol() {
+            "m" => Some(SiUnit::VELOCITY),
+            "m/s" => Some(SiUnit::ACCELERATION),
+            "rad" => Some(SiUnit::ANGULAR_VELOCITY),
+            "rad/s" => Some(SiUnit::ANGULAR_ACCELERATION),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for SiUnit {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+/// How one SI unit is shown to people: shown number = SI number times `per_si`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DisplayUnit {
-    /// The unit as written, for example `mm`; empty for a pure number.
-    pub text: String,
-    /// What one such unit is in SI.
-    pub si_per_unit: f64,
+    /// What is written behind the number; empty for a pure number.
+    pub symbol: String,
+    /// Factor from SI to the shown unit, for example 1000 from m to mm.
+    pub per_si: f64,
 }
 
 impl DisplayUnit {
-    /// A unit chosen by a person; `None` if `text` is not a unit of this dimension.
-    pub fn of_dimension(text: &str, dimension: Dimension) -> Option<DisplayUnit> {
-        let Measured { value_si, dimension: written } = parse_unit(text).ok()?;
-        (written == dimension).then(|| DisplayUnit { text: text.trim().to_owned(), si_per_unit: value_si })
+    /// The SI number `value_si` in this unit.
+    pub fn from_si(&self, value_si: f64) -> f64 {
+        value_si * self.per_si
     }
+}
 
-    /// The unit that people read this dimension in: mm, deg, rpm, N; SI where there is no custom.
-    pub fn default_for(dimension: Dimension) -> DisplayUnit {
-        let custom = [
-            (Dimension::LENGTH, "mm"),
-            (Dimension::ANGLE, "deg"),
-            (Dimension::ANGULAR_VELOCITY, "rpm"),
-            (Dimension::PRESSURE, "GPa"),
-            (Dimension::TIME, "ms"),
+/// The units that pages and tables use, by SI symbol. A unit that is not in the table is shown as it is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct DisplayUnits(pub BTreeMap<String, DisplayUnit>);
+
+impl Default for DisplayUnits {
+    /// mm, degrees, rpm, s, GPa, and powers written with superscripts.
+    fn default() -> Self {
+        let degrees = 180.0 / PI;
+        let table = [
+            ("1", "", 1.0),
+            ("m", "mm", 1e3),
+            ("rad", "°", degrees),
+            ("rad/s", "rpm", 30.0 / PI),
+            ("rad/s^2", "rad/s²", 1.0),
+            ("m/s^2", "m/s²", 1.0),
+            ("kg m^2", "kg m²", 1.0),
+            ("kg/m^3", "kg/m³", 1.0),
+            ("Pa", "GPa", 1e-9),
         ];
-        custom
-            .into_iter()
-            .find(|(named, _)| *named == dimension)
-            .and_then(|(_, text)| DisplayUnit::of_dimension(text, dimension))
-            .unwrap_or_else(|| DisplayUnit { text: dimension.si_unit(), si_per_unit: 1.0 })
+        DisplayUnits(
+            table
+                .into_iter()
+                .map(|(si, symbol, per_si)| (si.to_owned(), DisplayUnit { symbol: symbol.to_owned(), per_si }))
+                .collect(),
+        )
     }
+}
 
-    /// `value_si` as a number of this unit.
-    pub fn number(&self, value_si: f64) -> f64 {
-        // Dividing by 1e-3 and multiplying by 1e3 round differently; the second gives back what was written.
-        let reciprocal = (1.0 / self.si_per_unit).round();
-        if self.si_per_unit < 1.0 && 1.0 / reciprocal == self.si_per_unit {
-            value_si * reciprocal
-        } else {
-            value_si / self.si_per_unit
+impl DisplayUnits {
+    /// The default table with times in ms where the whole history is shorter than a second.
+    pub fn for_duration_s(duration_s: f64) -> Self {
+        let mut units = DisplayUnits::default();
+        if duration_s < 1.0 {
+            units.0.insert("s".to_owned(), DisplayUnit { symbol: "ms".to_owned(), per_si: 1e3 });
         }
+        units
     }
 
-    /// `value_si` as text with this unit, for example `0.5 mm`.
-    pub fn format(&self, value_si: f64) -> String {
-        let number = format_number(self.number(value_si));
-        if self.text.is_empty() { number } else { format!("{number} {}", self.text) }
-    }
-}
-
-/// An SI value as text in the unit that people read it in, for example `0.5 mm` or `5000 rpm`.
-pub fn format_value(value_si: f64, dimension: Dimension) -> String {
-    DisplayUnit::default_for(dimension).format(value_si)
-}
-
-/// A number with up to seven significant digits and no trailing zeros, for example `0.05`, `6.61e10`.
-pub fn format_number(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    if !value.is_finite() {
-        return if value.is_nan() {
-            "NaN".to_owned()
-        } else if value > 0.0 {
-            "infinity".to_owned()
-        } else {
-            "-infinity".to_owned()
-        };
-    }
-    let scientific = format!("{value:.*e}", SHOWN_DIGITS - 1);
-    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    if PLAIN_EXPONENTS.contains(&exponent) {
-        let decimals = usize::try_from(SHOWN_DIGITS as i32 - 1 - exponent).unwrap_or(0);
-        without_trailing_zeros(&format!("{value:.decimals$}")).to_owned()
-    } else {
-        format!("{}e{exponent}", without_trailing_zeros(mantissa))
-    }
-}
-
-fn without_trailing_zeros(text: &str) -> &str {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_show_what_was_written() {
-        for (value, text) in [
-            (0.5, "0.5"),
-            (-0.05, "-0.05"),
-            (1e-4, "0.0001"),
-            (1e-5, "1e-5"),
-            (120.0, "120"),
-            (6.610198e10, "6.610198e10"),
-            (1_234_567.0, "1234567"),
-            (1e7, "1e7"),
-            (1.0 / 3.0, "0.3333333"),
-            (f64::NAN, "NaN"),
-            (0.0, "0"),
-            (-0.0, "0"),
-        ] {
-            assert_eq!(format_number(value), text);
-        }
-    }
-
-    #[test]
-    fn values_show_units_people_read() {
-        assert_eq!(format_value(0.0005, Dimension::LENGTH), "0.5 mm");
-        assert_eq!(format_value(500.0 * std::f64::consts::PI / 3.0, Dimension::ANGULAR_VELOCITY), "5000 rpm");
-        assert_eq!(format_value(std::f64::consts::PI, Dimension::ANGLE), "180 deg");
-        assert_eq!(format_value(1e-4, Dimension::INERTIA), "0.0001 kg m^2");
-        assert_eq!(format_value(6.610198e10, Dimension::contact_stiffness(1.5)), "6.610198e10 N/m^1.5");
-        assert_eq!(format_value(0.9, Dimension::NUMBER), "0.9");
-        assert_eq!(format_value(45870.0, Dimension::FORCE), "45870 N");
-        assert_eq!(format_value(2.0, Dimension::FREQUENCY), "2 1/s");
+    /// How `unit` is shown.
+    pub fn of(&self, unit: &SiUnit) -> DisplayUnit {
+        self.0
+            .get(unit.symbol())
+            .cloned()
+            .unwrap_or_else(|| DisplayUnit { symbol: unit.symbol().to_owned(), per_si: 1.0 })
     }
 }

@@ -18,8 +18,10 @@
 
 mod compound;
 mod dimension;
-mod display;
+pub mod display;
 mod error;
+pub mod extended;
+mod format;
 mod lexer;
 mod parser;
 mod program;
@@ -27,8 +29,9 @@ mod rule;
 mod unit;
 
 pub use dimension::Dimension;
-pub use display::{DisplayUnit, format_number, format_value};
+pub use display::{DisplayUnit, DisplayUnits, SiUnit};
 pub use error::{ExpressionError, ExpressionProblem};
+pub use format::{ReadableUnit, format_number, format_value};
 pub use parser::{Measured, parse_quantity, parse_unit};
 pub(crate) use parser::{Names, is_parameter_name, is_reserved_name, parse_expression, referenced_names};
 pub use program::LONGEST_EXPRESSION_CHARS;

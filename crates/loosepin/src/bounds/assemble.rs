@@ -1,0 +1,219 @@
+//! From the finished table to bounds.
+
+use rayon::prelude::*;
+
+use super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, Reading};
+use super::measure::{Event, Measure, MeasureKind};
+use super::plan::{DoubleLoop, PlanError};
+use super::pool::{Pool, PoolPoint};
+use super::probability_box::ProbabilityBox;
+use super::sample::Sample;
+use super::search::{Direction, Search, Target, extreme_point};
+use super::statistic::Statistic;
+use super::table::{Purpose, SampleTable};
+use super::treatment::TreatmentComparison;
+
+/// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
+const LEAST_SHARE_BETWEEN: f64 = 0.5;
+
+impl DoubleLoop {
+    /// What the runs in `table` say. The plan need not be finished, but the first round must be.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] where the table is empty, belongs to another problem or lacks runs.
+    pub fn results(&self, table: &SampleTable) -> Result<Bounds, PlanError> {
+        let problem = self.problem();
+        if table.columns() != problem.columns {
+            return Err(PlanError::OtherColumns { found: table.columns(), expected: problem.columns });
+        }
+        let pool = Pool::gather(table, Purpose::DoubleLoop, self.needed_columns());
+        if pool.points.is_empty() {
+            return Err(PlanError::NoRuns);
+        }
+        self.check_points(&pool)?;
+        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool };
+        Ok(Bounds {
+            reading: Reading::FixedButUnknown,
+            pairs: evidence.pairs(),
+            boxes: problem
+                .requests
+                .iter()
+                .filter(|request| request.statistic == Statistic::Cdf)
+                .map(|request| ProbabilityBox::new(&evidence, request.column))
+                .collect(),
+            comparisons: TreatmentComparison::all(&evidence, table),
+            outer_points: pool.points.iter().map(|point| point.epistemic.clone()).collect(),
+            runs: table.len(),
+            failed_runs: table.failed(),
+            rounds: table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0),
+        })
+    }
+}
+
+/// All runs of the double loop, ready to be asked.
+pub(super) struct Evidence<'a> {
+    pub plan: &'a DoubleLoop,
+    pub pool: &'a Pool,
+    /// Outer points in the unit box.
+    pub places: Vec<Vec<f64>>,
+}
+
+impl Evidence<'_> {
+    fn pairs(&self) -> Vec<BoundPair> {
+        let requests: Vec<_> =
+            self.plan.problem().requests.iter().filter(|request| request.statistic != Statistic::Cdf).collect();
+        let measures: Vec<Option<Measure>> = requests
+            .par_iter()
+            .map(|request| Measure::new(&self.pool.samples(request.column), request.statistic, self.plan.confidence()))
+            .collect();
+        let search = self.search(measures.iter().flatten());
+        requests
+            .par_iter()
+            .zip(&measures)
+            .filter_map(|(request, measure)| {
+                let samples = self.pool.samples(request.column);
+                let bound = |direction| Some(self.bound(&search, &samples, measure.as_ref()?, direction));
+                let failed_runs = samples.iter().map(|sample| sample.failed()).sum();
+                let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
+                Some(BoundPair {
+                    column: request.column,
+                    statistic: request.statistic,
+                    lower: bound(Direction::Minimum)?,
+                    upper: bound(Direction::Maximum)?,
+                    failed_runs,
+                    unbounded_by_failures: has_no_bound && failed_runs > 0,
+                })
+            })
+            .collect()
+    }
+
+    /// Models for everything that `measures` search.
+    pub fn search<'s>(&'s self, measures: impl Iterator<Item = &'s Measure>) -> Search<'s> {
+        let targets = measures
+            .flat_map(|measure| [Some(&measure.target), measure.margin.as_ref().map(|margin| &margin.target)])
+            .flatten();
+        Search::new(&self.places, self.plan.candidates(), targets)
+    }
+
+    /// The kind of guarantee that bounds from these runs have.
+    pub fn guarantee(&self) -> Guarantee {
+        let problem = self.plan.problem();
+        match (problem.random.is_empty(), problem.epistemic.is_empty()) {
+            (true, true) => Guarantee::Enclosure,
+            (true, false) => Guarantee::Optimised,
+            (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },
+        }
+    }
+
+    /// The extreme of `measure` in `direction`: attained, with what was not resolved.
+    pub fn bound(&self, search: &Search<'_>, samples: &[&Sample], measure: &Measure, direction: Direction) -> Bound {
+        let estimates = match direction {
+            Direction::Minimum => &measure.low,
+            Direction::Maximum => &measure.high,
+        };
+        let guarantee = self.guarantee();
+        let Some(witness) = witness(search, measure, direction) else {
+            let error = BoundError { sampling: f64::INFINITY, ..BoundError::default() };
+            let widened = measure.kind.limited(direction.sign() * f64::INFINITY);
+            return Bound { value: f64::NAN, widened, witness: None, error, guarantee };
+        };
+        let estimate = estimates[witness];
+        let sampling = match direction {
+            Direction::Minimum => estimate.below,
+            Direction::Maximum => estimate.above,
+        };
+        let optimisation = if self.plan.problem().epistemic.is_empty() || estimate.value.is_infinite() {
+            0.0
+        } else {
+            let further = furthest(search, samples, measure, direction, estimate.value);
+            (direction.sign() * (further - estimate.value)).max(0.0)
+        };
+        let error = BoundError { sampling, optimisation, surrogate: 0.0 };
+        Bound {
+            value: estimate.value,
+            widened: measure.kind.limited(estimate.value + direction.sign() * error.total()),
+            witness: self.pool.points.get(witness).map(PoolPoint::witness),
+            error,
+            guarantee,
+        }
+    }
+}
+
+impl MeasureKind {
+    /// `value` moved into the range that the statistic can have at all.
+    fn limited(self, value: f64) -> f64 {
+        match self {
+            Self::Plain => value,
+            Self::Deviation => value.max(0.0),
+            Self::Probability(_) => value.clamp(0.0, 1.0),
+        }
+    }
+}
+
+/// The outer point at which the statistic, smoothed where its differences are partly noise, goes furthest.
+fn witness(search: &Search<'_>, measure: &Measure, direction: Direction) -> Option<usize> {
+    let estimates = match direction {
+        Direction::Minimum => &measure.low,
+        Direction::Maximum => &measure.high,
+    };
+    let outward = direction.sign() * f64::INFINITY;
+    if let Some(point) = estimates.iter().position(|estimate| estimate.value == outward) {
+        return Some(point);
+    }
+    let mut scores = search.smoothed(&measure.target);
+    for (point, score) in scores.iter_mut().enumerate() {
+        // Failed runs move the two estimates apart; the target is the low one.
+        let gap = measure.high[point].value - measure.low[point].value;
+        if direction == Direction::Maximum && gap.is_finite() {
+            *score += gap;
+        }
+    }
+    let margin = |point: usize| measure.margin.as_ref().map_or(0.0, |margin| margin.target.values[point]);
+    let mut best: Option<usize> = None;
+    for (point, score) in scores.iter().enumerate() {
+        if !score.is_finite() || !estimates[point].value.is_finite() {
+            continue;
+        }
+        let is_better = best.is_none_or(|best| {
+            direction.is_beyond(*score, scores[best])
+                || (*score == scores[best] && direction.is_beyond(margin(point), margin(best)))
+        });
+        if is_better {
+            best = Some(point);
+        }
+    }
+    best
+}
+
+/// How far the statistic may go in `direction`, by the models of what is searched.
+fn furthest(search: &Search<'_>, samples: &[&Sample], measure: &Measure, direction: Direction, attained: f64) -> f64 {
+    let most = |target: &Target| search.reach(target, direction);
+    let beyond = |a: f64, b: f64| if direction.is_beyond(a, b) { a } else { b };
+    match measure.kind {
+        MeasureKind::Plain => beyond(most(&measure.target), attained),
+        MeasureKind::Deviation => beyond(most(&measure.target).max(0.0).sqrt(), attained),
+        MeasureKind::Probability(event) => {
+            let mut furthest = attained;
+            let values = &measure.target.values;
+            let between = values.iter().filter(|&&share| share > 0.0 && share < 1.0).count() as f64;
+            if between >= LEAST_SHARE_BETWEEN * values.len() as f64 {
+                furthest = beyond(furthest, most(&measure.target));
+            }
+            if let Some(margin) = &measure.margin
+                && let Some(nearest) = extreme_point(&margin.target.values, direction)
+            {
+                let shift = margin.shift(nearest, most(&margin.target));
+                furthest = beyond(furthest, shifted_share(samples[nearest], event, shift, direction));
+            }
+            furthest.clamp(0.0, 1.0)
+        }
+    }
+}
+
+/// The share of `sample`, moved by `shift`, for which `event` holds; failed runs count towards `direction`.
+fn shifted_share(sample: &Sample, event: Event, shift: f64, direction: Direction) -> f64 {
+    let hits = sample.values().iter().filter(|&&value| event.holds(value + shift)).count();
+    let failed = if direction == Direction::Maximum { sample.failed() } else { 0 };
+    (hits + failed) as f64 / sample.runs() as f64
+}

@@ -1,0 +1,127 @@
+//! Bounds and what stands behind them. The shape of a result never depends on its value.
+
+use super::probability_box::ProbabilityBox;
+use super::statistic::Statistic;
+use super::table::Purpose;
+use super::treatment::TreatmentComparison;
+
+/// What a bound promises.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Guarantee {
+    /// The exact number, or certainly beyond it.
+    Enclosure,
+    /// Found by searching; no sampling is involved.
+    Optimised,
+    /// Estimated from a sample; its sampling error has this confidence.
+    Sampled {
+        /// Confidence in (0, 1).
+        confidence: f64,
+    },
+}
+
+/// How the kinds of uncertainty are treated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Treatment {
+    /// Every interval taken as a uniform distribution.
+    ProbabilityOnly,
+    /// Every random input cut to an interval.
+    IntervalOnly,
+    /// Random inputs random, epistemic inputs unknown within their intervals.
+    Mixed,
+}
+
+/// What an epistemic interval is taken to mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// One value, the same for every sample, fixed but unknown: the envelope over u.
+    FixedButUnknown,
+    /// A distribution within the interval, unknown, independent of the random inputs.
+    UnknownDistribution,
+    /// Any value, another for each sample, in any relation to the random inputs.
+    RandomSet,
+}
+
+/// Numerical error of a bound, in its own unit, each part >= 0; infinite where the runs do not tell.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BoundError {
+    /// Because the sample at the witness is finite, at the stated confidence.
+    pub sampling: f64,
+    /// Because another u may go further than the witness.
+    pub optimisation: f64,
+    /// Because runs were replaced by a surrogate; 0 in the direct double loop.
+    pub surrogate: f64,
+}
+
+impl BoundError {
+    /// All parts together.
+    pub fn total(&self) -> f64 {
+        self.sampling + self.optimisation + self.surrogate
+    }
+}
+
+/// Where a bound is attained.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Witness {
+    /// What the runs at the witness were for.
+    pub purpose: Purpose,
+    /// Outer index of those runs.
+    pub point: u32,
+    /// Values of the epistemic inputs.
+    pub epistemic: Vec<f64>,
+    /// Values of the random inputs where the bound is attained by a single run, else empty.
+    pub random: Vec<f64>,
+}
+
+/// One end of a range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bound {
+    /// The estimate at the witness: it has been attained. Not a number where no run finished.
+    pub value: f64,
+    /// The value moved outwards by its error: what people are shown as the bound.
+    pub widened: f64,
+    /// Where the value is attained; nothing where it is not attained at one u (a mixture) or nothing finished.
+    pub witness: Option<Witness>,
+    /// By how much the value may be too narrow.
+    pub error: BoundError,
+    /// What the bound promises.
+    pub guarantee: Guarantee,
+}
+
+/// Bounds of one requested statistic.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundPair {
+    /// Column of the response.
+    pub column: usize,
+    /// The statistic.
+    pub statistic: Statistic,
+    /// Its least value over the epistemic box.
+    pub lower: Bound,
+    /// Its greatest value over the epistemic box.
+    pub upper: Bound,
+    /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
+    /// quantiles in `value` already.
+    pub failed_runs: usize,
+    /// Whether failed runs leave the statistic without any bound: a mean or deviation is then one over finished runs.
+    pub unbounded_by_failures: bool,
+}
+
+/// Everything that the runs of a problem say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounds {
+    /// How the epistemic intervals are read.
+    pub reading: Reading,
+    /// One entry for each request but those for a whole distribution function, in their order.
+    pub pairs: Vec<BoundPair>,
+    /// One entry for each request for a whole distribution function, in their order.
+    pub boxes: Vec<ProbabilityBox>,
+    /// One entry for each compared column, in their order.
+    pub comparisons: Vec<TreatmentComparison>,
+    /// Values of the epistemic inputs at every outer point, in the order of the outer index.
+    pub outer_points: Vec<Vec<f64>>,
+    /// Runs in the table.
+    pub runs: usize,
+    /// Failed runs in the table.
+    pub failed_runs: usize,
+    /// Rounds that the runs were made in.
+    pub rounds: u32,
+}

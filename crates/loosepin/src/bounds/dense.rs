@@ -1,0 +1,116 @@
+//! Small dense symmetric matrices: Cholesky factor and inverse, in a fixed order of operations.
+//!
+//! A library would choose its instructions at run time, and with them the last bits of every search that follows.
+
+/// A symmetric positive definite matrix, factorised as L Lᵀ.
+#[derive(Debug, Clone)]
+pub(super) struct Cholesky {
+    order: usize,
+    /// Rows of L, full storage.
+    factor: Vec<f64>,
+}
+
+impl Cholesky {
+    /// Factorises `matrix` (row by row, `order` x `order`); nothing where it is not positive definite to round-off.
+    pub fn new(mut matrix: Vec<f64>, order: usize) -> Option<Self> {
+        for j in 0..order {
+            for i in j..order {
+                let (row_i, row_j) = (&matrix[i * order..i * order + j], &matrix[j * order..j * order + j]);
+                let sum = matrix[i * order + j] - dot(row_i, row_j);
+                if i == j {
+                    if sum <= 0.0 || !sum.is_finite() {
+                        return None;
+                    }
+                    matrix[i * order + j] = sum.sqrt();
+                } else {
+                    matrix[i * order + j] = sum / matrix[j * order + j];
+                }
+            }
+            for i in 0..j {
+                matrix[i * order + j] = 0.0;
+            }
+        }
+        Some(Self { order, factor: matrix })
+    }
+
+    /// ln det of the matrix.
+    pub fn ln_determinant(&self) -> f64 {
+        2.0 * (0..self.order).map(|i| libm::log(self.factor[i * self.order + i])).sum::<f64>()
+    }
+
+    /// Solves A x = b in place.
+    pub fn solve(&self, right: &mut [f64]) {
+        let order = self.order;
+        for i in 0..order {
+            let (done, rest) = right.split_at_mut(i);
+            rest[0] = (rest[0] - dot(&self.factor[i * order..i * order + i], done)) / self.factor[i * order + i];
+        }
+        for i in (0..order).rev() {
+            right[i] /= self.factor[i * order + i];
+            let value = right[i];
+            for (j, entry) in right.iter_mut().enumerate().take(i) {
+                *entry -= self.factor[i * order + j] * value;
+            }
+        }
+    }
+
+    /// The inverse, row by row.
+    pub fn inverse(&self) -> Vec<f64> {
+        let order = self.order;
+        let mut inverse = vec![0.0; order * order];
+        for (column, row) in inverse.chunks_mut(order.max(1)).enumerate() {
+            row[column] = 1.0;
+            self.solve(row);
+        }
+        inverse
+    }
+}
+
+/// Scalar product, in four partial sums so that it can be vectorised, always in this order.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (a_blocks, b_blocks) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a_blocks.zip(b_blocks) {
+        for lane in 0..4 {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+/// The product of a matrix (row by row) and a vector.
+pub(super) fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
+    matrix.chunks(vector.len().max(1)).map(|row| dot(row, vector)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cholesky, multiply};
+
+    #[test]
+    fn identity_the_inverse_times_the_matrix_is_the_identity() {
+        const TOLERANCE: f64 = 1e-12; // round-off times the condition number, about 100
+        let order = 7;
+        let matrix: Vec<f64> = (0..order * order)
+            .map(|k| (k / order, k % order))
+            .map(|(i, j)| libm::exp(-0.3 * (i as f64 - j as f64).abs()) + if i == j { 0.5 } else { 0.0 })
+            .collect();
+        let cholesky = Cholesky::new(matrix.clone(), order).unwrap();
+        let inverse = cholesky.inverse();
+        for i in 0..order {
+            let row = multiply(&matrix, &inverse[i * order..(i + 1) * order]);
+            for (j, value) in row.into_iter().enumerate() {
+                assert!((value - f64::from(u8::from(i == j))).abs() < TOLERANCE);
+            }
+        }
+        let double = Cholesky::new(matrix.iter().map(|x| 2.0 * x).collect(), order).unwrap();
+        let expected = cholesky.ln_determinant() + 7.0 * 2.0_f64.ln();
+        assert!((double.ln_determinant() - expected).abs() < TOLERANCE);
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_positive_definite_has_no_factor() {
+        assert!(Cholesky::new(vec![1.0, 2.0, 2.0, 1.0], 2).is_none());
+    }
+}

@@ -1,0 +1,209 @@
+//! A statistic at every outer point, and the quantities by which its extremes are searched.
+
+use super::moments::{mean, standard_deviation, variance};
+use super::probability::share;
+use super::quantile::quantile;
+use super::sample::{Confidence, Estimate, Sample};
+use super::search::{Direction, Target, extreme_point};
+use super::statistic::Statistic;
+
+/// A gain below this share of the sampling error at the extreme is not worth a point.
+const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
+
+/// A gain below this share of the range over the outer points is not worth one either.
+const SHARE_OF_RANGE: f64 = 1e-6;
+
+/// The same for a probability.
+const PROBABILITY_RESOLUTION: f64 = 1e-3;
+
+/// A property of a value, whose probability is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Event {
+    Above(f64),
+    Below(f64),
+    UpTo(f64),
+    Beyond(f64),
+}
+
+impl Event {
+    /// Whether `value` has the property.
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Above(limit) => value > limit,
+            Self::Below(limit) => value < limit,
+            Self::UpTo(limit) => value <= limit,
+            Self::Beyond(limit) => value.abs() > limit,
+        }
+    }
+}
+
+/// A statistic at every outer point.
+#[derive(Debug, Clone)]
+pub(super) struct Measure {
+    pub kind: MeasureKind,
+    /// With every failed run taken as low as possible, and as high as possible.
+    pub low: Vec<Estimate>,
+    pub high: Vec<Estimate>,
+    /// What is searched: the statistic itself, or for a deviation the variance, which is smooth where it vanishes.
+    pub target: Target,
+    /// For probabilities: a margin that still tells where to go where the probability is flat at 0 or 1.
+    pub margin: Option<Margin>,
+}
+
+/// What is measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum MeasureKind {
+    /// The target is the statistic.
+    Plain,
+    /// The target is the square of the statistic.
+    Deviation,
+    /// A probability.
+    Probability(Event),
+}
+
+/// The distance of a column's mean from a limit, in its standard deviations; grows with the probability of the event.
+///
+/// ```text
+/// above: (m - L)/s   below, up to: (L - m)/s   beyond: (m² - L²)/(D s), D = L + max |m|
+/// ```
+///
+/// where s² = deviation² + (1e-3 of the range of m)², so that it exists for a response that does not scatter.
+#[derive(Debug, Clone)]
+pub(super) struct Margin {
+    pub target: Target,
+    event: Event,
+    means: Vec<f64>,
+    spreads: Vec<f64>,
+    size: f64,
+}
+
+impl Measure {
+    /// Measures `statistic`, which is not a whole distribution function, on the samples of all outer points.
+    pub fn new(samples: &[&Sample], statistic: Statistic, confidence: &Confidence) -> Option<Self> {
+        Some(match statistic {
+            Statistic::Mean => {
+                let at: Vec<Estimate> = samples.iter().map(|sample| mean(sample, confidence)).collect();
+                Self::plain(at.clone(), at, confidence)
+            }
+            Statistic::StandardDeviation => {
+                let variances: Vec<Estimate> = samples.iter().map(|sample| variance(sample, confidence)).collect();
+                let at: Vec<Estimate> = variances.iter().copied().map(standard_deviation).collect();
+                let target = target(&variances, confidence);
+                Self { kind: MeasureKind::Deviation, low: at.clone(), high: at, target, margin: None }
+            }
+            Statistic::Quantile(probability) => {
+                let (low, high) = samples
+                    .iter()
+                    .map(|sample| quantile(sample, confidence, probability))
+                    .map(|at| (at.low, at.high))
+                    .unzip();
+                Self::plain(low, high, confidence)
+            }
+            Statistic::ProbabilityAbove(limit) => Self::probability(samples, Event::Above(limit), confidence),
+            Statistic::ProbabilityBelow(limit) => Self::probability(samples, Event::Below(limit), confidence),
+            Statistic::ProbabilityBeyond(limit) => Self::probability(samples, Event::Beyond(limit), confidence),
+            Statistic::Cdf => return None,
+        })
+    }
+
+    /// Measures the probability of `event`.
+    pub fn probability(samples: &[&Sample], event: Event, confidence: &Confidence) -> Self {
+        let (low, high): (Vec<Estimate>, Vec<Estimate>) = samples
+            .iter()
+            .map(|sample| share(sample, confidence, |value| event.holds(value)))
+            .map(|at| (at.low, at.high))
+            .unzip();
+        let mut target = target(&low, confidence);
+        target.resolutions = target.resolutions.map(|resolution| resolution.max(PROBABILITY_RESOLUTION));
+        let margin = Margin::new(samples, event, confidence);
+        Self { kind: MeasureKind::Probability(event), low, high, target, margin }
+    }
+
+    fn plain(low: Vec<Estimate>, high: Vec<Estimate>, confidence: &Confidence) -> Self {
+        let target = target(&low, confidence);
+        Self { kind: MeasureKind::Plain, low, high, target, margin: None }
+    }
+}
+
+impl Margin {
+    fn new(samples: &[&Sample], event: Event, confidence: &Confidence) -> Option<Self> {
+        let estimates: Vec<Estimate> = samples.iter().map(|sample| mean(sample, confidence)).collect();
+        let means: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
+        let deviations: Vec<f64> =
+            samples.iter().map(|sample| variance(sample, confidence).value.max(0.0).sqrt()).collect();
+        let range = range(&means) + deviations.iter().fold(0.0, |most: f64, deviation| most.max(*deviation));
+        if range <= 0.0 || !range.is_finite() {
+            return None;
+        }
+        let least = 1e-3 * range;
+        let spreads: Vec<f64> =
+            deviations.iter().map(|deviation| (deviation * deviation + least * least).sqrt()).collect();
+        let largest = means.iter().filter(|mean| mean.is_finite()).fold(0.0, |most: f64, mean| most.max(mean.abs()));
+        let size = match event {
+            Event::Beyond(limit) => limit + largest,
+            _ => 1.0,
+        };
+        let values: Vec<f64> = means
+            .iter()
+            .zip(&spreads)
+            .map(|(mean, spread)| match event {
+                Event::Above(limit) => (mean - limit) / spread,
+                Event::Below(limit) | Event::UpTo(limit) => (limit - mean) / spread,
+                Event::Beyond(limit) => (mean * mean - limit * limit) / (size * spread),
+            })
+            .collect();
+        let noise: Vec<f64> = estimates
+            .iter()
+            .zip(&spreads)
+            .map(|(estimate, spread)| estimate.variance(confidence) / (spread * spread))
+            .collect();
+        let nearest =
+            values.iter().filter(|value| value.is_finite()).fold(f64::INFINITY, |least, value| least.min(value.abs()));
+        // Far from the limit a change of the margin changes next to nothing.
+        let resolutions = [0.02 * (1.0 + nearest * nearest); 2];
+        let target = Target { values, noise_variance: finite_mean(&noise), resolutions };
+        Some(Self { target, event, means, spreads, size })
+    }
+
+    /// By how much the sample at `point` must be moved for its margin to become `margin`.
+    pub fn shift(&self, point: usize, margin: f64) -> f64 {
+        let (mean, spread) = (self.means[point], self.spreads[point]);
+        match self.event {
+            Event::Above(limit) => limit + margin * spread - mean,
+            Event::Below(limit) | Event::UpTo(limit) => limit - margin * spread - mean,
+            Event::Beyond(limit) => {
+                let magnitude = (limit * limit + margin * self.size * spread).max(0.0).sqrt();
+                if mean < 0.0 { -magnitude - mean } else { magnitude - mean }
+            }
+        }
+    }
+}
+
+/// Estimates as something to search the extremes of.
+pub(super) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target {
+    let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
+    let variances: Vec<f64> = estimates.iter().map(|estimate| estimate.variance(confidence)).collect();
+    let noise_variance = finite_mean(&variances);
+    let least = (SHARE_OF_RANGE * range(&values)).max(f64::MIN_POSITIVE);
+    let resolutions = Direction::BOTH.map(|direction| {
+        let error = extreme_point(&values, direction)
+            .map_or(0.0, |point| 0.5 * (estimates[point].below + estimates[point].above));
+        if error.is_finite() { (SHARE_OF_SAMPLING_ERROR * error).max(least) } else { least }
+    });
+    Target { values, noise_variance, resolutions }
+}
+
+fn finite_mean(values: &[f64]) -> f64 {
+    let (sum, count) = values
+        .iter()
+        .filter(|value| value.is_finite())
+        .fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    if count > 0.0 { sum / count } else { 0.0 }
+}
+
+fn range(values: &[f64]) -> f64 {
+    let finite = || values.iter().filter(|value| value.is_finite());
+    let (low, high) =
+        finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
+    (high - low).max(0.0)
+}

@@ -1,0 +1,393 @@
+//! Which runs come next.
+
+use std::collections::BTreeSet;
+
+use rayon::prelude::*;
+use thiserror::Error;
+
+use super::measure::{Measure, target};
+use super::moments::mean;
+use super::points::{candidates, first_points, structural_point_count};
+use super::pool::Pool;
+use super::problem::{Problem, ProblemError, Request};
+use super::sample::{Confidence, Estimate};
+use super::search::{Direction, Search, Target};
+use super::statistic::Statistic;
+use super::table::{Purpose, RunInputs, SampleTable};
+use crate::uncertainty::{Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
+
+/// After the first round, the remaining points are spent in this many rounds.
+const REFINING_ROUNDS: usize = 6;
+
+/// The whole distribution function is searched by these quantiles.
+const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Separates the streams of random numbers.
+const INNER: u64 = 0x69_6e6e_6572;
+const MIXTURE: u64 = 0x6d_6978_7475;
+
+/// A checked problem and its plan: the direct double loop, in rounds.
+///
+/// Round 0 holds the corners, the centre and low-discrepancy points of the epistemic box, with all inner runs at each; the
+/// runs of the probability-only treatment; and the first points of the joint box for the interval-only treatment. Later
+/// rounds add points where a model of some requested statistic promises more than has been attained, until none does or
+/// the budget is spent. The inner points are the same at every u (common random numbers).
+#[derive(Debug, Clone)]
+pub struct DoubleLoop {
+    problem: Problem,
+    confidence: Confidence,
+    /// Replicate, index and values of the random inputs of every inner run.
+    inner: Vec<(u32, u32, Vec<f64>)>,
+    /// The joint box of the interval-only treatment: random inputs cut, then epistemic inputs.
+    joint_box: Vec<Interval>,
+    candidates: Vec<Vec<f64>>,
+    joint_candidates: Vec<Vec<f64>>,
+    first_outer: Vec<Vec<f64>>,
+    first_extreme: Vec<Vec<f64>>,
+    mixture: ScrambledSobol,
+}
+
+/// Why there is no plan, or no next round.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PlanError {
+    /// The problem breaks a rule.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// Sobol' points do not exist in that many dimensions.
+    #[error(transparent)]
+    Sobol(#[from] SobolError),
+    /// A random input has no finite interval between the quantiles at which it is cut.
+    #[error("random input {input}, cut at {standard_deviations} standard deviations: {source}")]
+    Cut {
+        /// Position of the random input.
+        input: usize,
+        /// Where it is cut.
+        standard_deviations: f64,
+        /// What is wrong with the interval.
+        source: IntervalError,
+    },
+    /// The table belongs to a response with another number of columns.
+    #[error("the table has {found} columns; the problem has {expected}")]
+    OtherColumns {
+        /// Columns of the table.
+        found: usize,
+        /// Columns of the problem.
+        expected: usize,
+    },
+    /// A point of an earlier round lacks runs.
+    #[error(
+        "point {point} has {found} runs; its plan has {expected}\nhint: add all runs of a round before asking for the next"
+    )]
+    UnfinishedPoint {
+        /// Outer index.
+        point: u32,
+        /// Runs in the table.
+        found: usize,
+        /// Runs planned.
+        expected: usize,
+    },
+    /// There are no runs at all.
+    #[error("the table is empty\nhint: run the rounds first")]
+    NoRuns,
+}
+
+impl DoubleLoop {
+    /// Checks `problem` and prepares its plan.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError::Problem`] where the problem breaks a rule, [`PlanError::Cut`] where a random input cannot be cut.
+    pub fn try_new(problem: Problem) -> Result<Self, PlanError> {
+        problem.check()?;
+        let sampling = problem.sampling;
+        let (random, epistemic) = (problem.random.len(), problem.epistemic.len());
+        let mut joint_box = Vec::with_capacity(random + epistemic);
+        for (input, variable) in problem.random.iter().enumerate() {
+            let standard_deviations = problem.cut_standard_deviations;
+            let end = |signed: f64| variable.quantile(normal_cdf(signed));
+            let interval = Interval::try_new(end(-standard_deviations), end(standard_deviations))
+                .map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
+            joint_box.push(interval);
+        }
+        joint_box.extend(&problem.epistemic);
+        let first =
+            |dimensions: usize, count: usize| first_points(sampling.seed, dimensions, first_count(dimensions, count));
+        Ok(Self {
+            confidence: Confidence::new(sampling.confidence, sampling.replicates),
+            inner: inner_runs(&problem)?,
+            candidates: candidates(epistemic)?,
+            joint_candidates: candidates(joint_box.len())?,
+            first_outer: first(epistemic, sampling.outer)?,
+            first_extreme: first(joint_box.len(), sampling.extreme)?,
+            mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), random + epistemic)?,
+            joint_box,
+            problem,
+        })
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// The most runs that the plan may come to.
+    pub fn most_runs(&self) -> usize {
+        let sampling = &self.problem.sampling;
+        let outer = if self.problem.epistemic.is_empty() { 1 } else { sampling.outer };
+        let mixture = if self.has_mixture() { sampling.mixture } else { 0 };
+        let extreme = if self.has_extremes() { sampling.extreme } else { 0 };
+        outer * self.inner.len() + mixture + extreme
+    }
+
+    /// The runs of the next round, in their order; empty when the plan is finished.
+    ///
+    /// Depends only on the problem and on the results in `table`, which must hold every run of the rounds before.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError::OtherColumns`] or [`PlanError::UnfinishedPoint`] where the table is not that.
+    pub fn next_round(&self, table: &SampleTable) -> Result<Vec<RunInputs>, PlanError> {
+        self.check_table(table)?;
+        let Some(round) = table.inputs().iter().map(|inputs| inputs.round + 1).max() else {
+            return Ok(self.first_round());
+        };
+        let mut runs = Vec::new();
+        let outer = Pool::gather(table, Purpose::DoubleLoop, self.searched().iter().map(|search| search.0.column));
+        self.check_points(&outer)?;
+        let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
+        if !self.problem.epistemic.is_empty() && rest > 0 {
+            let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
+            for place in self.next_outer(&outer, count) {
+                let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
+                runs.extend(self.runs_at(round, point, &place));
+            }
+        }
+        if self.has_extremes() {
+            let extremes = Pool::gather(table, Purpose::Extreme, self.problem.compared_columns.iter().copied());
+            let rest = self.problem.sampling.extreme.saturating_sub(extremes.points.len());
+            let count = rest.min(self.points_per_round(self.problem.sampling.extreme, &self.first_extreme));
+            if count > 0 {
+                let next = self.next_extremes(&extremes, count);
+                let known = extremes.points.len();
+                runs.extend(
+                    next.iter().enumerate().map(|(i, place)| self.extreme_run(round, (known + i) as u32, place)),
+                );
+            }
+        }
+        Ok(runs)
+    }
+
+    fn first_round(&self) -> Vec<RunInputs> {
+        let mut runs: Vec<RunInputs> = Vec::new();
+        for (point, place) in self.first_outer.iter().enumerate() {
+            runs.extend(self.runs_at(0, point as u32, place));
+        }
+        if self.has_mixture() {
+            runs.extend(self.mixture_runs());
+        }
+        if self.has_extremes() {
+            let first = self.first_extreme.iter().enumerate();
+            runs.extend(first.map(|(point, place)| self.extreme_run(0, point as u32, place)));
+        }
+        runs
+    }
+
+    fn next_outer(&self, pool: &Pool, count: usize) -> Vec<Vec<f64>> {
+        let points = self.outer_places(pool);
+        let targets: Vec<(Target, Vec<Direction>)> = self
+            .searched()
+            .par_iter()
+            .flat_map_iter(|(request, directions)| {
+                let measure = Measure::new(&pool.samples(request.column), request.statistic, &self.confidence);
+                measure
+                    .into_iter()
+                    .flat_map(|measure| [Some(measure.target), measure.margin.map(|margin| margin.target)])
+                    .flatten()
+                    .map(|target| (target, directions.clone()))
+            })
+            .collect();
+        let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
+        search.next_points(&targets, count)
+    }
+
+    fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Vec<f64>> {
+        let points = self.extreme_places(pool);
+        let targets: Vec<(Target, Vec<Direction>)> = self
+            .problem
+            .compared_columns
+            .iter()
+            .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
+            .collect();
+        let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
+        search.next_points(&targets, count)
+    }
+
+    /// Statistics whose extremes steer the search, and which extremes.
+    fn searched(&self) -> Vec<(Request, Vec<Direction>)> {
+        let both = Direction::BOTH.to_vec();
+        let mut searched = Vec::new();
+        for request in &self.problem.requests {
+            if request.statistic == Statistic::Cdf {
+                for probability in CDF_SEARCH_PROBABILITIES {
+                    let statistic = Statistic::Quantile(probability);
+                    searched.push((Request { column: request.column, statistic }, both.clone()));
+                }
+            } else {
+                searched.push((*request, both.clone()));
+            }
+        }
+        for &column in &self.problem.compared_columns {
+            for (statistic, direction) in self.band_statistics() {
+                searched.push((Request { column, statistic }, vec![direction]));
+            }
+        }
+        searched
+    }
+
+    /// The statistics that bound the central band of the mixed treatment, and the extreme that is wanted of each.
+    pub(super) fn band_statistics(&self) -> [(Statistic, Direction); 2] {
+        let tail = 0.5 * (1.0 - self.problem.band_probability);
+        [(Statistic::Quantile(tail), Direction::Minimum), (Statistic::Quantile(1.0 - tail), Direction::Maximum)]
+    }
+
+    /// Columns that any result needs.
+    pub(super) fn needed_columns(&self) -> BTreeSet<usize> {
+        let requested = self.problem.requests.iter().map(|request| request.column);
+        requested.chain(self.problem.compared_columns.iter().copied()).collect()
+    }
+
+    /// One run at each place of the joint box, as something to search.
+    pub(super) fn extreme_target(&self, pool: &Pool, column: usize) -> Target {
+        let at: Vec<Estimate> = pool.samples(column).into_iter().map(|sample| mean(sample, &self.confidence)).collect();
+        target(&at, &self.confidence)
+    }
+
+    /// Places of the outer points in the unit box.
+    pub(super) fn outer_places(&self, pool: &Pool) -> Vec<Vec<f64>> {
+        let place = |values: &[f64]| {
+            self.problem.epistemic.iter().zip(values).map(|(interval, &value)| interval.fraction_of(value)).collect()
+        };
+        pool.points.iter().map(|point| place(&point.epistemic)).collect()
+    }
+
+    /// Places of single runs in the unit box of all inputs.
+    pub(super) fn extreme_places(&self, pool: &Pool) -> Vec<Vec<f64>> {
+        let values = |point: &super::pool::PoolPoint| point.random.iter().chain(&point.epistemic).copied().collect();
+        let place = |values: Vec<f64>| {
+            self.joint_box.iter().zip(values).map(|(interval, value)| interval.fraction_of(value)).collect()
+        };
+        pool.points.iter().map(|point| place(values(point))).collect()
+    }
+
+    pub(super) fn confidence(&self) -> &Confidence {
+        &self.confidence
+    }
+
+    pub(super) fn candidates(&self) -> &[Vec<f64>] {
+        &self.candidates
+    }
+
+    pub(super) fn joint_candidates(&self) -> &[Vec<f64>] {
+        &self.joint_candidates
+    }
+
+    pub(super) fn joint_box(&self) -> &[Interval] {
+        &self.joint_box
+    }
+
+    /// Whether the probability-only treatment needs runs of its own: without epistemic inputs it is the double loop.
+    pub(super) fn has_mixture(&self) -> bool {
+        !self.problem.compared_columns.is_empty() && !self.problem.epistemic.is_empty()
+    }
+
+    /// Whether the interval-only treatment needs runs of its own: without random inputs it is the double loop.
+    pub(super) fn has_extremes(&self) -> bool {
+        !self.problem.compared_columns.is_empty() && !self.problem.random.is_empty()
+    }
+
+    fn points_per_round(&self, budget: usize, first: &[Vec<f64>]) -> usize {
+        (budget - first.len()).div_ceil(REFINING_ROUNDS)
+    }
+
+    fn runs_at(&self, round: u32, point: u32, place: &[f64]) -> impl Iterator<Item = RunInputs> {
+        let epistemic: Vec<f64> =
+            self.problem.epistemic.iter().zip(place).map(|(interval, &fraction)| interval.at(fraction)).collect();
+        self.inner.iter().map(move |(replicate, index, random)| RunInputs {
+            round,
+            purpose: Purpose::DoubleLoop,
+            point,
+            replicate: *replicate,
+            index: *index,
+            random: random.clone(),
+            epistemic: epistemic.clone(),
+        })
+    }
+
+    fn mixture_runs(&self) -> impl Iterator<Item = RunInputs> {
+        let per_replicate = (self.problem.sampling.mixture / self.problem.sampling.replicates) as u32;
+        let replicates = 0..self.problem.sampling.replicates as u32;
+        replicates.flat_map(move |replicate| {
+            (0..per_replicate).map(move |index| {
+                let random = self.problem.random.iter().enumerate();
+                let random: Vec<f64> = random
+                    .map(|(input, variable)| variable.quantile(self.mixture.point(replicate, index, input)))
+                    .collect();
+                let epistemic = self.problem.epistemic.iter().enumerate();
+                let epistemic = epistemic.map(|(input, interval)| {
+                    interval.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
+                });
+                let epistemic = epistemic.collect();
+                RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
+            })
+        })
+    }
+
+    fn extreme_run(&self, round: u32, point: u32, place: &[f64]) -> RunInputs {
+        let mut random: Vec<f64> =
+            self.joint_box.iter().zip(place).map(|(interval, &fraction)| interval.at(fraction)).collect();
+        let epistemic = random.split_off(self.problem.random.len());
+        RunInputs { round, purpose: Purpose::Extreme, point, replicate: 0, index: 0, random, epistemic }
+    }
+
+    fn check_table(&self, table: &SampleTable) -> Result<(), PlanError> {
+        if table.columns() == self.problem.columns {
+            Ok(())
+        } else {
+            Err(PlanError::OtherColumns { found: table.columns(), expected: self.problem.columns })
+        }
+    }
+
+    /// Whether every outer point of `pool` has all its inner runs.
+    pub(super) fn check_points(&self, pool: &Pool) -> Result<(), PlanError> {
+        let expected = self.inner.len();
+        match pool.points.iter().find(|point| point.runs != expected) {
+            Some(point) => Err(PlanError::UnfinishedPoint { point: point.point, found: point.runs, expected }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// How many of `budget` points the first round takes: the corners, the centre, and about half of the budget.
+fn first_count(dimensions: usize, budget: usize) -> usize {
+    if dimensions == 0 { 1 } else { budget.min((budget / 2).max(structural_point_count(dimensions) + 2 * dimensions)) }
+}
+
+/// Every inner run; a single one where nothing is random.
+fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError> {
+    if problem.random.is_empty() {
+        return Ok(vec![(0, 0, Vec::new())]);
+    }
+    let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
+    let replicates = problem.sampling.replicates;
+    let per_replicate = (problem.sampling.inner / replicates) as u32;
+    let mut runs = Vec::with_capacity(problem.sampling.inner);
+    for replicate in 0..replicates as u32 {
+        for index in 0..per_replicate {
+            let quantile = |(input, variable): (usize, &crate::uncertainty::RandomVariable)| {
+                variable.quantile(sobol.point(replicate, index, input))
+            };
+            runs.push((replicate, index, problem.random.iter().enumerate().map(quantile).collect()));
+        }
+    }
+    Ok(runs)
+}

@@ -1,0 +1,86 @@
+//! Finished runs, sorted by the point of the plan that they belong to.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::bound::Witness;
+use super::sample::Sample;
+use super::table::{Purpose, SampleTable};
+
+/// The runs of one purpose, point by point, for some of the columns.
+#[derive(Debug, Clone)]
+pub(super) struct Pool {
+    /// Position of each column in the samples of a point.
+    slots: BTreeMap<usize, usize>,
+    pub points: Vec<PoolPoint>,
+}
+
+/// The runs at one point.
+#[derive(Debug, Clone)]
+pub(super) struct PoolPoint {
+    pub purpose: Purpose,
+    pub point: u32,
+    pub epistemic: Vec<f64>,
+    /// Random inputs of the only run, empty where there are several.
+    pub random: Vec<f64>,
+    /// Number of runs.
+    pub runs: usize,
+    samples: Vec<Sample>,
+}
+
+impl Pool {
+    /// Gathers the runs of `purpose` for `columns`, points in the order of their index.
+    pub fn gather(table: &SampleTable, purpose: Purpose, columns: impl IntoIterator<Item = usize>) -> Self {
+        let mut slots: BTreeMap<usize, usize> = columns.into_iter().map(|column| (column, 0)).collect();
+        for (slot, entry) in slots.values_mut().enumerate() {
+            *entry = slot;
+        }
+        // Runs of a point lie behind one another in the table, ordered by replicate and index.
+        let mut runs: BTreeMap<u32, BTreeMap<u32, Vec<usize>>> = BTreeMap::new();
+        for (run, inputs) in table.inputs().iter().enumerate() {
+            if inputs.purpose == purpose {
+                runs.entry(inputs.point).or_default().entry(inputs.replicate).or_default().push(run);
+            }
+        }
+        let runs: Vec<(u32, BTreeMap<u32, Vec<usize>>)> = runs.into_iter().collect();
+        let points = runs
+            .into_par_iter()
+            .map(|(point, replicates)| {
+                let sample = |&column: &usize| {
+                    Sample::new(replicates.values().map(|runs| runs.iter().map(move |&run| table.values(run)[column])))
+                };
+                let count = replicates.values().map(Vec::len).sum();
+                let first = &table.inputs()[replicates.values().flatten().next().copied().unwrap_or(0)];
+                PoolPoint {
+                    purpose,
+                    point,
+                    epistemic: first.epistemic.clone(),
+                    random: if count == 1 { first.random.clone() } else { Vec::new() },
+                    runs: count,
+                    samples: slots.keys().map(sample).collect(),
+                }
+            })
+            .collect();
+        Self { slots, points }
+    }
+
+    /// The sample of `column` at each point; none for a column that was not gathered.
+    pub fn samples(&self, column: usize) -> Vec<&Sample> {
+        self.slots
+            .get(&column)
+            .map_or_else(Vec::new, |&slot| self.points.iter().map(|point| &point.samples[slot]).collect())
+    }
+}
+
+impl PoolPoint {
+    /// This point as the witness of a bound.
+    pub fn witness(&self) -> Witness {
+        Witness {
+            purpose: self.purpose,
+            point: self.point,
+            epistemic: self.epistemic.clone(),
+            random: self.random.clone(),
+        }
+    }
+}

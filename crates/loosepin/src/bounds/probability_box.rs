@@ -1,0 +1,59 @@
+//! The distribution function and its bounds over u.
+
+use rayon::prelude::*;
+
+use super::assemble::Evidence;
+use super::bound::Bound;
+use super::measure::{Event, Measure};
+use super::search::Direction;
+
+/// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
+const GRID_VALUES: usize = 101;
+
+/// Bounds of P(Y <= y) over the epistemic box, for a grid of y.
+///
+/// Every distribution function of Y given u lies between the two curves (at each y with the stated error); the same holds
+/// for every mixture of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProbabilityBox {
+    /// Column of the response.
+    pub column: usize,
+    /// The values y, increasing; empty where no run finished.
+    pub values: Vec<f64>,
+    /// min over u of P(Y <= y), for each y; `widened` is made increasing.
+    pub lower: Vec<Bound>,
+    /// max over u of P(Y <= y), for each y; `widened` is made increasing.
+    pub upper: Vec<Bound>,
+}
+
+impl ProbabilityBox {
+    pub(super) fn new(evidence: &Evidence<'_>, column: usize) -> Self {
+        let samples = evidence.pool.samples(column);
+        let ends = samples.iter().filter_map(|sample| Some((*sample.sorted().first()?, *sample.sorted().last()?)));
+        let (low, high) = ends
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (first, last)| (low.min(first), high.max(last)));
+        let values: Vec<f64> = if low > high {
+            Vec::new()
+        } else {
+            let step = (high - low) / (GRID_VALUES - 1) as f64;
+            (0..GRID_VALUES).map(|i| if i + 1 == GRID_VALUES { high } else { low + i as f64 * step }).collect()
+        };
+        let measures: Vec<Measure> = values
+            .par_iter()
+            .map(|&value| Measure::probability(&samples, Event::UpTo(value), evidence.plan.confidence()))
+            .collect();
+        let search = evidence.search(measures.iter());
+        let curve = |direction| -> Vec<Bound> {
+            measures.par_iter().map(|measure| evidence.bound(&search, &samples, measure, direction)).collect()
+        };
+        let (mut lower, mut upper) = (curve(Direction::Minimum), curve(Direction::Maximum));
+        // A distribution function increases, so a bound at one y holds on one side of it; of two, the wider one is kept.
+        for i in 1..upper.len() {
+            upper[i].widened = upper[i].widened.max(upper[i - 1].widened);
+        }
+        for i in (1..lower.len()).rev() {
+            lower[i - 1].widened = lower[i - 1].widened.min(lower[i].widened);
+        }
+        Self { column, values, lower, upper }
+    }
+}

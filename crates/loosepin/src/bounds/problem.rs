@@ -1,0 +1,242 @@
+//! What is asked: inputs, requests, and how many runs may be spent.
+
+use thiserror::Error;
+
+use super::points::structural_point_count;
+use super::statistic::Statistic;
+use crate::uncertainty::{Interval, MAXIMUM_DIMENSIONS, RandomVariable};
+
+/// One statistic of one column of the response.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Column of the response, counted from 0.
+    pub column: usize,
+    /// The statistic whose bounds are asked for.
+    pub statistic: Statistic,
+}
+
+/// How many runs are spent, and on what.
+///
+/// The runs are at most `outer * inner + mixture + extreme`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Points u at which statistics are estimated. Default: 64.
+    pub outer: usize,
+    /// Runs for each u; a multiple of `replicates`, best `replicates` times a power of two. Default: 256.
+    pub inner: usize,
+    /// Independent scramblings that the inner points are split into, >= 2, for the sampling error. Default: 8.
+    pub replicates: usize,
+    /// Runs of the probability-only treatment (X and u drawn together); a multiple of `replicates`. Default: 1024.
+    pub mixture: usize,
+    /// Runs of the interval-only treatment (extremes over the joint box). Default: 128.
+    pub extreme: usize,
+    /// Seed of every random number. Default: 1.
+    pub seed: u64,
+    /// Confidence of each sampling error, in (0, 1). Default: 0.95.
+    pub confidence: f64,
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { outer: 64, inner: 256, replicates: 8, mixture: 1024, extreme: 128, seed: 1, confidence: 0.95 }
+    }
+}
+
+/// A response's inputs, and what is asked of it.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Distributions of the random inputs, taken as independent.
+    pub random: Vec<RandomVariable>,
+    /// Intervals of the epistemic inputs.
+    pub epistemic: Vec<Interval>,
+    /// Number of columns of the response.
+    pub columns: usize,
+    /// Statistics whose bounds are asked for.
+    pub requests: Vec<Request>,
+    /// Columns for which the three treatments are compared.
+    pub compared_columns: Vec<usize>,
+    /// Probability of the central band that the treatments are compared by, in (0, 1); 0.95 is usual.
+    pub band_probability: f64,
+    /// In the interval-only treatment each random input is cut to its quantiles at Φ(-k) and Φ(k), k = this; 3 is usual.
+    pub cut_standard_deviations: f64,
+    /// How many runs are spent.
+    pub sampling: Sampling,
+}
+
+/// Why a problem cannot be planned.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ProblemError {
+    /// A request names a column that the response does not have.
+    #[error("request {request} asks for column {column}; the response has {columns} columns, counted from 0")]
+    NoSuchColumn {
+        /// Position of the request, or of the column among the compared ones.
+        request: usize,
+        /// Column asked for.
+        column: usize,
+        /// Columns there are.
+        columns: usize,
+    },
+    /// A quantile outside (0, 1).
+    #[error("quantile {probability}; must lie between 0 and 1, both excluded")]
+    QuantileOutside {
+        /// Probability asked for.
+        probability: f64,
+    },
+    /// A limit that is not a number, or a negative limit of a magnitude.
+    #[error("limit {limit} of a probability; must be finite, and >= 0 where it limits a magnitude")]
+    BadLimit {
+        /// Limit asked for.
+        limit: f64,
+    },
+    /// A probability outside (0, 1).
+    #[error("{name} {value}; must lie between 0 and 1, both excluded")]
+    ProbabilityOutside {
+        /// Which number.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A cut that is no positive number.
+    #[error("cut at {standard_deviations} standard deviations; must be > 0 and at most 8")]
+    BadCut {
+        /// Value given.
+        standard_deviations: f64,
+    },
+    /// Too few replicates.
+    #[error("{replicates} replicates; must be at least 2\nhint: 8 give a useful estimate of the sampling error")]
+    TooFewReplicates {
+        /// Value given.
+        replicates: usize,
+    },
+    /// A sample that cannot be split evenly.
+    #[error(
+        "{name} {count}; must be a multiple of the {replicates} replicates, at least 2 runs in each, at most 2^31\n\
+         hint: {replicates} times a power of two is best"
+    )]
+    NotAMultiple {
+        /// Which number of runs.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Replicates.
+        replicates: usize,
+    },
+    /// Too few points for the corners and the centre of the box.
+    #[error(
+        "{name} {count}; the corners and the centre of a box with {dimensions} inputs need at least {least}\n\
+         hint: {recommended} is a good start"
+    )]
+    TooFewPoints {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Dimensions of the box.
+        dimensions: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// More points than the search can model.
+    #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
+    TooManyPoints {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The most that is accepted.
+        most: usize,
+    },
+    /// More inputs than Sobol' points have dimensions.
+    #[error("{inputs} uncertain inputs; at most {MAXIMUM_DIMENSIONS}\nhint: fix the inputs that matter least")]
+    TooManyInputs {
+        /// Random and epistemic inputs together.
+        inputs: usize,
+    },
+}
+
+/// The smoother factorises matrices of this order.
+const MOST_POINTS: usize = 512;
+
+impl Problem {
+    /// Checks everything that does not need a run.
+    pub(super) fn check(&self) -> Result<(), ProblemError> {
+        let inputs = self.random.len() + self.epistemic.len();
+        if inputs > MAXIMUM_DIMENSIONS {
+            return Err(ProblemError::TooManyInputs { inputs });
+        }
+        self.check_requests()?;
+        let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;
+        check_probability("confidence", confidence)?;
+        check_probability("band probability", self.band_probability)?;
+        if !(self.cut_standard_deviations > 0.0 && self.cut_standard_deviations <= 8.0) {
+            return Err(ProblemError::BadCut { standard_deviations: self.cut_standard_deviations });
+        }
+        if replicates < 2 {
+            return Err(ProblemError::TooFewReplicates { replicates });
+        }
+        if !self.random.is_empty() {
+            check_multiple("inner", inner, replicates)?;
+        }
+        if !self.epistemic.is_empty() {
+            check_points("outer", outer, self.epistemic.len())?;
+        }
+        if !self.compared_columns.is_empty() {
+            if !self.epistemic.is_empty() {
+                check_multiple("mixture", mixture, replicates)?;
+            }
+            if !self.random.is_empty() {
+                check_points("extreme", extreme, inputs)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_requests(&self) -> Result<(), ProblemError> {
+        let asked = self.requests.iter().map(|request| request.column).enumerate();
+        for (request, column) in asked.chain(self.compared_columns.iter().copied().enumerate()) {
+            if column >= self.columns {
+                return Err(ProblemError::NoSuchColumn { request, column, columns: self.columns });
+            }
+        }
+        for request in &self.requests {
+            match request.statistic {
+                Statistic::Quantile(probability) if !(probability > 0.0 && probability < 1.0) => {
+                    return Err(ProblemError::QuantileOutside { probability });
+                }
+                Statistic::ProbabilityAbove(limit) | Statistic::ProbabilityBelow(limit) if !limit.is_finite() => {
+                    return Err(ProblemError::BadLimit { limit });
+                }
+                Statistic::ProbabilityBeyond(limit) if !(limit.is_finite() && limit >= 0.0) => {
+                    return Err(ProblemError::BadLimit { limit });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_probability(name: &'static str, value: f64) -> Result<(), ProblemError> {
+    if value > 0.0 && value < 1.0 { Ok(()) } else { Err(ProblemError::ProbabilityOutside { name, value }) }
+}
+
+fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result<(), ProblemError> {
+    if count % replicates == 0 && count >= 2 * replicates && count <= 1 << 31 {
+        Ok(())
+    } else {
+        Err(ProblemError::NotAMultiple { name, count, replicates })
+    }
+}
+
+fn check_points(name: &'static str, count: usize, dimensions: usize) -> Result<(), ProblemError> {
+    let least = structural_point_count(dimensions);
+    if count < least {
+        return Err(ProblemError::TooFewPoints { name, count, dimensions, least, recommended: (3 * least).max(64) });
+    }
+    if count > MOST_POINTS {
+        return Err(ProblemError::TooManyPoints { name, count, most: MOST_POINTS });
+    }
+    Ok(())
+}

@@ -1,0 +1,121 @@
+//! One column at one u: the finished values, replicate by replicate.
+
+use std::sync::OnceLock;
+
+use crate::uncertainty::{normal_quantile, student_factor};
+
+/// The values of one column that belong together, in the order of the plan.
+#[derive(Debug, Clone)]
+pub(super) struct Sample {
+    values: Vec<f64>,
+    replicate_ends: Vec<usize>,
+    failed: usize,
+    sorted: OnceLock<Vec<f64>>,
+}
+
+impl Sample {
+    /// Takes values replicate by replicate; those that are not finite count as failed.
+    pub fn new(replicates: impl Iterator<Item = impl Iterator<Item = f64>>) -> Self {
+        let (mut values, mut replicate_ends, mut failed) = (Vec::new(), Vec::new(), 0);
+        for replicate in replicates {
+            for value in replicate {
+                if value.is_finite() {
+                    values.push(value);
+                } else {
+                    failed += 1;
+                }
+            }
+            replicate_ends.push(values.len());
+        }
+        Self { values, replicate_ends, failed, sorted: OnceLock::new() }
+    }
+
+    /// Finished values.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Number of failed runs.
+    pub fn failed(&self) -> usize {
+        self.failed
+    }
+
+    /// Finished and failed runs.
+    pub fn runs(&self) -> usize {
+        self.values.len() + self.failed
+    }
+
+    /// Finished values in increasing order.
+    pub fn sorted(&self) -> &[f64] {
+        self.sorted.get_or_init(|| {
+            let mut sorted = self.values.clone();
+            sorted.sort_unstable_by(f64::total_cmp);
+            sorted
+        })
+    }
+
+    /// The finished values of each replicate that has any.
+    pub fn replicates(&self) -> impl Iterator<Item = &[f64]> {
+        self.replicate_ends
+            .iter()
+            .enumerate()
+            .map(|(replicate, &end)| {
+                &self.values[if replicate == 0 { 0 } else { self.replicate_ends[replicate - 1] }..end]
+            })
+            .filter(|values| !values.is_empty())
+    }
+
+    /// How many of the finished values do not exceed `limit`.
+    pub fn count_up_to(&self, limit: f64) -> usize {
+        self.sorted().partition_point(|&value| value <= limit)
+    }
+}
+
+/// Factors that turn a standard error into the half-width of a confidence interval.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Confidence {
+    /// Student's factor for the spread of the replicates.
+    pub student: f64,
+    /// The factor of a normal distribution, for counts.
+    pub normal: f64,
+}
+
+impl Confidence {
+    /// Factors at `level` in (0, 1) for a spread of `replicates` >= 2.
+    pub fn new(level: f64, replicates: usize) -> Self {
+        Self { student: student_factor(level, replicates - 1), normal: normal_quantile(0.5 + 0.5 * level) }
+    }
+}
+
+/// An estimate with the distances to both ends of its confidence interval, >= 0, infinite where nothing is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Estimate {
+    pub value: f64,
+    pub below: f64,
+    pub above: f64,
+}
+
+impl Estimate {
+    /// An estimate of what does not exist: no run finished.
+    pub const UNDEFINED: Self = Self { value: f64::NAN, below: f64::INFINITY, above: f64::INFINITY };
+
+    pub fn symmetric(value: f64, error: f64) -> Self {
+        Self { value, below: error, above: error }
+    }
+
+    /// The variance that the confidence interval corresponds to.
+    pub fn variance(&self, confidence: &Confidence) -> f64 {
+        let half_width = 0.5 * (self.below + self.above) / confidence.student;
+        half_width * half_width
+    }
+}
+
+/// Variance of the mean of `values` (one number a replicate), infinite for fewer than two.
+pub(super) fn variance_of_mean(values: &[f64]) -> f64 {
+    let count = values.len() as f64;
+    if values.len() < 2 {
+        return f64::INFINITY;
+    }
+    let mean = values.iter().sum::<f64>() / count;
+    values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count * (count - 1.0))
+}

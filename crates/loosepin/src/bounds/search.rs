@@ -1,0 +1,389 @@
+//! Where to look next: where a model of a statistic promises the most beyond what has been attained.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::smoother::{Fit, Smoother};
+
+/// The model's error bar in an optimistic prediction, in standard deviations.
+const OPTIMISM: f64 = 2.5;
+
+/// Two new points of one round keep this distance, in units of the box.
+const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
+
+/// A new point keeps this distance from all earlier ones.
+const LEAST_DISTANCE: f64 = 1e-6;
+
+/// This many promising places for each new point are located precisely.
+const LOCATED_PER_POINT: usize = 4;
+
+/// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
+const MOST_LOCATED_TARGETS: usize = 256;
+
+/// What the arithmetic of a model resolves, as a share of the range of its values.
+const MODEL_RESOLUTION: f64 = 1e-8;
+
+/// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
+const MOST_NEIGHBOURHOODS: usize = 24;
+
+/// Distances of these surroundings along each axis, in units of the box.
+const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
+
+/// Which end is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Direction {
+    Minimum,
+    Maximum,
+}
+
+impl Direction {
+    /// Both ends.
+    pub const BOTH: [Self; 2] = [Self::Minimum, Self::Maximum];
+
+    /// 0 for the minimum, 1 for the maximum.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// +1 for the maximum, -1 for the minimum.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Minimum => -1.0,
+            Self::Maximum => 1.0,
+        }
+    }
+
+    /// Whether `value` lies beyond `other`.
+    pub fn is_beyond(self, value: f64, other: f64) -> bool {
+        self.sign() * value > self.sign() * other
+    }
+}
+
+/// A quantity known at every point, whose extremes are sought.
+#[derive(Debug, Clone)]
+pub(super) struct Target {
+    /// Value at every point; not a number where it is undefined.
+    pub values: Vec<f64>,
+    /// Mean sampling variance of the values.
+    pub noise_variance: f64,
+    /// Gains below these are not worth a point: of the minimum, of the maximum.
+    pub resolutions: [f64; 2],
+}
+
+impl Target {
+    /// Greatest less least value.
+    pub fn range(&self) -> f64 {
+        let range = extreme(&self.values, Direction::Maximum) - extreme(&self.values, Direction::Minimum);
+        range.max(0.0)
+    }
+}
+
+/// All points so far, and the models that targets share.
+pub(super) struct Search<'a> {
+    points: &'a [Vec<f64>],
+    smoothers: BTreeMap<Vec<usize>, Option<Smoother>>,
+    targets: usize,
+}
+
+/// How far a target may go beyond what has been attained, by its model.
+#[derive(Debug, Clone)]
+struct Reach {
+    /// Most that the model allows, at `optimistic_at`.
+    pub optimistic: f64,
+    pub optimistic_at: Vec<f64>,
+    /// Most that the model expects, at `expected_at`.
+    pub expected: f64,
+    pub expected_at: Vec<f64>,
+}
+
+impl<'a> Search<'a> {
+    /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
+    pub fn new<'t>(
+        points: &'a [Vec<f64>],
+        candidates: &[Vec<f64>],
+        targets: impl IntoIterator<Item = &'t Target>,
+    ) -> Self {
+        // For each set of defined points: whether any target has noise, and how often each point is an extreme.
+        let mut groups: BTreeMap<Vec<usize>, (bool, BTreeMap<usize, usize>)> = BTreeMap::new();
+        let mut target_count = 0;
+        for target in targets {
+            target_count += 1;
+            let (has_noise, extremes) = groups.entry(defined(target)).or_default();
+            *has_noise |= target.noise_variance > 0.0;
+            for direction in Direction::BOTH {
+                if let Some(point) = extreme_point(&target.values, direction) {
+                    *extremes.entry(point).or_default() += 1;
+                }
+            }
+        }
+        let prepare = |(defined, (has_noise, extremes)): (Vec<usize>, (bool, BTreeMap<usize, usize>))| {
+            let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
+            extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
+            let near = extremes.into_iter().take(MOST_NEIGHBOURHOODS).flat_map(|(point, _)| neighbours(&points[point]));
+            let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
+            let known = defined.iter().map(|&i| points[i].clone()).collect();
+            let smoother = Smoother::try_new(known, &places, has_noise);
+            (defined, smoother)
+        };
+        Self { points, smoothers: groups.into_iter().map(prepare).collect(), targets: target_count }
+    }
+
+    /// The model of `target`; nothing where it is defined at too few points.
+    pub fn fit(&self, target: &Target) -> Option<Fit<'_>> {
+        let defined = defined(target);
+        let values: Vec<f64> = defined.iter().map(|&i| target.values[i]).collect();
+        Some(self.smoothers.get(&defined)?.as_ref()?.fit(&values, target.noise_variance))
+    }
+
+    /// The most that the model of `target` allows in `direction`, anywhere in the box; infinite without a model.
+    pub fn reach(&self, target: &Target, direction: Direction) -> f64 {
+        let Some(fit) = self.fit(target) else { return direction.sign() * f64::INFINITY };
+        let is_located = self.targets <= MOST_LOCATED_TARGETS;
+        let most = if is_located { located_reach(&fit, direction) } else { reach(&fit, direction).optimistic };
+        most + direction.sign() * MODEL_RESOLUTION * target.range()
+    }
+
+    /// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise.
+    pub fn smoothed(&self, target: &Target) -> Vec<f64> {
+        let mut values = target.values.clone();
+        if let Some(fit) = self.fit(target)
+            && fit.is_smoothed()
+        {
+            let defined = defined(target);
+            let means = fit.at_places().skip(fit.places().len() - defined.len());
+            for (point, (mean, _)) in defined.into_iter().zip(means) {
+                values[point] = mean;
+            }
+        }
+        values
+    }
+
+    /// At most `count` new points for the ends of `targets` that are sought, most promising first; none where no gain
+    /// exceeds the resolution.
+    pub fn next_points(&self, targets: &[(Target, Vec<Direction>)], count: usize) -> Vec<Vec<f64>> {
+        let mut promises: Vec<Promise> = targets
+            .par_iter()
+            .enumerate()
+            .flat_map_iter(|(index, (target, directions))| self.promises(index, target, directions))
+            .collect();
+        promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
+        let located: Vec<Vec<f64>> = distinct(promises, LOCATED_PER_POINT * count)
+            .into_par_iter()
+            .filter_map(|promise| {
+                let fit = self.fit(&targets[promise.target].0)?;
+                Some(locate(&fit, promise.direction, promise.optimism, promise.place))
+            })
+            .collect();
+        let mut chosen: Vec<Vec<f64>> = Vec::new();
+        for place in located {
+            let is_new = self.points.iter().all(|point| distance(point, &place) > LEAST_DISTANCE)
+                && chosen.iter().all(|point| distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
+            if is_new && chosen.len() < count {
+                chosen.push(place);
+            }
+        }
+        chosen
+    }
+
+    fn promises(&self, index: usize, target: &Target, directions: &[Direction]) -> Vec<Promise> {
+        let Some(fit) = self.fit(target) else { return Vec::new() };
+        let mut promises = Vec::new();
+        for &direction in directions {
+            let reach = reach(&fit, direction);
+            let attained = extreme(&target.values, direction);
+            let mut promise = |value: f64, optimism: f64, place: Vec<f64>| {
+                let merit = direction.sign() * (value - attained) / target.resolutions[direction.index()];
+                if merit > 1.0 {
+                    promises.push(Promise { target: index, direction, optimism, merit, place });
+                }
+            };
+            promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
+            // An expected gain is worth more than a possible one of the same size.
+            promise(reach.expected, 0.0, reach.expected_at);
+        }
+        promises
+    }
+}
+
+struct Promise {
+    target: usize,
+    direction: Direction,
+    optimism: f64,
+    merit: f64,
+    place: Vec<f64>,
+}
+
+/// The first `count` promises whose places differ.
+fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
+    let mut kept: Vec<Promise> = Vec::new();
+    for promise in promises {
+        if kept.len() == count {
+            break;
+        }
+        let is_known = |other: &Promise| {
+            other.optimism == promise.optimism && distance(&other.place, &promise.place) < LEAST_DISTANCE
+        };
+        if !kept.iter().any(is_known) {
+            kept.push(promise);
+        }
+    }
+    kept
+}
+
+/// How far the model lets its target go in `direction`, over all candidates and points.
+fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
+    let sign = direction.sign();
+    let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
+    for (place, (mean, deviation)) in fit.at_places().enumerate() {
+        if sign * mean + OPTIMISM * deviation > optimistic.0 {
+            optimistic = (sign * mean + OPTIMISM * deviation, place);
+        }
+        if sign * mean > expected.0 {
+            expected = (sign * mean, place);
+        }
+    }
+    Reach {
+        optimistic: sign * optimistic.0,
+        optimistic_at: fit.places()[optimistic.1].clone(),
+        expected: sign * expected.0,
+        expected_at: fit.places()[expected.1].clone(),
+    }
+}
+
+/// The same over the whole box: the most that the model allows, located from the best of the places.
+fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
+    let coarse = reach(fit, direction);
+    let place = locate(fit, direction, OPTIMISM, coarse.optimistic_at);
+    let (mean, deviation) = fit.at(&place);
+    let located = mean + direction.sign() * OPTIMISM * deviation;
+    if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
+}
+
+/// The extreme of the finite values; infinite where there are none.
+pub(super) fn extreme(values: &[f64], direction: Direction) -> f64 {
+    extreme_point(values, direction).map_or(-direction.sign() * f64::INFINITY, |point| values[point])
+}
+
+/// Where the extreme of the finite values is.
+pub(super) fn extreme_point(values: &[f64], direction: Direction) -> Option<usize> {
+    let mut best: Option<usize> = None;
+    for (point, &value) in values.iter().enumerate() {
+        if value.is_finite() && best.is_none_or(|best| direction.is_beyond(value, values[best])) {
+            best = Some(point);
+        }
+    }
+    best
+}
+
+/// Places near `point` along the axes, inside the box.
+fn neighbours(point: &[f64]) -> impl Iterator<Item = Vec<f64>> {
+    let steps = NEIGHBOUR_DISTANCES.into_iter().flat_map(|distance| [distance, -distance]);
+    steps.flat_map(move |step| {
+        (0..point.len()).filter_map(move |axis| {
+            let mut place = point.to_vec();
+            place[axis] = (place[axis] + step).clamp(0.0, 1.0);
+            (place[axis] != point[axis]).then_some(place)
+        })
+    })
+}
+
+/// Moves `place` to the nearest local extreme of mean + optimism x deviation: pattern search along the axes and the last
+/// successful move, step halved down to 1e-7 of the box.
+fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64>) -> Vec<f64> {
+    const FIRST_STEP: f64 = 0.1;
+    const LAST_STEP: f64 = 1e-7;
+    const MOST_MOVES: usize = 400;
+    const FACE_THICKNESS: f64 = 1e-4;
+    let value = |place: &[f64]| {
+        let (mean, deviation) = fit.at(place);
+        direction.sign() * mean + optimism * deviation
+    };
+    let mut best = value(&place);
+    let mut step = FIRST_STEP;
+    let mut moves = 0;
+    while step >= LAST_STEP && moves < MOST_MOVES {
+        let before = place.clone();
+        let mut has_moved = false;
+        for axis in 0..place.len() {
+            for signed in [step, -step] {
+                let mut trial = place.clone();
+                trial[axis] = (trial[axis] + signed).clamp(0.0, 1.0);
+                if trial[axis] != place[axis] && value(&trial) > best {
+                    best = value(&trial);
+                    place = trial;
+                    has_moved = true;
+                    break;
+                }
+            }
+        }
+        if has_moved {
+            moves += 1;
+            let trial: Vec<f64> = place.iter().zip(&before).map(|(x, y)| (2.0 * x - y).clamp(0.0, 1.0)).collect();
+            if value(&trial) > best {
+                best = value(&trial);
+                place = trial;
+            }
+        } else {
+            step *= 0.5;
+        }
+    }
+    // What the model cannot tell from a face is a face: corners and edges are then met exactly.
+    for coordinate in &mut place {
+        if *coordinate < FACE_THICKNESS {
+            *coordinate = 0.0;
+        } else if *coordinate > 1.0 - FACE_THICKNESS {
+            *coordinate = 1.0;
+        }
+    }
+    place
+}
+
+fn defined(target: &Target) -> Vec<usize> {
+    (0..target.values.len()).filter(|&i| target.values[i].is_finite()).collect()
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |most, (x, y)| f64::max(most, (x - y).abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Direction, Search, Target, extreme};
+    use crate::bounds::points::{candidates, first_points};
+
+    /// Searches both ends of `function` with `count` points in rounds of five.
+    fn ends(dimensions: usize, count: usize, function: impl Fn(&[f64]) -> f64) -> (f64, f64) {
+        let candidates = candidates(dimensions).unwrap();
+        let mut points = first_points(11, dimensions, count / 2).unwrap();
+        loop {
+            let values: Vec<f64> = points.iter().map(|u| function(u)).collect();
+            let resolutions = [1e-9; 2];
+            let target = Target { values: values.clone(), noise_variance: 0.0, resolutions };
+            let search = Search::new(&points, &candidates, [&target]);
+            let next = search.next_points(&[(target, Direction::BOTH.to_vec())], 5.min(count - points.len()));
+            if next.is_empty() {
+                return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
+            }
+            points.extend(next);
+        }
+    }
+
+    #[test]
+    fn analytic_extremes_inside_a_box() {
+        const TOLERANCE: f64 = 1e-4; // of a range of about 2
+        let (low, high) = ends(1, 24, |u| (7.0 * u[0]).sin());
+        assert!(low + 1.0 < TOLERANCE && 1.0 - high < TOLERANCE, "{low} {high}");
+        let (low, high) = ends(2, 50, |u| (5.0 * u[0] + 1.0).sin() * (4.0 * u[1]).cos());
+        assert!(low + 1.0 < TOLERANCE && 1.0 - high < TOLERANCE, "{low} {high}");
+    }
+
+    #[test]
+    fn analytic_extreme_on_a_corner_that_was_not_looked_at() {
+        // Seven inputs: 16 of 128 corners are looked at first; the maximum 7 is at a corner, the minimum -7 opposite.
+        const TOLERANCE: f64 = 1e-9;
+        let signs = [1.0, -1.0, -1.0, 1.0, 1.0, 1.0, -1.0];
+        let (low, high) = ends(7, 60, |u| u.iter().zip(signs).map(|(x, sign)| sign * (2.0 * x - 1.0)).sum());
+        assert!((low + 7.0).abs() < TOLERANCE && (high - 7.0).abs() < TOLERANCE, "{low} {high}");
+    }
+}

@@ -1,0 +1,181 @@
+//! The same question with everything random, with everything an interval, and with both kinds kept apart.
+
+use rayon::prelude::*;
+
+use super::assemble::Evidence;
+use super::bound::{Bound, BoundError, Guarantee, Treatment, Witness};
+use super::coverage::Coverage;
+use super::measure::Measure;
+use super::pool::Pool;
+use super::quantile::quantile;
+use super::search::{Direction, Search, extreme};
+use super::table::{Purpose, SampleTable};
+
+/// A band for a column, by one treatment.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// How the band was found.
+    pub treatment: Treatment,
+    /// Lower end.
+    pub lower: Bound,
+    /// Upper end.
+    pub upper: Bound,
+    /// Half the distance of the attained ends.
+    pub half_width: f64,
+    /// P(Y in band | u), for the attained ends.
+    pub coverage: Coverage,
+}
+
+/// The central bands of one column by all three treatments.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TreatmentComparison {
+    /// Column of the response.
+    pub column: usize,
+    /// Probability of the central band, in (0, 1); an interval-only band has none of its own.
+    pub probability: f64,
+    /// Every interval taken as uniform: both quantiles of the mixture.
+    pub probability_only: Band,
+    /// Every random input cut to an interval: the extremes of the response.
+    pub interval_only: Band,
+    /// The lower quantile's minimum and the upper quantile's maximum over u.
+    pub mixed: Band,
+}
+
+impl TreatmentComparison {
+    /// Compares all columns that the problem asks for.
+    pub(super) fn all(evidence: &Evidence<'_>, table: &SampleTable) -> Vec<Self> {
+        let problem = evidence.plan.problem();
+        let columns = &problem.compared_columns;
+        let mixed = mixed_ends(evidence, columns);
+        let probability_only = probability_only_ends(evidence, table, columns);
+        let interval_only = interval_only_ends(evidence, table, columns);
+        let band = |treatment, column, [lower, upper]: [Bound; 2]| {
+            let confidence = evidence.plan.confidence();
+            let coverage = Coverage::of_band(evidence.pool, column, lower.value, upper.value, confidence);
+            Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, coverage }
+        };
+        let ends: Vec<_> = columns.iter().zip(mixed).zip(probability_only).zip(interval_only).collect();
+        ends.into_par_iter()
+            .map(|(((&column, mixed), probability_only), interval_only)| Self {
+                column,
+                probability: problem.band_probability,
+                probability_only: band(Treatment::ProbabilityOnly, column, probability_only),
+                interval_only: band(Treatment::IntervalOnly, column, interval_only),
+                mixed: band(Treatment::Mixed, column, mixed),
+            })
+            .collect()
+    }
+}
+
+fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
+    let statistics = evidence.plan.band_statistics();
+    let measures: Vec<[Measure; 2]> = columns
+        .par_iter()
+        .filter_map(|&column| {
+            let samples = evidence.pool.samples(column);
+            let measure = |end: usize| Measure::new(&samples, statistics[end].0, evidence.plan.confidence());
+            Some([measure(0)?, measure(1)?])
+        })
+        .collect();
+    let search = evidence.search(measures.iter().flatten());
+    columns
+        .par_iter()
+        .zip(&measures)
+        .map(|(&column, measures)| {
+            let samples = evidence.pool.samples(column);
+            [0, 1].map(|end| evidence.bound(&search, &samples, &measures[end], statistics[end].1))
+        })
+        .collect()
+}
+
+fn probability_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: &[usize]) -> Vec<[Bound; 2]> {
+    let plan = evidence.plan;
+    // Without epistemic inputs the double loop has one point, and its runs are the mixture.
+    let purpose = if plan.has_mixture() { Purpose::Mixture } else { Purpose::DoubleLoop };
+    let pool = Pool::gather(table, purpose, columns.iter().copied());
+    let tail = 0.5 * (1.0 - plan.problem().band_probability);
+    let guarantee = Guarantee::Sampled { confidence: plan.problem().sampling.confidence };
+    let unknown = |sign: f64| Bound {
+        value: f64::NAN,
+        widened: sign * f64::INFINITY,
+        witness: None,
+        error: BoundError { sampling: f64::INFINITY, ..BoundError::default() },
+        guarantee,
+    };
+    let end = |value: f64, sign: f64, sampling: f64| Bound {
+        value,
+        widened: value + sign * sampling,
+        witness: None,
+        error: BoundError { sampling, ..BoundError::default() },
+        guarantee,
+    };
+    columns
+        .par_iter()
+        .map(|&column| match pool.samples(column).first() {
+            Some(sample) if !sample.values().is_empty() => {
+                let lower = quantile(sample, plan.confidence(), tail).low;
+                let upper = quantile(sample, plan.confidence(), 1.0 - tail).high;
+                [end(lower.value, -1.0, lower.below), end(upper.value, 1.0, upper.above)]
+            }
+            _ => [unknown(-1.0), unknown(1.0)],
+        })
+        .collect()
+}
+
+fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: &[usize]) -> Vec<[Bound; 2]> {
+    let plan = evidence.plan;
+    // Without random inputs every run of the double loop is a point of the joint box already.
+    let purpose = if plan.has_extremes() { Purpose::Extreme } else { Purpose::DoubleLoop };
+    let pool = Pool::gather(table, purpose, columns.iter().copied());
+    let places = plan.extreme_places(&pool);
+    let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(&pool, column)).collect();
+    let search = Search::new(&places, plan.joint_candidates(), &targets);
+    columns
+        .par_iter()
+        .zip(&targets)
+        .map(|(&column, target)| {
+            Direction::BOTH.map(|direction| {
+                let sign = direction.sign();
+                let (value, witness) = furthest_run(evidence, table, column, direction);
+                let searched = extreme(&target.values, direction);
+                let further = search.reach(target, direction);
+                let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(0.0);
+                let has_box = !plan.joint_box().is_empty();
+                let error =
+                    BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
+                let widened = if value.is_nan() { sign * f64::INFINITY } else { value + sign * error.total() };
+                Bound { value, widened, witness, error, guarantee: Guarantee::Optimised }
+            })
+        })
+        .collect()
+}
+
+/// The run that goes furthest of all runs inside the joint box, whatever they were made for.
+fn furthest_run(
+    evidence: &Evidence<'_>,
+    table: &SampleTable,
+    column: usize,
+    direction: Direction,
+) -> (f64, Option<Witness>) {
+    let joint_box = evidence.plan.joint_box();
+    let mut best: Option<usize> = None;
+    for (run, inputs) in table.inputs().iter().enumerate() {
+        let value = table.values(run)[column];
+        if !value.is_finite() || best.is_some_and(|best| !direction.is_beyond(value, table.values(best)[column])) {
+            continue;
+        }
+        let mut values = inputs.random.iter().zip(joint_box);
+        if values.all(|(&value, interval)| value >= interval.lower() && value <= interval.upper()) {
+            best = Some(run);
+        }
+    }
+    let Some(best) = best else { return (f64::NAN, None) };
+    let inputs = &table.inputs()[best];
+    let witness = Witness {
+        purpose: inputs.purpose,
+        point: inputs.point,
+        epistemic: inputs.epistemic.clone(),
+        random: inputs.random.clone(),
+    };
+    (table.values(best)[column], Some(witness))
+}

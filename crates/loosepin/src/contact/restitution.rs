@@ -1,0 +1,148 @@
+//! What a law delivers: the restitution of a free impact as a function of χ alone.
+
+/// The restitution ε that a free impact under `F = K δⁿ (1 + χ δ̇/v0)` delivers.
+///
+/// Solves `χ(1 + ε) = ln((1 + χ)/(1 - χε))` (method, section 2.1), which holds for every K, n, mass and speed.
+/// χ = 0 gives 1.
+pub fn delivered_restitution(damping_factor: f64) -> f64 {
+    if damping_factor <= 0.0 {
+        return 1.0;
+    }
+    bisect(0.0, f64::min(1.0, 1.0 / damping_factor), |restitution| imbalance(damping_factor, restitution))
+}
+
+/// The χ with which a free impact delivers exactly `restitution` in (0, 1].
+///
+/// The inverse of [`delivered_restitution`]; grows without limit as the restitution goes to zero.
+pub fn damping_factor_that_delivers(restitution: f64) -> f64 {
+    if restitution >= 1.0 {
+        return 0.0;
+    }
+    bisect(0.0, 1.0 / restitution, |damping_factor| imbalance(damping_factor, restitution))
+}
+
+/// Largest penetration of a free impact, m.
+///
+/// `K δmax^(n+1)/(n+1) = m v0² (1/χ - ln(1 + χ)/χ²)` (method, section 2.1); with χ = 0 the right side is m v0²/2.
+pub fn free_impact_penetration_m(
+    stiffness_n_m_n: f64,
+    exponent: f64,
+    damping_factor: f64,
+    effective_mass_kg: f64,
+    impact_speed_m_s: f64,
+) -> f64 {
+    let share = -log_remainder(damping_factor);
+    let energy_j = effective_mass_kg * impact_speed_m_s * impact_speed_m_s * share;
+    libm::pow((exponent + 1.0) * energy_j / stiffness_n_m_n, 1.0 / (exponent + 1.0))
+}
+
+/// The identity as `φ(χ) - ε² φ(-χε)`, which keeps its digits for small χ: negative for χ or ε too small.
+fn imbalance(damping_factor: f64, restitution: f64) -> f64 {
+    log_remainder(damping_factor) - restitution * restitution * log_remainder(-damping_factor * restitution)
+}
+
+/// φ(x) = (ln(1 + x) - x)/x², by its series near zero.
+fn log_remainder(x: f64) -> f64 {
+    if x.abs() < 1e-2 {
+        // Σ (-1)^(k+1) xᵏ/(k + 2): the ninth term is below the last place at |x| < 0.01.
+        let mut sum = 0.0;
+        for k in (0..9).rev() {
+            sum = -sum * x - 1.0 / (f64::from(k) + 2.0);
+        }
+        sum
+    } else {
+        (libm::log1p(x) - x) / (x * x)
+    }
+}
+
+/// The sign change of `f` from negative to positive between `lower` and `upper`, to the last place.
+fn bisect(mut lower: f64, mut upper: f64, f: impl Fn(f64) -> f64) -> f64 {
+    loop {
+        let middle = 0.5 * (lower + upper);
+        if middle <= lower || middle >= upper {
+            return middle;
+        }
+        if f(middle) < 0.0 { lower = middle } else { upper = middle }
+    }
+}
+
+/// Asserts that `law` delivers `expected` for a nominal restitution of 0.5, 0.7 and 0.9 (the table of method.md,
+/// section 2.1), by the identity and by integrating a free impact.
+#[cfg(test)]
+pub(crate) fn assert_delivers(law: &dyn super::PointLaw, expected: [f64; 3]) {
+    /// The table has four digits.
+    const TABLE_DIGIT: f64 = 0.6e-4;
+    /// The integration of the impact below, at 20,000 steps.
+    const INTEGRATION: f64 = 1e-6;
+    for (nominal, expected) in [0.5, 0.7, 0.9].into_iter().zip(expected) {
+        let damping_factor = law.damping_factor(nominal);
+        let by_identity = delivered_restitution(damping_factor);
+        assert!((by_identity - expected).abs() < TABLE_DIGIT, "{}: {nominal} delivers {by_identity}", law.name());
+        let by_integration = tests::restitution_of_an_integrated_impact(damping_factor);
+        assert!(
+            (by_integration - by_identity).abs() < INTEGRATION,
+            "{}: {by_integration} is not {by_identity}",
+            law.name()
+        );
+        assert_eq!(super::point_law(law.name()).map(|found| found.source()), Some(law.source()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::NormalContact;
+
+    /// Integrates m δ̈ = -F_N from δ = 0 until δ = 0 again by the classical Runge-Kutta method in the variable
+    /// u = √δ (the force is smooth in it) and gives the ratio of the speeds.
+    pub(super) fn restitution_of_an_integrated_impact(damping_factor: f64) -> f64 {
+        let (mass_kg, impact_speed_m_s) = (0.137, 0.83);
+        let contact = NormalContact { stiffness_n_m_n: 5.3e10, exponent: 1.5, damping_factor };
+        let slope = |[u, rate]: [f64; 2]| {
+            let force = contact.force(u * u, rate, 1.0 / impact_speed_m_s);
+            [0.5 * rate, -u * force.total_n / mass_kg]
+        };
+        let longest = free_impact_penetration_m(5.3e10, 1.5, damping_factor, mass_kg, impact_speed_m_s).sqrt();
+        let step = 12.0 * longest / impact_speed_m_s / 20_000.0;
+        let mut state = [0.0, impact_speed_m_s];
+        loop {
+            let add = |a: [f64; 2], b: [f64; 2], h: f64| [a[0] + h * b[0], a[1] + h * b[1]];
+            let k1 = slope(state);
+            let k2 = slope(add(state, k1, step / 2.0));
+            let k3 = slope(add(state, k2, step / 2.0));
+            let k4 = slope(add(state, k3, step));
+            let next = [0, 1].map(|i| state[i] + step / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+            if next[0] <= 0.0 {
+                let share = state[0] / (state[0] - next[0]);
+                return -(state[1] + share * (next[1] - state[1])) / impact_speed_m_s;
+            }
+            state = next;
+        }
+    }
+
+    #[test]
+    fn identity_of_restitution_and_its_inverse() {
+        for restitution in [1e-3, 0.05, 0.31, 0.77, 0.999, 0.999_999] {
+            let damping_factor = damping_factor_that_delivers(restitution);
+            // Bisection to the last place; the slope dε/dχ is of order one for all but the smallest ε.
+            assert!((delivered_restitution(damping_factor) - restitution).abs() < 1e-12);
+            // Below 0.3 the difference 1 - χε is e^-χ and loses its digits in this plain form.
+            if restitution > 0.3 {
+                let left = damping_factor * (1.0 + restitution);
+                let right = ((1.0 + damping_factor) / (1.0 - damping_factor * restitution)).ln();
+                assert!((left - right).abs() < 1e-12, "{restitution}: {left} {right}");
+            }
+        }
+        assert_eq!(delivered_restitution(0.0), 1.0);
+        assert_eq!(damping_factor_that_delivers(1.0), 0.0);
+    }
+
+    #[test]
+    fn analytic_hertz_impact() {
+        // method.md, section 2.1: m = 0.14 kg, v0 = 1 m/s, K = 6.610198e10 N/m^1.5.
+        let penetration_m = free_impact_penetration_m(6.610198e10, 1.5, 0.0, 0.14, 1.0);
+        assert!((penetration_m - 2.33953e-5).abs() < 1e-10);
+        let contact = NormalContact { stiffness_n_m_n: 6.610198e10, exponent: 1.5, damping_factor: 0.0 };
+        assert!((contact.force(penetration_m, 0.0, 1.0).total_n - 7480.12).abs() < 0.01);
+    }
+}

@@ -1,0 +1,45 @@
+//! Contact stiffness of a pin in a hole, and the speed up to which the contact laws hold.
+
+/// h = (1 - ν²)/E, 1/Pa, without 1/π.
+///
+/// [SC16] breaks off after eq. (9), whose printed form has no π: a definition of h with 1/π would make K wrong by π.
+pub fn compliance_1_pa(youngs_modulus_pa: f64, poisson_ratio: f64) -> f64 {
+    (1.0 - poisson_ratio * poisson_ratio) / youngs_modulus_pa
+}
+
+/// K = 4/(3(h_i + h_j)) · √(R_i R_j/(R_i - R_j)), N/m^1.5 ([SC16] eq. (9)), with R_j = R_i - c.
+///
+/// `compliances_1_pa` are h_i (bearing) and h_j (journal); the bearing radius R_i is held and the journal radius follows the
+/// clearance, both in m.
+pub fn cylinder_stiffness_n_m1_5(compliances_1_pa: [f64; 2], bearing_radius_m: f64, radial_clearance_m: f64) -> f64 {
+    let journal_radius_m = bearing_radius_m - radial_clearance_m;
+    let curvature_m = bearing_radius_m * journal_radius_m / radial_clearance_m;
+    4.0 / (3.0 * (compliances_1_pa[0] + compliances_1_pa[1])) * curvature_m.sqrt() // eq. (9)
+}
+
+/// Impact speed up to which Lankarani and Nikravesh's law is meant to hold: 1e-5 √(E/ρ), m/s (about 0.05 for steel).
+pub fn largest_valid_impact_speed_m_s(youngs_modulus_pa: f64, density_kg_m3: f64) -> f64 {
+    1e-5 * (youngs_modulus_pa / density_kg_m3).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_steel_pin_of_the_method() {
+        let h = compliance_1_pa(207e9, 0.3);
+        let k = cylinder_stiffness_n_m1_5([h, h], 0.010, 0.0005);
+        // Seven digits are given in method.md, section 2.1.
+        assert!((k / 6.610198e10 - 1.0).abs() < 1e-7, "{k}");
+        // c from 0.5 to 0.1 mm: K x 2.28 (method.md, section 2).
+        let tight = cylinder_stiffness_n_m1_5([h, h], 0.010, 0.0001);
+        assert!((tight / k - 2.28).abs() < 0.005);
+    }
+
+    #[test]
+    fn analytic_validity_limit_of_steel() {
+        let speed_m_s = largest_valid_impact_speed_m_s(207e9, 7800.0);
+        assert!((speed_m_s - 0.0515).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,46 @@
+//! Kinetic, potential and stored energy.
+
+use super::equations::Dynamics;
+use crate::math::Real;
+
+/// The mechanical energy of a mechanism, J.
+#[derive(Debug, Clone, Copy)]
+pub struct MechanicalEnergy<T> {
+    /// Σ m v²/2 + I ω²/2.
+    pub kinetic_j: T,
+    /// -Σ m g·r.
+    pub potential_j: T,
+    /// Σ K δ^(n+1)/(n+1) over the contacts.
+    pub stored_j: T,
+}
+
+impl<T: Real> MechanicalEnergy<T> {
+    /// Their sum.
+    pub fn total_j(&self) -> T {
+        self.kinetic_j + self.potential_j + self.stored_j
+    }
+}
+
+impl<T: Real> Dynamics<'_, T> {
+    /// The mechanical energy at the last state that was set. `in_contact` tells which joints with play hold energy.
+    pub fn energy(&self, in_contact: impl Fn(usize) -> bool) -> MechanicalEnergy<T> {
+        let half = T::from_f64(0.5);
+        let mut energy = MechanicalEnergy { kinetic_j: T::zero(), potential_j: T::zero(), stored_j: T::zero() };
+        for (index, numbers) in self.sample.real.links.iter().enumerate() {
+            let slot = index + 1;
+            let pose = &self.kinematics.poses[slot];
+            let twist = &self.kinematics.twists[slot];
+            let arm = pose.turn(numbers.centre_of_mass_m);
+            let velocity = twist.at(arm);
+            energy.kinetic_j +=
+                half * (numbers.mass_kg * velocity.length_squared() + numbers.inertia_kg_m2 * twist.angular.squared());
+            energy.potential_j -= numbers.mass_kg * self.sample.real.gravity_m_s2.dot(pose.position_m + arm);
+        }
+        for (index, ((motion, _), play)) in self.plays.iter().zip(&self.sample.plays).enumerate() {
+            if in_contact(index) {
+                energy.stored_j += play.normal.stored_energy_j(motion.penetration_m(play.clearance_m));
+            }
+        }
+        energy
+    }
+}

@@ -1,0 +1,339 @@
+//! Mass matrix, forces and accelerations.
+
+use super::play::{PlayForce, PlayMotion, PlayState};
+use crate::math::{Real, Vec2, factor_ldl, solve_ldl};
+use crate::mechanism::{Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, points_of};
+
+/// Powers that the energy account integrates, W.
+#[derive(Debug, Clone, Copy)]
+pub struct Powers<T> {
+    /// Supplied by all drives.
+    pub drives_w: T,
+    /// Turned into heat by normal contact.
+    pub contact_loss_w: T,
+    /// Turned into heat by friction.
+    pub friction_loss_w: T,
+}
+
+/// The equations of motion of one sample, with room for everything that an evaluation needs.
+///
+/// State: coordinates and rates of the real tree, free ones first; the driven ones are filled in here from the time.
+#[derive(Debug, Clone)]
+pub struct Dynamics<'a, T> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) sample: &'a Sample<T>,
+    /// Poses, velocities and biases at the last evaluation.
+    pub kinematics: Kinematics<T>,
+    /// Coordinates and rates of the last evaluation, driven ones filled in.
+    coordinates: Vec<T>,
+    rates: Vec<T>,
+    driven_accelerations: Vec<T>,
+    /// Slots of bearing body and journal body of each joint with play.
+    play_slots: Vec<[usize; 2]>,
+    pub(super) plays: Vec<(PlayMotion<T>, PlayForce<T>)>,
+    /// Free accelerations q̈.
+    pub(super) accelerations: Vec<T>,
+    /// Constraint forces λ of the independent rows.
+    pub(super) multipliers: Vec<T>,
+    /// M, then its factors.
+    mass: Vec<T>,
+    /// h for all coordinates: free ones, then driven ones.
+    forces: Vec<T>,
+    /// Partial velocities of the centre of mass of the link at hand.
+    centre_partials: Vec<Vec2<T>>,
+    pub(super) jacobian: Vec<T>,
+    constraint_biases: Vec<T>,
+    /// M⁻¹ Jᵀ, one row of n for each independent constraint.
+    mobility_rows: Vec<T>,
+    /// J M⁻¹ Jᵀ.
+    schur: Vec<T>,
+}
+
+impl<'a, T: Real> Dynamics<'a, T> {
+    /// Room for `mechanism` with the numbers of `sample`.
+    pub fn new(mechanism: &'a Mechanism, sample: &'a Sample<T>) -> Self {
+        let tree = &mechanism.real;
+        let (n, z) = (tree.free, tree.coordinates());
+        let (rows, m) = (tree.constraint_rows(), mechanism.real_rows().len());
+        let kinematics = Kinematics::new(tree);
+        let play_slots: Vec<[usize; 2]> = mechanism
+            .plays
+            .iter()
+            .map(|joint| points_of(&mechanism.model.joints[joint.0].kind).map(|point| tree.slot_of_body[point.body.0]))
+            .collect();
+        let plays = play_slots
+            .iter()
+            .zip(&sample.plays)
+            .map(|(&slots, play)| {
+                let motion = PlayMotion::between(&kinematics, slots, play);
+                (motion, motion.force(play, &PlayState::flight()))
+            })
+            .collect();
+        Self {
+            mechanism,
+            sample,
+            kinematics,
+            coordinates: vec![T::zero(); z],
+            rates: vec![T::zero(); z],
+            driven_accelerations: vec![T::zero(); tree.drives.len()],
+            play_slots,
+            plays,
+            accelerations: vec![T::zero(); n],
+            multipliers: vec![T::zero(); m],
+            mass: vec![T::zero(); n * n],
+            forces: vec![T::zero(); z],
+            centre_partials: vec![Vec2::zero(); z],
+            jacobian: vec![T::zero(); rows * z],
+            constraint_biases: vec![T::zero(); rows],
+            mobility_rows: vec![T::zero(); m * n],
+            schur: vec![T::zero(); m * m],
+        }
+    }
+
+    /// Poses and velocities at `time_s` for the free coordinates and rates: what contact events need, without forces.
+    pub fn set_state(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
+        self.rates[..n].copy_from_slice(&free_rates[..n]);
+        for (k, drive) in tree.drives.iter().enumerate() {
+            let motion = &self.sample.drives[drive.0];
+            self.coordinates[n + k] = motion.start + motion.speed * time_s;
+            self.rates[n + k] = motion.speed;
+        }
+        self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);
+        self.kinematics.set_velocities(tree, &self.rates);
+        for ((slots, play), entry) in self.play_slots.iter().zip(&self.sample.plays).zip(&mut self.plays) {
+            entry.0 = PlayMotion::between(&self.kinematics, *slots, play);
+        }
+    }
+
+    /// Evaluates the equations of motion: accelerations, joint forces and powers.
+    pub fn evaluate(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T], states: &[PlayState<T>]) {
+        self.set_state(time_s, free_coordinates, free_rates);
+        let tree = &self.mechanism.real;
+        self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
+        for ((entry, play), state) in self.plays.iter_mut().zip(&self.sample.plays).zip(states) {
+            entry.1 = entry.0.force(play, state);
+        }
+        self.add_bodies();
+        self.add_plays();
+        self.solve();
+    }
+
+    /// Mass matrix and generalised forces of inertia and gravity (Kane).
+    fn add_bodies(&mut self) {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        self.mass.fill(T::zero());
+        self.forces.fill(T::zero());
+        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
+            let slot = index + 1;
+            let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
+            let bias = self.kinematics.biases[slot];
+            let acceleration = acceleration_at(&bias, &self.kinematics.twists[slot], arm);
+            let force = (self.sample.real.gravity_m_s2 - acceleration) * numbers.mass_kg;
+            let moment = -(numbers.inertia_kg_m2 * bias.angular);
+            let partials = self.kinematics.partials(slot);
+            let turned_arm = arm.turned();
+            for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
+                let turning = dependence.turning;
+                let mut velocity = *partial;
+                if turning != 0.0 {
+                    velocity += turned_arm * T::from_f64(turning);
+                    self.forces[dependence.coordinate] += moment * T::from_f64(turning);
+                }
+                self.centre_partials[k] = velocity;
+                self.forces[dependence.coordinate] += force.dot(velocity);
+            }
+            for (k, row) in link.dependences.iter().enumerate().filter(|(_, d)| d.coordinate < n) {
+                for (l, column) in link.dependences[..=k].iter().enumerate().filter(|(_, d)| d.coordinate < n) {
+                    let mut entry = self.centre_partials[k].dot(self.centre_partials[l]) * numbers.mass_kg;
+                    let turning = row.turning * column.turning;
+                    if turning != 0.0 {
+                        entry += numbers.inertia_kg_m2 * T::from_f64(turning);
+                    }
+                    // Only the lower triangle is used.
+                    let (high, low) = (row.coordinate.max(column.coordinate), row.coordinate.min(column.coordinate));
+                    self.mass[high * n + low] += entry;
+                }
+            }
+        }
+    }
+
+    /// Adds the forces of the joints with play.
+    fn add_plays(&mut self) {
+        let tree = &self.mechanism.real;
+        for ((motion, force), [slot_i, slot_j]) in self.plays.iter().zip(&self.play_slots) {
+            let bearing = (*slot_i, motion.bearing_arm_m, -force.on_journal_n, force.moment_on_bearing_n_m);
+            let journal = (*slot_j, motion.journal_arm_m, force.on_journal_n, force.moment_on_journal_n_m);
+            for (slot, arm, force_n, moment_n_m) in [bearing, journal] {
+                if slot == 0 {
+                    continue;
+                }
+                let about_origin = moment_n_m + arm.cross(force_n);
+                let partials = self.kinematics.partials(slot);
+                for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
+                    let mut power = force_n.dot(*partial);
+                    if dependence.turning != 0.0 {
+                        power += about_origin * T::from_f64(dependence.turning);
+                    }
+                    self.forces[dependence.coordinate] += power;
+                }
+            }
+        }
+    }
+
+    /// M q̈ = h + Jᵀ λ with J q̈ = -γ over the independent rows.
+    fn solve(&mut self) {
+        let tree = &self.mechanism.real;
+        let (n, columns) = (tree.free, tree.coordinates());
+        factor_ldl(&mut self.mass, n);
+        self.accelerations.copy_from_slice(&self.forces[..n]);
+        solve_ldl(&self.mass, n, &mut self.accelerations);
+        let rows = self.mechanism.real_rows();
+        let m = rows.len();
+        if m == 0 {
+            return;
+        }
+        constraints::jacobian(tree, &self.sample.real, &self.kinematics, &mut self.jacobian);
+        constraints::biases(tree, &self.sample.real, &self.kinematics, &mut self.constraint_biases);
+        for (r, &row) in rows.iter().enumerate() {
+            let gradient = &self.jacobian[row * columns..row * columns + n];
+            let mobility = &mut self.mobility_rows[r * n..(r + 1) * n];
+            mobility.copy_from_slice(gradient);
+            solve_ldl(&self.mass, n, mobility);
+            let mut defect = -self.constraint_biases[row];
+            for (slope, acceleration) in gradient.iter().zip(&self.accelerations) {
+                defect -= *slope * *acceleration;
+            }
+            self.multipliers[r] = defect;
+        }
+        for (r, &row) in rows.iter().enumerate() {
+            let gradient = &self.jacobian[row * columns..row * columns + n];
+            for s in 0..m {
+                let mut sum = T::zero();
+                for (slope, mobility) in gradient.iter().zip(&self.mobility_rows[s * n..(s + 1) * n]) {
+                    sum += *slope * *mobility;
+                }
+                self.schur[r * m + s] = sum;
+            }
+        }
+        factor_ldl(&mut self.schur, m);
+        solve_ldl(&self.schur, m, &mut self.multipliers);
+        for r in 0..m {
+            for (k, acceleration) in self.accelerations.iter_mut().enumerate() {
+                *acceleration += self.mobility_rows[r * n + k] * self.multipliers[r];
+            }
+        }
+    }
+
+    /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.
+    pub fn powers(&self) -> Powers<T> {
+        let mut powers = Powers { drives_w: T::zero(), contact_loss_w: T::zero(), friction_loss_w: T::zero() };
+        for (_, force) in &self.plays {
+            powers.contact_loss_w += force.contact_loss_w;
+            powers.friction_loss_w += force.friction_loss_w;
+        }
+        let tree = &self.mechanism.real;
+        for k in 0..tree.drives.len() {
+            powers.drives_w += self.drive_force(k) * self.rates[tree.free + k];
+        }
+        powers
+    }
+
+    /// Force (N) or torque (N m) of the tree's drive `k` along its coordinate, at the last evaluation.
+    pub fn drive_force(&self, k: usize) -> T {
+        let tree = &self.mechanism.real;
+        let coordinate = tree.free + k;
+        // `forces` holds applied minus inertial forces without q̈; the part of q̈ is added here.
+        let mut needed = -self.forces[coordinate];
+        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
+            let slot = index + 1;
+            let partials = self.kinematics.partials(slot);
+            let Some(own) = link.dependences.iter().position(|d| d.coordinate == coordinate) else { continue };
+            let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m).turned();
+            let own_turning = T::from_f64(link.dependences[own].turning);
+            let own_velocity = partials[own] + arm * own_turning;
+            let mut extra = Twist { linear: Vec2::zero(), angular: T::zero() };
+            for (dependence, partial) in link.dependences.iter().zip(partials) {
+                if let Some(&acceleration) = self.accelerations.get(dependence.coordinate) {
+                    let turning = T::from_f64(dependence.turning);
+                    extra.linear += (*partial + arm * turning) * acceleration;
+                    extra.angular += acceleration * turning;
+                }
+            }
+            needed +=
+                own_velocity.dot(extra.linear) * numbers.mass_kg + own_turning * extra.angular * numbers.inertia_kg_m2;
+        }
+        for (r, &row) in self.mechanism.real_rows().iter().enumerate() {
+            needed -= self.jacobian[row * tree.coordinates() + coordinate] * self.multipliers[r];
+        }
+        needed
+    }
+
+    /// The mechanism that moves.
+    pub fn mechanism(&self) -> &'a Mechanism {
+        self.mechanism
+    }
+    /// Free accelerations q̈ at the last evaluation.
+    pub fn accelerations(&self) -> &[T] {
+        &self.accelerations
+    }
+    /// Force in the joint with play `play` at the state set last, in the contact state `state`.
+    pub fn play_force(&self, play: usize, state: &PlayState<T>) -> PlayForce<T> {
+        self.plays[play].0.force(&self.sample.plays[play], state)
+    }
+    /// Slots of bearing body and journal body of the joints with play.
+    pub fn play_slots(&self) -> &[[usize; 2]] {
+        &self.play_slots
+    }
+    /// Motion and force of the joints with play at the last evaluation.
+    pub fn plays(&self) -> &[(PlayMotion<T>, PlayForce<T>)] {
+        &self.plays
+    }
+    /// Acceleration of the frame in `slot` at the last evaluation.
+    pub fn acceleration(&self, slot: usize) -> Twist<T> {
+        self.kinematics.acceleration(&self.mechanism.real, slot, &self.accelerations)
+    }
+}
+
+/// The loops of ideal joints at the last state that was set: what a projection onto them needs.
+impl<T: Real> Dynamics<'_, T> {
+    /// Residuals Φ of all constraint rows, m or sine of an angle.
+    pub fn constraint_residuals(&self, out: &mut [T]) {
+        constraints::residuals(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
+    }
+    /// Jacobian dΦ/dz of all rows over all coordinates, row-major.
+    pub fn constraint_jacobian(&self, out: &mut [T]) {
+        constraints::jacobian(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
+    }
+    /// The entries of the independent rows.
+    pub fn independent(&self, rows: &[T]) -> Vec<T> {
+        self.mechanism.real_rows().iter().map(|&row| rows[row]).collect()
+    }
+    /// The gradients of the independent rows with respect to the free coordinates.
+    pub fn independent_gradients<'j>(&self, jacobian: &'j [T]) -> Vec<&'j [T]> {
+        let (n, columns) = (self.mechanism.real.free, self.mechanism.real.coordinates());
+        self.mechanism.real_rows().iter().map(|&row| &jacobian[row * columns..row * columns + n]).collect()
+    }
+    /// Φ̇ of the independent rows for the present rates.
+    pub fn constraint_rates(&self, jacobian: &[T]) -> Vec<T> {
+        let columns = self.mechanism.real.coordinates();
+        self.mechanism
+            .real_rows()
+            .iter()
+            .map(|&row| {
+                let mut sum = T::zero();
+                for (slope, rate) in jacobian[row * columns..(row + 1) * columns].iter().zip(&self.rates) {
+                    sum += *slope * *rate;
+                }
+                sum
+            })
+            .collect()
+    }
+    /// The factors of M from the last evaluation.
+    pub fn factored_mass(&self) -> &[T] {
+        &self.mass
+    }
+}

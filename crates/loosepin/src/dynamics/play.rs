@@ -1,0 +1,132 @@
+//! Motion and forces in a revolute joint with clearance ([SC16] eqs. 1-9; method, section 2).
+
+use crate::math::{Real, Vec2};
+use crate::mechanism::{Kinematics, PlayGeometry};
+use crate::model::SlidingVelocity;
+
+/// Whether pin and hole touch, and at which speed the present contact began.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayState<T> {
+    /// One while in contact, zero in flight.
+    pub contact: T,
+    /// 1/v0 of the present contact, s/m; anything finite in flight.
+    pub inverse_impact_speed_s_m: T,
+}
+
+impl<T: Real> PlayState<T> {
+    /// No contact.
+    pub fn flight() -> Self {
+        Self { contact: T::zero(), inverse_impact_speed_s_m: T::zero() }
+    }
+}
+
+/// Where the journal is in its bearing and how it moves.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayMotion<T> {
+    /// Eccentricity e = r_j - r_i, m, in the ground's frame.
+    pub eccentricity_m: Vec2<T>,
+    /// ė, m/s.
+    pub eccentricity_rate_m_s: Vec2<T>,
+    /// Bearing centre from the bearing body's origin, m, in the ground's frame.
+    pub bearing_arm_m: Vec2<T>,
+    /// Journal centre from the journal body's origin, m, in the ground's frame.
+    pub journal_arm_m: Vec2<T>,
+    /// Angular velocities ω_i (bearing) and ω_j (journal), rad/s.
+    pub spins_rad_s: [T; 2],
+}
+
+/// The force in a joint with play.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayForce<T> {
+    /// F_j: force on the journal, N, in the ground's frame; the bearing gets the opposite.
+    pub on_journal_n: Vec2<T>,
+    /// Moment about the journal centre P_j on the journal's body, N m.
+    pub moment_on_journal_n_m: T,
+    /// Moment about the bearing centre P_i on the bearing's body, N m.
+    pub moment_on_bearing_n_m: T,
+    /// Power that the normal contact turns into heat: -(F_el - F_N) δ̇ = (F_N - F_el) δ̇, W.
+    pub contact_loss_w: T,
+    /// Power that friction turns into heat: -F_T v_T with the material sliding velocity, W.
+    pub friction_loss_w: T,
+    /// Normal force F_N, N.
+    pub normal_n: T,
+}
+
+impl<T: Real> PlayMotion<T> {
+    /// Reads the motion between the bodies in slots `[i, j]` (bearing's, journal's) from their kinematics.
+    #[inline]
+    pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
+        let bearing_arm_m = kinematics.poses[i].turn(play.bearing_arm_m);
+        let journal_arm_m = kinematics.poses[j].turn(play.journal_arm_m);
+        let (twist_i, twist_j) = (kinematics.twists[i], kinematics.twists[j]);
+        let r_i = kinematics.poses[i].position_m + bearing_arm_m;
+        let r_j = kinematics.poses[j].position_m + journal_arm_m;
+        Self {
+            eccentricity_m: r_j - r_i, // eq. (1)
+            eccentricity_rate_m_s: twist_j.at(journal_arm_m) - twist_i.at(bearing_arm_m),
+            bearing_arm_m,
+            journal_arm_m,
+            spins_rad_s: [twist_i.angular, twist_j.angular],
+        }
+    }
+
+    /// |e|² - c², m²: positive in contact, smooth also where e = 0.
+    #[inline]
+    pub fn gap_m2(&self, clearance_m: T) -> T {
+        self.eccentricity_m.length_squared() - clearance_m.squared()
+    }
+
+    /// δ = |e| - c, m (eqs. 2, 4), computed so that it keeps its digits near zero.
+    #[inline]
+    pub fn penetration_m(&self, clearance_m: T) -> T {
+        self.gap_m2(clearance_m) / (self.eccentricity_m.length() + clearance_m)
+    }
+
+    /// δ̇ = ė·n, m/s (eq. 6); zero where e = 0 and n is undefined.
+    #[inline]
+    pub fn penetration_rate_m_s(&self) -> T {
+        let length_m = self.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE));
+        self.eccentricity_rate_m_s.dot(self.eccentricity_m) / length_m
+    }
+
+    /// The contact force at this motion. In flight (`state.contact` zero) everything is zero.
+    ///
+    /// Both forces act at one common contact point, half way between the two surface points of eq. (5), so that energy and
+    /// angular momentum are exact: arms R_j - δ/2 about P_j and R_i + δ/2 about P_i.
+    #[inline]
+    pub fn force(&self, play: &PlayGeometry<T>, state: &PlayState<T>) -> PlayForce<T> {
+        let length_m = self.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE)); // eq. (2)
+        let normal = self.eccentricity_m * (T::one() / length_m); // eq. (3)
+        let tangent = normal.turned(); // eq. (3)
+        let penetration_m = self.penetration_m(play.clearance_m) * state.contact; // eq. (4)
+        let rate_m_s = self.eccentricity_rate_m_s.dot(normal); // eq. (6)
+        let force = play.normal.force(penetration_m, rate_m_s, state.inverse_impact_speed_s_m); // eq. (8)
+        let contact_loss_w = (force.total_n - force.elastic_n) * rate_m_s;
+        let mut result = PlayForce {
+            on_journal_n: normal * -force.total_n,
+            moment_on_journal_n_m: T::zero(),
+            moment_on_bearing_n_m: T::zero(),
+            contact_loss_w,
+            friction_loss_w: T::zero(),
+            normal_n: force.total_n,
+        };
+        if play.has_friction {
+            let half_depth_m = penetration_m * T::from_f64(0.5);
+            let bearing_arm_m = play.bearing_radius_m + half_depth_m;
+            let journal_arm_m = play.bearing_radius_m - play.clearance_m - half_depth_m;
+            let [spin_i, spin_j] = self.spins_rad_s;
+            let orbiting_m_s = self.eccentricity_rate_m_s.dot(tangent);
+            let material_m_s = orbiting_m_s + journal_arm_m * spin_j - bearing_arm_m * spin_i;
+            let sliding_m_s = match play.sliding_velocity {
+                SlidingVelocity::Material => material_m_s,
+                SlidingVelocity::Literal => orbiting_m_s * (T::one() - play.clearance_m / length_m), // eq. (7)
+            };
+            let friction_n = play.friction.force_n(sliding_m_s, force.total_n);
+            result.on_journal_n += tangent * friction_n;
+            result.moment_on_journal_n_m = journal_arm_m * friction_n;
+            result.moment_on_bearing_n_m = -(bearing_arm_m * friction_n);
+            result.friction_loss_w = -(friction_n * material_m_s);
+        }
+        result
+    }
+}

@@ -1,0 +1,260 @@
+//! Small dense systems. Larger ones belong to a linear-algebra library; these run inside the equations of motion on
+//! any [`Real`], with n of a dozen at most, or once while compiling.
+
+use super::Real;
+
+/// Replaces the lower triangle of the symmetric n × n matrix `a` (row-major) by L and D of a = L D Lᵀ: unit lower
+/// triangle L below the diagonal, 1/D on it.
+#[inline]
+pub fn factor_ldl<T: Real>(a: &mut [T], n: usize) {
+    for j in 0..n {
+        let mut pivot = a[j * n + j];
+        for k in 0..j {
+            // The diagonal already holds 1/D, so D = 1/(1/D) is avoided by keeping L·D in the upper triangle.
+            pivot -= a[j * n + k] * a[k * n + j];
+        }
+        let inverse = T::one() / pivot;
+        a[j * n + j] = inverse;
+        for i in j + 1..n {
+            let mut sum = a[i * n + j];
+            for k in 0..j {
+                sum -= a[i * n + k] * a[k * n + j];
+            }
+            a[j * n + i] = sum; // L·D, used by later columns
+            a[i * n + j] = sum * inverse;
+        }
+    }
+}
+
+/// Solves a x = b in place with the factors of [`factor_ldl`].
+#[inline]
+pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
+    for i in 1..n {
+        let mut sum = b[i];
+        for k in 0..i {
+            sum -= a[i * n + k] * b[k];
+        }
+        b[i] = sum;
+    }
+    for i in 0..n {
+        b[i] *= a[i * n + i];
+    }
+    for i in (0..n).rev() {
+        let mut sum = b[i];
+        for k in i + 1..n {
+            sum -= a[k * n + i] * b[k];
+        }
+        b[i] = sum;
+    }
+}
+
+/// Solves the n × n system a x = b (row-major) in place by elimination with row exchanges; `a` is destroyed, `b`
+/// becomes x. Gives the ratio of the smallest to the largest pivot: zero where a is singular, and then b is worthless.
+pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
+    let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+    for j in 0..n {
+        let mut best = j;
+        for i in j + 1..n {
+            if a[i * n + j].abs() > a[best * n + j].abs() {
+                best = i;
+            }
+        }
+        let size = a[best * n + j].abs();
+        smallest = smallest.min(size);
+        largest = largest.max(size);
+        if size == 0.0 || size.is_nan() {
+            return 0.0;
+        }
+        if best != j {
+            for k in j..n {
+                a.swap(j * n + k, best * n + k);
+            }
+            b.swap(j, best);
+        }
+        for i in j + 1..n {
+            let factor = a[i * n + j] / a[j * n + j];
+            for k in j + 1..n {
+                a[i * n + k] -= factor * a[j * n + k];
+            }
+            b[i] -= factor * b[j];
+        }
+    }
+    for i in (0..n).rev() {
+        for k in i + 1..n {
+            b[i] -= a[i * n + k] * b[k];
+        }
+        b[i] /= a[i * n + i];
+    }
+    if largest > 0.0 { smallest / largest } else { 1.0 }
+}
+
+/// Gaussian elimination with full pivoting of a rectangular matrix: its rank, which rows and columns carry it, and
+/// solutions of consistent systems.
+#[derive(Debug, Clone)]
+pub struct Elimination {
+    rows: usize,
+    columns: usize,
+    /// The reduced matrix, row-major, rows and columns still in their original places.
+    reduced: Vec<f64>,
+    /// Pivot rows and columns in order; their number is the rank.
+    pivots: Vec<(usize, usize)>,
+    /// Multipliers applied to later rows for each pivot, in the order of elimination.
+    multipliers: Vec<Vec<(usize, f64)>>,
+    /// Ratio of the last accepted pivot to the first.
+    pivot_ratio: f64,
+}
+
+impl Elimination {
+    /// Factors the `rows` × `columns` row-major `matrix`. A pivot smaller than `tolerance` times the largest counts as
+    /// zero.
+    pub fn new(matrix: &[f64], rows: usize, columns: usize, tolerance: f64) -> Self {
+        let mut reduced = matrix.to_vec();
+        let mut row_free = vec![true; rows];
+        let mut column_free = vec![true; columns];
+        let mut pivots = Vec::new();
+        let mut multipliers = Vec::new();
+        let (mut first, mut last) = (0.0_f64, 0.0_f64);
+        loop {
+            let mut best = (0.0_f64, 0, 0);
+            for i in (0..rows).filter(|&i| row_free[i]) {
+                for j in (0..columns).filter(|&j| column_free[j]) {
+                    let size = reduced[i * columns + j].abs();
+                    if size > best.0 {
+                        best = (size, i, j);
+                    }
+                }
+            }
+            let (size, i, j) = best;
+            if pivots.is_empty() {
+                first = size;
+            }
+            // The negated comparison also ends the elimination when an entry is not a number.
+            if !(size > tolerance * first) || size == 0.0 {
+                break;
+            }
+            last = size;
+            row_free[i] = false;
+            column_free[j] = false;
+            let mut applied = Vec::new();
+            for other in (0..rows).filter(|&k| row_free[k]) {
+                let factor = reduced[other * columns + j] / reduced[i * columns + j];
+                if factor != 0.0 {
+                    for k in 0..columns {
+                        reduced[other * columns + k] -= factor * reduced[i * columns + k];
+                    }
+                    reduced[other * columns + j] = 0.0;
+                    applied.push((other, factor));
+                }
+            }
+            pivots.push((i, j));
+            multipliers.push(applied);
+        }
+        let pivot_ratio = if first > 0.0 { last / first } else { 0.0 };
+        Self { rows, columns, reduced, pivots, multipliers, pivot_ratio }
+    }
+
+    /// Number of independent rows.
+    pub fn rank(&self) -> usize {
+        self.pivots.len()
+    }
+    /// Size of the smallest accepted pivot relative to the largest: small near a singular position.
+    pub fn pivot_ratio(&self) -> f64 {
+        self.pivot_ratio
+    }
+    /// Rows that depend on the others, ascending.
+    pub fn dependent_rows(&self) -> Vec<usize> {
+        (0..self.rows).filter(|&i| self.pivots.iter().all(|&(row, _)| row != i)).collect()
+    }
+    /// Columns that the others do not determine, ascending.
+    pub fn free_columns(&self) -> Vec<usize> {
+        (0..self.columns).filter(|&j| self.pivots.iter().all(|&(_, column)| column != j)).collect()
+    }
+    /// A solution x of A x = b over the independent rows, with the free columns at zero.
+    pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
+        let mut b = right_hand_side.to_vec();
+        for (&(row, _), applied) in self.pivots.iter().zip(&self.multipliers) {
+            for &(other, factor) in applied {
+                b[other] -= factor * b[row];
+            }
+        }
+        let mut x = vec![0.0; self.columns];
+        for &(row, column) in self.pivots.iter().rev() {
+            let mut sum = b[row];
+            for (k, value) in x.iter().enumerate() {
+                if k != column {
+                    sum -= self.reduced[row * self.columns + k] * value;
+                }
+            }
+            x[column] = sum / self.reduced[row * self.columns + column];
+        }
+        x
+    }
+    /// The direction in which free column `free` can move with A x = 0, with x[free] = 1.
+    pub fn null_direction(&self, free: usize) -> Vec<f64> {
+        let mut x = vec![0.0; self.columns];
+        x[free] = 1.0;
+        for &(row, column) in self.pivots.iter().rev() {
+            let sum: f64 =
+                (0..self.columns).filter(|&k| k != column).map(|k| self.reduced[row * self.columns + k] * x[k]).sum();
+            x[column] = -sum / self.reduced[row * self.columns + column];
+        }
+        x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Round-off of systems of order one with four unknowns.
+    const ROUND_OFF: f64 = 1e-13;
+
+    #[test]
+    fn identity_ldl_solves_a_symmetric_system() {
+        let n = 4;
+        let matrix: Vec<f64> = vec![4.1, 1.2, -0.7, 0.3, 1.2, 5.3, 0.9, -1.1, -0.7, 0.9, 3.7, 0.6, 0.3, -1.1, 0.6, 2.9];
+        let x = [0.3, -1.7, 2.2, 0.9];
+        let mut b: Vec<f64> = (0..n).map(|i| (0..n).map(|j| matrix[i * n + j] * x[j]).sum()).collect();
+        let mut factors = matrix.clone();
+        factor_ldl(&mut factors, n);
+        solve_ldl(&factors, n, &mut b);
+        for (solved, exact) in b.iter().zip(x) {
+            assert!((solved - exact).abs() < ROUND_OFF);
+        }
+    }
+
+    #[test]
+    fn identity_square_solution_and_singular_matrix() {
+        let matrix = [0.0, 2.3, -0.4, 1.7, 0.6, 3.1, -0.9, 0.2, 0.5];
+        let x = [0.7, -1.3, 2.9];
+        let mut b: Vec<f64> = (0..3).map(|i| (0..3).map(|j| matrix[i * 3 + j] * x[j]).sum()).collect();
+        assert!(solve_square(&mut matrix.clone(), 3, &mut b) > 0.1);
+        for (solved, exact) in b.iter().zip(x) {
+            assert!((solved - exact).abs() < ROUND_OFF);
+        }
+        let mut singular = [1.3, 2.6, 0.4, 0.8];
+        assert!(solve_square(&mut singular, 2, &mut [0.3, 0.9]) < 1e-15);
+    }
+
+    #[test]
+    fn identity_elimination_finds_rank_solution_and_null_direction() {
+        // The third row is the first plus twice the second.
+        let matrix = [1.3, 2.1, -0.4, 0.8, -0.9, 0.7, 1.6, 2.2, -0.5, 3.5, 2.8, 5.2];
+        let elimination = Elimination::new(&matrix, 3, 4, 1e-12);
+        assert_eq!(elimination.rank(), 2);
+        assert_eq!(elimination.dependent_rows().len(), 1);
+        let b: Vec<f64> = (0..3).map(|i| (0..4).map(|j| matrix[i * 4 + j] * [0.4, -1.1, 0.2, 0.7][j]).sum()).collect();
+        let x = elimination.solve(&b);
+        for i in 0..3 {
+            let row: f64 = (0..4).map(|j| matrix[i * 4 + j] * x[j]).sum();
+            assert!((row - b[i]).abs() < ROUND_OFF);
+        }
+        for free in elimination.free_columns() {
+            let direction = elimination.null_direction(free);
+            for i in 0..3 {
+                let row: f64 = (0..4).map(|j| matrix[i * 4 + j] * direction[j]).sum();
+                assert!(row.abs() < ROUND_OFF);
+            }
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Closing the loops for the first time: from hints to a configuration.
+
+use super::constraints;
+use super::error::MechanismError;
+use super::geometry::Geometry;
+use super::ideal::worst_joint;
+use super::kinematics::{Kinematics, Pose};
+use super::tree::{Attachment, Tree};
+use crate::math::{factor_ldl, solve_ldl};
+use crate::model::{Model, Values};
+
+/// Starting points tried: the hinted one, then others spread over the circle.
+const STARTS: usize = 48;
+/// Levenberg-Marquardt steps from each starting point.
+const STEPS: usize = 200;
+/// Residual relative to the size of the mechanism that counts as closed.
+const CLOSED: f64 = 1e-11;
+/// Two assemblies are the same when no body differs by more than this angle, rad, or share of the size.
+const SAME: f64 = 1e-5;
+
+/// The ways in which the loops close at the start.
+#[derive(Debug, Clone)]
+pub struct Assembly {
+    /// Coordinates of the chosen configuration, free ones first.
+    pub coordinates: Vec<f64>,
+    /// Angles of all bodies, by slot, in the other configurations that were found, rad.
+    pub alternatives_rad: Vec<Vec<f64>>,
+}
+
+/// Finds the configurations that close all loops at time zero and chooses the one nearest to the hints; without hints,
+/// the one that is reached from all body frames parallel to the ground's.
+///
+/// # Errors
+/// [`MechanismError::CannotClose`] with the best that was found.
+pub fn assemble(
+    model: &Model,
+    tree: &Tree,
+    geometry: &Geometry<f64>,
+    values: &Values,
+    size_m: f64,
+) -> Result<Assembly, MechanismError> {
+    let hints: Vec<(usize, f64)> =
+        model.guesses.iter().map(|guess| (tree.slot_of_body[guess.body.0], values[guess.angle_rad])).collect();
+    let mut kinematics = Kinematics::new(tree);
+    let mut found: Vec<Configuration> = Vec::new();
+    let mut best_open: Option<(f64, Vec<f64>)> = None;
+    for start in 0..STARTS {
+        let mut z = starting_point(model, tree, values, &hints, size_m, start);
+        let worst = close(tree, geometry, &mut kinematics, &mut z, size_m);
+        if !(worst <= CLOSED * size_m) || !all_face_the_right_way(tree, geometry, &kinematics) {
+            if best_open.as_ref().is_none_or(|(gap, _)| worst < *gap) {
+                best_open = Some((worst, z));
+            }
+            continue;
+        }
+        let poses = kinematics.poses.clone();
+        let is_known = found.iter().any(|known| known.is_the_same(&poses, size_m));
+        if !is_known {
+            // Without hints the distance is zero, so that the first configuration found stays the first.
+            let distance = hints.iter().map(|&(slot, hint)| 1.0 - (poses[slot].angle_rad - hint).cos()).sum();
+            found.push(Configuration { distance, coordinates: z, poses });
+        }
+        if tree.cuts.is_empty() {
+            break;
+        }
+    }
+    found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let mut found = found.into_iter();
+    match found.next() {
+        Some(chosen) => {
+            let angles_rad = |other: Configuration| other.poses.iter().map(|pose| pose.angle_rad).collect();
+            Ok(Assembly { coordinates: chosen.coordinates, alternatives_rad: found.map(angles_rad).collect() })
+        }
+        None => {
+            let z = best_open.map(|(_, z)| z).unwrap_or_default();
+            kinematics.set_positions(tree, geometry, &z);
+            let mut residuals = vec![0.0; tree.constraint_rows()];
+            constraints::residuals(tree, geometry, &kinematics, &mut residuals);
+            let (joint, gap_m) = worst_joint(model, tree, &residuals);
+            Err(MechanismError::CannotClose { joint, gap_m })
+        }
+    }
+}
+
+/// A configuration that closes all loops.
+struct Configuration {
+    /// Distance to the hints: Σ 1 - cos(angle - hint).
+    distance: f64,
+    coordinates: Vec<f64>,
+    /// Poses by slot.
+    poses: Vec<Pose<f64>>,
+}
+
+impl Configuration {
+    fn is_the_same(&self, poses: &[Pose<f64>], size_m: f64) -> bool {
+        self.poses.iter().zip(poses).all(|(a, b)| {
+            (a.position_m - b.position_m).length() < SAME * size_m
+                && ((a.angle_rad - b.angle_rad) / 2.0).sin().abs() < SAME
+        })
+    }
+}
+
+/// Hinted bodies start at their hint in every attempt; the others at zero first, then spread.
+fn starting_point(
+    model: &Model,
+    tree: &Tree,
+    values: &Values,
+    hints: &[(usize, f64)],
+    size_m: f64,
+    start: usize,
+) -> Vec<f64> {
+    let mut z = vec![0.0; tree.coordinates()];
+    for (k, drive) in tree.drives.iter().enumerate() {
+        z[tree.free + k] = values[model.drives[drive.0].start];
+    }
+    for (index, link) in tree.links.iter().enumerate() {
+        // Multiples of irrational numbers fill the circle evenly, differently for each body.
+        let spread = (start as f64 * (0.618_033_988_749_895 + 0.137_1 * index as f64)).fract();
+        let hint = hints.iter().find(|(slot, _)| *slot == index + 1).map(|(_, angle)| *angle);
+        let angle = hint.unwrap_or(std::f64::consts::TAU * if start == 0 { 0.0 } else { spread });
+        let length = if start == 0 { 0.0 } else { size_m * (2.0 * spread - 1.0) };
+        match link.attachment {
+            Attachment::Revolute { coordinate, .. } => z[coordinate] = angle,
+            Attachment::Prismatic { coordinate, .. } if coordinate < tree.free => z[coordinate] = length,
+            Attachment::Free { first } => z[first + 2] = angle,
+            _ => {}
+        }
+    }
+    z
+}
+
+/// Minimises |Φ|² by Levenberg and Marquardt's method over the free coordinates; gives the largest residual left.
+fn close(tree: &Tree, geometry: &Geometry<f64>, kinematics: &mut Kinematics<f64>, z: &mut [f64], size_m: f64) -> f64 {
+    let (n, rows, columns) = (tree.free, tree.constraint_rows(), tree.coordinates());
+    // Lengths are counted in sizes of the mechanism, so that they weigh like angles.
+    let mut scale = vec![1.0; n];
+    for link in &tree.links {
+        match link.attachment {
+            Attachment::Prismatic { coordinate, .. } if coordinate < n => scale[coordinate] = size_m,
+            Attachment::Free { first } => scale[first..first + 2].fill(size_m),
+            _ => {}
+        }
+    }
+    let mut residuals = vec![0.0; rows];
+    let mut jacobian = vec![0.0; rows * columns];
+    let mut damping = 1e-3;
+    let evaluate = |kinematics: &mut Kinematics<f64>, z: &[f64], residuals: &mut [f64]| {
+        kinematics.set_positions(tree, geometry, z);
+        constraints::residuals(tree, geometry, kinematics, residuals);
+        residuals.iter().map(|r| r * r).sum::<f64>()
+    };
+    let mut error = evaluate(kinematics, z, &mut residuals);
+    for _ in 0..STEPS {
+        if error.sqrt() <= 1e-15 * size_m {
+            break;
+        }
+        constraints::jacobian(tree, geometry, kinematics, &mut jacobian);
+        let mut normal = vec![0.0; n * n];
+        let mut step = vec![0.0; n];
+        for row in 0..rows {
+            for i in 0..n {
+                let left = jacobian[row * columns + i] * scale[i];
+                step[i] -= left * residuals[row];
+                for j in 0..n {
+                    normal[i * n + j] += left * jacobian[row * columns + j] * scale[j];
+                }
+            }
+        }
+        let largest = (0..n).fold(0.0_f64, |l, i| l.max(normal[i * n + i]));
+        let mut improved = false;
+        for _ in 0..12 {
+            let mut damped = normal.clone();
+            for i in 0..n {
+                damped[i * n + i] += damping * largest + f64::MIN_POSITIVE;
+            }
+            factor_ldl(&mut damped, n);
+            let mut delta = step.clone();
+            solve_ldl(&damped, n, &mut delta);
+            // A turn of more than half a radian at once would jump between branches.
+            let longest = delta.iter().fold(0.0_f64, |l, d| l.max(d.abs()));
+            let shorten = f64::min(1.0, 0.5 / longest);
+            let mut trial = z.to_vec();
+            for i in 0..n {
+                trial[i] += shorten * delta[i] * scale[i];
+            }
+            let trial_error = evaluate(kinematics, &trial, &mut residuals);
+            if trial_error < error {
+                z.copy_from_slice(&trial);
+                error = trial_error;
+                damping = (damping * 0.1).max(1e-14);
+                improved = true;
+                break;
+            }
+            damping *= 10.0;
+        }
+        if !improved {
+            break;
+        }
+    }
+    evaluate(kinematics, z, &mut residuals);
+    residuals.iter().fold(0.0, |worst: f64, r| if r.is_nan() { f64::INFINITY } else { worst.max(r.abs()) })
+}
+
+/// The sine of an angle that should be zero is zero at a half turn as well: that is no assembly.
+fn all_face_the_right_way(tree: &Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> bool {
+    tree.cuts.iter().zip(&geometry.cuts).all(|(cut, numbers)| {
+        let turn = kinematics.poses[cut.slots[1]].angle_rad + numbers.angles_rad[1]
+            - kinematics.poses[cut.slots[0]].angle_rad
+            - numbers.angles_rad[0];
+        matches!(cut.kind, super::tree::CutKind::Revolute) || turn.cos() > 0.0
+    })
+}

@@ -1,0 +1,118 @@
+//! Why a model is no mechanism, or a sample of it cannot be built.
+
+use crate::model::QuantityError;
+use thiserror::Error;
+
+/// Why a model cannot be compiled.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MechanismError {
+    /// The nominal values break a rule.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+    /// Fewer drives than degrees of freedom.
+    #[error(
+        "the mechanism has {mobility} degrees of freedom and {drives} {}: {} not determined",
+        if *drives == 1 { "drive" } else { "drives" },
+        undetermined_words(undetermined)
+    )]
+    TooFewDrives {
+        /// Degrees of freedom with all clearances at zero.
+        mobility: usize,
+        /// Number of drives.
+        drives: usize,
+        /// Bodies that can still move when the drives stand still.
+        undetermined: Vec<String>,
+    },
+    /// More drives than degrees of freedom.
+    #[error(
+        "the mechanism has {mobility} {} of freedom and {drives} drives: they work against each other",
+        if *mobility == 1 { "degree" } else { "degrees" }
+    )]
+    TooManyDrives {
+        /// Degrees of freedom with all clearances at zero.
+        mobility: usize,
+        /// Number of drives.
+        drives: usize,
+    },
+    /// A loop in which every joint is driven.
+    #[error("joint '{joint}' closes a loop in which every joint is driven")]
+    DrivenLoop {
+        /// The driven joint that closes the loop.
+        joint: String,
+    },
+    /// No configuration closes all loops.
+    #[error(
+        "the links cannot close at the start: joint '{joint}' stays {:.4} mm open at best",
+        gap_m * 1e3
+    )]
+    CannotClose {
+        /// The joint with the largest gap.
+        joint: String,
+        /// Its gap, m.
+        gap_m: f64,
+    },
+    /// The start is a singular position.
+    #[error("the mechanism starts in a singular position: {} can move although every drive stands still", bodies.join(", "))]
+    SingularStart {
+        /// Bodies that can move there.
+        bodies: Vec<String>,
+    },
+}
+
+impl MechanismError {
+    /// The way out, in words.
+    pub fn hint(&self) -> &'static str {
+        match self {
+            Self::Quantity(_) => "change the value, or the expression that gives it",
+            Self::TooFewDrives { .. } => "add a drive, or a joint that holds these bodies",
+            Self::TooManyDrives { .. } => "remove a drive",
+            Self::DrivenLoop { .. } => "remove one of the drives of this loop",
+            Self::CannotClose { .. } => {
+                "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the true one"
+            }
+            Self::SingularStart { .. } => "start the drive a few degrees away",
+        }
+    }
+}
+
+fn undetermined_words(bodies: &[String]) -> String {
+    match bodies {
+        [] => "a motion is".to_owned(),
+        [one] => format!("the motion of {one} is"),
+        many => format!("the motions of {} are", many.join(", ")),
+    }
+}
+
+/// Why one set of values gives no motion of the ideal mechanism.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SampleError {
+    /// A value breaks its rule.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+    /// A clearance is zero in one and above zero in the other of sample and compiled mechanism.
+    #[error("joint '{joint}' has a radial clearance of {clearance_m} m; the compiled mechanism treats it as {}", if *compiled_with_play { "a joint with play" } else { "ideal" })]
+    ClearanceChangesTopology {
+        /// The joint.
+        joint: String,
+        /// Its clearance in this sample, m.
+        clearance_m: f64,
+        /// What it was when the mechanism was compiled.
+        compiled_with_play: bool,
+    },
+    /// The loops cannot be closed at this instant.
+    #[error("the links cannot close at {time_s} s: joint '{joint}' stays {gap_m:e} m open")]
+    CannotClose {
+        /// The joint with the largest gap.
+        joint: String,
+        /// Its gap, m.
+        gap_m: f64,
+        /// The time, s.
+        time_s: f64,
+    },
+    /// A singular position is met.
+    #[error("singular position at {time_s} s: the drives no longer determine the motion")]
+    Singular {
+        /// The time, s.
+        time_s: f64,
+    },
+}

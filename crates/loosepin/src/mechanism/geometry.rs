@@ -1,0 +1,147 @@
+//! The numbers of one sample, laid out for a tree: arms, angles, masses.
+
+use super::tree::{Attachment, Tree, points_of};
+use crate::math::{Real, Vec2};
+use crate::model::{JointId, JointKind, Model, PointId, Values};
+
+/// Numbers of a link of the tree.
+#[derive(Debug, Clone, Copy)]
+pub struct LinkGeometry<T> {
+    /// Joint point in the parent's frame, m.
+    pub parent_arm_m: Vec2<T>,
+    /// Joint point in the link's own frame, m.
+    pub own_arm_m: Vec2<T>,
+    /// Angle in the parent's frame of the direction that both bodies share (the line of a prismatic joint, the x axis of
+    /// the second body of a rigid one), rad.
+    pub parent_angle_rad: T,
+    /// Angle of the same direction in the link's frame, rad.
+    pub own_angle_rad: T,
+    /// Revolute: the link's point minus the parent's point, in the ground's frame, m. Zero unless a clearance joint is
+    /// treated as ideal with a displaced journal.
+    pub eccentricity_m: Vec2<T>,
+    /// Centre of mass in the link's frame, m.
+    pub centre_of_mass_m: Vec2<T>,
+    /// Mass, kg.
+    pub mass_kg: T,
+    /// Moment of inertia about the centre of mass, kg m².
+    pub inertia_kg_m2: T,
+}
+
+/// Numbers of a cut joint.
+#[derive(Debug, Clone, Copy)]
+pub struct CutGeometry<T> {
+    /// Joint points in the frames of the first and second body, m.
+    pub arms_m: [Vec2<T>; 2],
+    /// Angles, in both frames, of the direction that both bodies share, rad.
+    pub angles_rad: [T; 2],
+    /// Revolute: second point minus first point, in the ground's frame, m.
+    pub eccentricity_m: Vec2<T>,
+}
+
+/// The numbers of one sample for one tree.
+#[derive(Debug, Clone)]
+pub struct Geometry<T> {
+    /// One for each link.
+    pub links: Vec<LinkGeometry<T>>,
+    /// One for each cut joint.
+    pub cuts: Vec<CutGeometry<T>>,
+    /// Acceleration of gravity, m/s².
+    pub gravity_m_s2: Vec2<T>,
+}
+
+impl<T: Real> Geometry<T> {
+    /// Lays out `values` for `tree`, all eccentricities zero.
+    pub fn new(model: &Model, tree: &Tree, values: &Values) -> Self {
+        let number = |id| T::from_f64(values[id]);
+        let links = tree
+            .links
+            .iter()
+            .map(|link| {
+                let body = &model.bodies[link.body.0];
+                let mut geometry = LinkGeometry {
+                    parent_arm_m: Vec2::zero(),
+                    own_arm_m: Vec2::zero(),
+                    parent_angle_rad: T::zero(),
+                    own_angle_rad: T::zero(),
+                    eccentricity_m: Vec2::zero(),
+                    centre_of_mass_m: body
+                        .centre_of_mass_m
+                        .map_or(Vec2::zero(), |c| Vec2::new(number(c[0]), number(c[1]))),
+                    mass_kg: body.mass_kg.map_or(T::zero(), number),
+                    inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
+                };
+                if let Some((joint, forward)) = joint_of(link.attachment) {
+                    let kind = &model.joints[joint.0].kind;
+                    let (parent, own) = if forward { (0, 1) } else { (1, 0) };
+                    let arms = points_of(kind).map(|point| point_m(model, values, point));
+                    let angles = line_angles_rad(kind, values);
+                    geometry.parent_arm_m = arms[parent];
+                    geometry.own_arm_m = arms[own];
+                    geometry.parent_angle_rad = angles[parent];
+                    geometry.own_angle_rad = angles[own];
+                }
+                geometry
+            })
+            .collect();
+        let cuts = tree
+            .cuts
+            .iter()
+            .map(|cut| {
+                let kind = &model.joints[cut.joint.0].kind;
+                CutGeometry {
+                    arms_m: points_of(kind).map(|point| point_m(model, values, point)),
+                    angles_rad: line_angles_rad(kind, values),
+                    eccentricity_m: Vec2::zero(),
+                }
+            })
+            .collect();
+        let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
+        Self { links, cuts, gravity_m_s2 }
+    }
+
+    /// Displaces the journal of a revolute `joint` from its bearing by `eccentricity_m`, given in the ground's frame.
+    /// A joint that the tree treats as a force element is left alone.
+    pub fn set_eccentricity(&mut self, tree: &Tree, joint: JointId, eccentricity_m: Vec2<T>) {
+        for (link, geometry) in tree.links.iter().zip(&mut self.links) {
+            if let Attachment::Revolute { joint: own, forward, .. } = link.attachment {
+                if own == joint {
+                    geometry.eccentricity_m = if forward { eccentricity_m } else { -eccentricity_m };
+                }
+            }
+        }
+        for (cut, geometry) in tree.cuts.iter().zip(&mut self.cuts) {
+            if cut.joint == joint {
+                geometry.eccentricity_m = eccentricity_m;
+            }
+        }
+    }
+}
+
+/// Position of a point in its body's frame, m.
+pub fn point_m<T: Real>(model: &Model, values: &Values, point: PointId) -> Vec2<T> {
+    let [x, y] = model.bodies[point.body.0].points[point.point].position_m;
+    Vec2::new(T::from_f64(values[x]), T::from_f64(values[y]))
+}
+
+/// The joint that attaches a link, and its direction.
+pub fn joint_of(attachment: Attachment) -> Option<(JointId, bool)> {
+    match attachment {
+        Attachment::Free { .. } => None,
+        Attachment::Revolute { joint, forward, .. }
+        | Attachment::DrivenRevolute { joint, forward, .. }
+        | Attachment::Prismatic { joint, forward, .. }
+        | Attachment::Rigid { joint, forward } => Some((joint, forward)),
+    }
+}
+
+/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint; for a
+/// rigid joint the second body's x axis.
+fn line_angles_rad<T: Real>(kind: &JointKind, values: &Values) -> [T; 2] {
+    match *kind {
+        JointKind::Revolute { .. } => [T::zero(), T::zero()],
+        JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
+            [T::from_f64(values[guide_angle_rad]), T::from_f64(values[slider_angle_rad])]
+        }
+        JointKind::Rigid { angle_rad, .. } => [T::from_f64(values[angle_rad]), T::zero()],
+    }
+}

@@ -1,0 +1,111 @@
+//! Counting degrees of freedom by the rank of the loop equations, and naming what is redundant.
+
+use super::constraints;
+use super::error::MechanismError;
+use super::geometry::Geometry;
+use super::kinematics::Kinematics;
+use super::tree::Tree;
+use crate::math::Elimination;
+use crate::model::{BodyId, JointId, Model};
+
+/// Pivots below this share of the largest count as zero. Redundant rows leave round-off (1e-16), real ones of ordinary
+/// mechanisms leave more than 1e-4.
+const RANK_TOLERANCE: f64 = 1e-9;
+
+/// What the loop equations say about a mechanism with all clearances at zero.
+#[derive(Debug, Clone)]
+pub struct Mobility {
+    /// Degrees of freedom, drives not counted as constraints.
+    pub degrees_of_freedom: usize,
+    /// Joints that repeat what others impose already, and how many of their constraints do.
+    pub redundant: Vec<(JointId, usize)>,
+    /// Independent constraint rows.
+    pub independent_rows: Vec<usize>,
+}
+
+/// Counts the degrees of freedom in the configuration `coordinates` and compares them with the drives.
+///
+/// # Errors
+/// Too few or too many drives, or a singular start.
+pub fn count(
+    model: &Model,
+    tree: &Tree,
+    geometry: &Geometry<f64>,
+    coordinates: &[f64],
+) -> Result<Mobility, MechanismError> {
+    let (rows, columns, drives) = (tree.constraint_rows(), tree.coordinates(), tree.drives.len());
+    let at_start = jacobian_at(tree, geometry, coordinates);
+    let all = Elimination::new(&at_start, rows, columns, RANK_TOLERANCE);
+    let degrees_of_freedom = columns - all.rank();
+    if degrees_of_freedom < drives {
+        return Err(MechanismError::TooManyDrives { mobility: degrees_of_freedom, drives });
+    }
+    let free_part: Vec<f64> =
+        (0..rows).flat_map(|row| at_start[row * columns..row * columns + tree.free].iter().copied()).collect();
+    let free = Elimination::new(&free_part, rows, tree.free, RANK_TOLERANCE);
+    if free.rank() < tree.free {
+        let bodies = moving_bodies(model, tree, geometry, coordinates, &free);
+        return Err(if degrees_of_freedom > drives {
+            MechanismError::TooFewDrives { mobility: degrees_of_freedom, drives, undetermined: bodies }
+        } else {
+            MechanismError::SingularStart { bodies }
+        });
+    }
+    let dependent = free.dependent_rows();
+    let mut redundant: Vec<(JointId, usize)> = Vec::new();
+    for &row in &dependent {
+        let joint = tree.cuts[constraints::cut_of_row(tree, row)].joint;
+        match redundant.iter_mut().find(|(known, _)| *known == joint) {
+            Some((_, count)) => *count += 1,
+            None => redundant.push((joint, 1)),
+        }
+    }
+    let independent_rows = (0..rows).filter(|row| !dependent.contains(row)).collect();
+    Ok(Mobility { degrees_of_freedom, redundant, independent_rows })
+}
+
+/// The independent constraint rows of a tree that keeps its mobility (loops of ideal joints beside joints with play).
+pub fn independent_rows(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Vec<usize> {
+    let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
+    let jacobian = jacobian_at(tree, geometry, coordinates);
+    let free_part: Vec<f64> =
+        (0..rows).flat_map(|row| jacobian[row * columns..row * columns + tree.free].iter().copied()).collect();
+    let dependent = Elimination::new(&free_part, rows, tree.free, RANK_TOLERANCE).dependent_rows();
+    (0..rows).filter(|row| !dependent.contains(row)).collect()
+}
+
+fn jacobian_at(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Vec<f64> {
+    let mut kinematics = Kinematics::new(tree);
+    kinematics.set_positions(tree, geometry, coordinates);
+    let mut jacobian = vec![0.0; tree.constraint_rows() * tree.coordinates()];
+    constraints::jacobian(tree, geometry, &kinematics, &mut jacobian);
+    jacobian
+}
+
+/// Names of the bodies that move along the first direction that the constraints leave free.
+fn moving_bodies(
+    model: &Model,
+    tree: &Tree,
+    geometry: &Geometry<f64>,
+    coordinates: &[f64],
+    free: &Elimination,
+) -> Vec<String> {
+    let mut kinematics = Kinematics::new(tree);
+    kinematics.set_positions(tree, geometry, coordinates);
+    let mut moves = vec![false; model.bodies.len()];
+    for column in free.free_columns() {
+        let mut rates = free.null_direction(column);
+        rates.resize(tree.coordinates(), 0.0);
+        kinematics.set_velocities(tree, &rates);
+        for (index, link) in tree.links.iter().enumerate() {
+            let twist = kinematics.twists[index + 1];
+            // The free coordinate moves with rate one; slower than 1e-6 is round-off of the elimination.
+            moves[link.body.0] |= twist.linear.length() > 1e-6 || twist.angular.abs() > 1e-6;
+        }
+    }
+    (0..model.bodies.len())
+        .map(BodyId)
+        .filter(|b| moves[b.0])
+        .map(|b| format!("'{}'", model.bodies[b.0].name))
+        .collect()
+}

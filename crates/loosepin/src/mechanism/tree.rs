@@ -1,0 +1,331 @@
+//! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
+
+use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PointId};
+
+/// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
+/// first) and the child the second one (journal, slider, second).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Attachment {
+    /// On nothing: coordinates `first` .. `first + 3` are x, y and angle of the body frame.
+    Free {
+        /// Index of the first of the three coordinates.
+        first: usize,
+    },
+    /// By a revolute joint; the coordinate is the *absolute* angle of the body. In the plane angles need not be
+    /// composed, and absolute ones leave no Coriolis terms and a constant diagonal inertia.
+    Revolute {
+        /// Index of the coordinate.
+        coordinate: usize,
+        /// The joint.
+        joint: JointId,
+        /// Direction of the joint along the tree.
+        forward: bool,
+    },
+    /// By a driven revolute joint; the coordinate is the angle of the journal's body from the bearing's.
+    DrivenRevolute {
+        /// Index of the coordinate.
+        coordinate: usize,
+        /// The joint.
+        joint: JointId,
+        /// Direction of the joint along the tree.
+        forward: bool,
+    },
+    /// By a prismatic joint; the coordinate is the displacement s of the slider point along the guide's line.
+    Prismatic {
+        /// Index of the coordinate.
+        coordinate: usize,
+        /// The joint.
+        joint: JointId,
+        /// Direction of the joint along the tree.
+        forward: bool,
+    },
+    /// By a rigid joint.
+    Rigid {
+        /// The joint.
+        joint: JointId,
+        /// Direction of the joint along the tree.
+        forward: bool,
+    },
+}
+
+impl Attachment {
+    /// Indices of the coordinates that this attachment adds.
+    fn own_coordinates(&self) -> std::ops::Range<usize> {
+        match *self {
+            Self::Free { first } => first..first + 3,
+            Self::Revolute { coordinate, .. }
+            | Self::DrivenRevolute { coordinate, .. }
+            | Self::Prismatic { coordinate, .. } => coordinate..coordinate + 1,
+            Self::Rigid { .. } => 0..0,
+        }
+    }
+}
+
+/// A coordinate on which the motion of a body depends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dependence {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Angular velocity of the body for unit rate of the coordinate: 0, 1 or -1 (0 for a displacement, whose
+    /// rate is a length).
+    pub turning: f64,
+}
+
+/// A moving body in the tree.
+#[derive(Debug, Clone)]
+pub struct Link {
+    /// The body.
+    pub body: BodyId,
+    /// Slot of the parent; 0 is the ground.
+    pub parent_slot: usize,
+    /// How it hangs on the parent.
+    pub attachment: Attachment,
+    /// Coordinates on which its motion depends: those of the parent first, then its own.
+    pub dependences: Vec<Dependence>,
+}
+
+/// An ideal joint that closes a loop: a constraint between two bodies of the tree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cut {
+    /// The joint.
+    pub joint: JointId,
+    /// Slots of its first and second body.
+    pub slots: [usize; 2],
+    /// Its kind.
+    pub kind: CutKind,
+}
+
+/// The kinds of cut joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CutKind {
+    /// Two rows: the points coincide.
+    Revolute,
+    /// Two rows: the slider point stays on the line, and the bodies do not turn against each other.
+    Prismatic,
+    /// Three rows: the points coincide, and the bodies do not turn against each other.
+    Rigid,
+}
+
+impl CutKind {
+    /// Number of scalar constraints.
+    pub fn rows(self) -> usize {
+        match self {
+            Self::Revolute | Self::Prismatic => 2,
+            Self::Rigid => 3,
+        }
+    }
+}
+
+/// The spanning tree. Slot 0 is the ground, slot i + 1 is `links[i]`; a parent comes before its children.
+///
+/// Coordinates are numbered `0..free` for the state and `free..free + drives.len()` for the driven ones.
+#[derive(Debug, Clone)]
+pub struct Tree {
+    /// Moving bodies, parents first.
+    pub links: Vec<Link>,
+    /// Slot of each body of the model.
+    pub slot_of_body: Vec<usize>,
+    /// Number of free coordinates.
+    pub free: usize,
+    /// The drive of each driven coordinate.
+    pub drives: Vec<DriveId>,
+    /// Ideal joints that close loops, in file order.
+    pub cuts: Vec<Cut>,
+    /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
+    pub floating_roots: Vec<BodyId>,
+}
+
+/// The drives of these joints turn a closed loop against itself: no joint of the loop is free.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DrivenLoop {
+    /// The driven joint that closes the loop.
+    pub joint: JointId,
+}
+
+impl Tree {
+    /// Builds the tree over the joints for which `is_ideal` holds; the others (clearance joints) leave their loops
+    /// open.
+    ///
+    /// Driven joints are always in the tree, so that their coordinates leave the state; rigid joints come next since
+    /// cutting one costs three constraints instead of two; then the others in file order.
+    ///
+    /// # Errors
+    /// A loop of driven joints alone.
+    pub fn new(model: &Model, is_ideal: impl Fn(JointId) -> bool) -> Result<Self, DrivenLoop> {
+        let drive_of = |joint: JointId| (0..model.drives.len()).find(|&d| model.drives[d].joint == joint).map(DriveId);
+        let mut order: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| is_ideal(joint)).collect();
+        order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
+            (Some(_), _) => 0,
+            (None, JointKind::Rigid { .. }) => 1,
+            (None, _) => 2,
+        });
+
+        let mut component: Vec<usize> = (0..model.bodies.len()).collect();
+        let mut in_tree = vec![false; model.joints.len()];
+        for &joint in &order {
+            let [first, second] = bodies_of(&model.joints[joint.0].kind).map(|body| component[body.0]);
+            if first != second {
+                in_tree[joint.0] = true;
+                component.iter_mut().filter(|c| **c == second).for_each(|c| *c = first);
+            } else if drive_of(joint).is_some() {
+                return Err(DrivenLoop { joint });
+            }
+        }
+
+        let mut tree = Self {
+            links: Vec::new(),
+            slot_of_body: vec![usize::MAX; model.bodies.len()],
+            free: 0,
+            drives: Vec::new(),
+            cuts: Vec::new(),
+            floating_roots: Vec::new(),
+        };
+        tree.slot_of_body[0] = 0;
+        // Placeholders beyond every free coordinate mark driven ones until the number of free ones is known.
+        let driven_from = 3 * model.bodies.len();
+        let mut attached: Vec<BodyId> = vec![BodyId(0)];
+        let mut next_root = 1;
+        loop {
+            tree.attach_descendants(model, &in_tree, &drive_of, driven_from, &mut attached);
+            while next_root < model.bodies.len() && tree.slot_of_body[next_root] != usize::MAX {
+                next_root += 1;
+            }
+            if next_root == model.bodies.len() {
+                break;
+            }
+            let body = BodyId(next_root);
+            tree.floating_roots.push(body);
+            let attachment = Attachment::Free { first: tree.free };
+            tree.free += 3;
+            tree.push(body, 0, attachment);
+            attached.push(body);
+        }
+        tree.number_driven_coordinates(driven_from);
+
+        for joint in (0..model.joints.len()).map(JointId).filter(|&j| is_ideal(j) && !in_tree[j.0]) {
+            let kind = &model.joints[joint.0].kind;
+            tree.cuts.push(Cut {
+                joint,
+                slots: bodies_of(kind).map(|body| tree.slot_of_body[body.0]),
+                kind: match kind {
+                    JointKind::Revolute { .. } => CutKind::Revolute,
+                    JointKind::Prismatic { .. } => CutKind::Prismatic,
+                    JointKind::Rigid { .. } => CutKind::Rigid,
+                },
+            });
+        }
+        Ok(tree)
+    }
+
+    /// Number of coordinates, free and driven.
+    pub fn coordinates(&self) -> usize {
+        self.free + self.drives.len()
+    }
+
+    /// Number of scalar constraints of the cut joints.
+    pub fn constraint_rows(&self) -> usize {
+        self.cuts.iter().map(|cut| cut.kind.rows()).sum()
+    }
+
+    /// Breadth first over the tree joints, from the bodies in `attached` on.
+    fn attach_descendants(
+        &mut self,
+        model: &Model,
+        in_tree: &[bool],
+        drive_of: &impl Fn(JointId) -> Option<DriveId>,
+        driven_from: usize,
+        attached: &mut Vec<BodyId>,
+    ) {
+        let mut next = attached.len() - 1;
+        while next < attached.len() {
+            let parent = attached[next];
+            next += 1;
+            for joint in (0..model.joints.len()).map(JointId).filter(|joint| in_tree[joint.0]) {
+                let kind = &model.joints[joint.0].kind;
+                let [first, second] = bodies_of(kind);
+                let (child, forward) = match (first == parent, second == parent) {
+                    (true, _) => (second, true),
+                    (_, true) => (first, false),
+                    _ => continue,
+                };
+                if self.slot_of_body[child.0] != usize::MAX {
+                    continue;
+                }
+                let drive = drive_of(joint);
+                let coordinate = match drive {
+                    Some(_) => driven_from + self.drives.len(),
+                    None => self.free,
+                };
+                let attachment = match (kind, drive) {
+                    (JointKind::Rigid { .. }, _) => Attachment::Rigid { joint, forward },
+                    (JointKind::Prismatic { .. }, _) => Attachment::Prismatic { coordinate, joint, forward },
+                    (JointKind::Revolute { .. }, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
+                    (JointKind::Revolute { .. }, None) => Attachment::Revolute { coordinate, joint, forward },
+                };
+                if !matches!(attachment, Attachment::Rigid { .. }) {
+                    match drive {
+                        Some(drive) => self.drives.push(drive),
+                        None => self.free += 1,
+                    }
+                }
+                self.push(child, self.slot_of_body[parent.0], attachment);
+                attached.push(child);
+            }
+        }
+    }
+
+    fn push(&mut self, body: BodyId, parent_slot: usize, attachment: Attachment) {
+        let inherited: &[Dependence] = if parent_slot == 0 { &[] } else { &self.links[parent_slot - 1].dependences };
+        let mut dependences: Vec<Dependence> = inherited
+            .iter()
+            .map(|dependence| match attachment {
+                Attachment::Revolute { .. } => Dependence { turning: 0.0, ..*dependence },
+                _ => *dependence,
+            })
+            .collect();
+        dependences.extend(attachment.own_coordinates().map(|coordinate| Dependence {
+            coordinate,
+            turning: match attachment {
+                Attachment::Free { first } if coordinate < first + 2 => 0.0,
+                Attachment::Prismatic { .. } => 0.0,
+                Attachment::DrivenRevolute { forward: false, .. } => -1.0,
+                _ => 1.0,
+            },
+        }));
+        self.links.push(Link { body, parent_slot, attachment, dependences });
+        self.slot_of_body[body.0] = self.links.len();
+    }
+
+    /// Moves the driven coordinates from their placeholders to directly after the free ones.
+    fn number_driven_coordinates(&mut self, driven_from: usize) {
+        let free = self.free;
+        let renumbered = |coordinate: usize| {
+            if coordinate >= driven_from { coordinate - driven_from + free } else { coordinate }
+        };
+        for link in &mut self.links {
+            for dependence in &mut link.dependences {
+                dependence.coordinate = renumbered(dependence.coordinate);
+            }
+            match &mut link.attachment {
+                Attachment::DrivenRevolute { coordinate, .. } | Attachment::Prismatic { coordinate, .. } => {
+                    *coordinate = renumbered(*coordinate);
+                }
+                Attachment::Revolute { .. } | Attachment::Free { .. } | Attachment::Rigid { .. } => {}
+            }
+        }
+    }
+}
+
+/// The two bodies that a joint connects: bearing and journal, guide and slider, first and second.
+pub fn bodies_of(kind: &JointKind) -> [BodyId; 2] {
+    points_of(kind).map(|point| point.body)
+}
+
+/// The two points that a joint connects: bearing and journal, guide and slider, first and second.
+pub fn points_of(kind: &JointKind) -> [PointId; 2] {
+    match *kind {
+        JointKind::Revolute { bearing, journal, .. } => [bearing, journal],
+        JointKind::Prismatic { guide, slider, .. } => [guide, slider],
+        JointKind::Rigid { first, second, .. } => [first, second],
+    }
+}

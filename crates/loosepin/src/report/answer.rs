@@ -1,0 +1,320 @@
+//! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
+
+use super::number::{NumberWriter, Rounding, plain_name};
+use super::study_page::bound_value;
+use super::wording::{counted, deviation_words, listed, output_words, place_words, statistic_words};
+use crate::study::result::{
+    BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, ResponsePoint, StatisticKind,
+    StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+};
+use crate::units::SiUnit;
+
+/// Digits of a bound in a sentence.
+const SENTENCE_DIGITS: usize = 2;
+
+/// The answer, for pages and terminals alike.
+pub(super) struct Answer {
+    /// The one sentence.
+    pub headline: String,
+    /// What must be known with it.
+    pub details: Vec<String>,
+    /// Whether a stated requirement is not met.
+    pub verdict: Option<Verdict>,
+}
+
+/// Builds the answer from the bounds that the study has: the largest deviation over the cycle where it was asked for,
+/// the band over the cycle otherwise.
+pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
+    let conditions = conditions(result, writer);
+    let curve = main_curve(result);
+    let headline = match (main_bound(result), curve) {
+        (Some((bound, probability)), _) => bound_sentence(result, bound, probability, &conditions, writer),
+        (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
+        (None, None) => match result.bounds.iter().find(|bound| bound.treatment == TreatmentKind::Mixed) {
+            Some(bound) => statistic_sentence(result, bound, &conditions, writer),
+            None => format!("{conditions} nothing was asked for."),
+        },
+    };
+    let mut details = Vec::new();
+    details.extend(requirement_sentences(result, writer));
+    details.extend(curve.and_then(|curve| scatter_sentence(curve, writer)));
+    details.push(error_sentence(result, writer));
+    details.push(runs_sentence(result, writer));
+    Answer { headline, details, verdict: overall_verdict(result) }
+}
+
+/// The verdict over all requirements; none where nothing is required.
+pub(super) fn overall_verdict(result: &StudyResult) -> Option<Verdict> {
+    let verdicts = || result.requirements.iter().map(|requirement| requirement.verdict);
+    if verdicts().any(|verdict| verdict == Verdict::NotMet) {
+        Some(Verdict::NotMet)
+    } else if verdicts().any(|verdict| verdict == Verdict::Undecided) {
+        Some(Verdict::Undecided)
+    } else {
+        verdicts().next()
+    }
+}
+
+/// "With the gudgeon radial clearance anywhere between 0.1 and 0.5 mm, " or what replaces it.
+fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
+    let parts: Vec<String> = result
+        .inputs
+        .iter()
+        .filter_map(|input| {
+            let name = plain_name(&input.path, &result.inputs);
+            match &input.kind {
+                InputKind::Random => None,
+                InputKind::Interval { lower_si, upper_si } => Some(format!(
+                    "the {name} anywhere between {} and {}",
+                    writer.shortest(*lower_si, &input.unit),
+                    writer.value_shortest(*upper_si, &input.unit)
+                )),
+                InputKind::Choice { of } => Some(format!("the {name} any of {}", listed(of))),
+            }
+        })
+        .collect();
+    if parts.is_empty() { "With the stated scatter,".to_owned() } else { format!("With {},", listed(&parts)) }
+}
+
+fn main_bound(result: &StudyResult) -> Option<(&BoundRecord, f64)> {
+    result.bounds.iter().find_map(|bound| {
+        let is_main = bound.treatment == TreatmentKind::Mixed
+            && bound.of == DeviationKind::Total
+            && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude })
+            && bound.upper.widened_si.is_finite();
+        match bound.statistic {
+            StatisticKind::Quantile { probability } if is_main && probability > 0.5 => Some((bound, probability)),
+            _ => None,
+        }
+    })
+}
+
+fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
+    result
+        .curves
+        .iter()
+        .find(|curve| curve.of == DeviationKind::Total)
+        .or(result.curves.first())
+        .filter(|curve| !curve.mixed.lower_si.is_empty())
+}
+
+fn bound_sentence(
+    result: &StudyResult,
+    bound: &BoundRecord,
+    probability: f64,
+    conditions: &str,
+    writer: &NumberWriter,
+) -> String {
+    format!(
+        "{conditions} the {} stays within ±{} of its ideal motion over the whole cycle in at least {} of mechanisms.",
+        output_words(&bound.output, &result.outputs),
+        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
+        writer.percent(probability, Rounding::Down)
+    )
+}
+
+/// Any bound: the statistic, what it is of, and its two ends.
+fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, conditions: &str, writer: &NumberWriter) -> String {
+    let unit = output_unit(result, &bound.output);
+    format!(
+        "{conditions} the {} of {} ({}, {}) lies between {} and {}.",
+        statistic_words(bound.statistic, &unit, writer),
+        output_words(&bound.output, &result.outputs),
+        deviation_words(bound.of),
+        place_words(bound.at, writer),
+        bound_value(&bound.lower, bound, Rounding::Down, writer),
+        bound_value(&bound.upper, bound, Rounding::Up, writer),
+    )
+}
+
+/// The unit of an output; that of a pure number where the result does not describe it.
+pub(super) fn output_unit(result: &StudyResult, name: &str) -> SiUnit {
+    let output = result.outputs.iter().find(|output| output.name == name);
+    output.map_or(SiUnit::NONE, |output| output.unit.clone())
+}
+
+fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str, writer: &NumberWriter) -> String {
+    let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
+    let magnitude = highest.abs().max(lowest.abs());
+    let range = if (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude {
+        format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+    } else {
+        format!(
+            "between {} and {}",
+            writer.rounded(lowest, &curve.unit, SENTENCE_DIGITS, Rounding::Down),
+            writer.rounded(highest, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
+        )
+    };
+    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let subject = output_words(&curve.output, &result.outputs);
+    match curve.of {
+        DeviationKind::Value => format!("{conditions} the {subject} lies {range}: {share} of mechanisms at any angle."),
+        _ => format!(
+            "{conditions} the {subject} stays {range} of its ideal motion in at least {share} of mechanisms, at each \
+             angle of {} taken by itself.",
+            result.cycle.drive
+        ),
+    }
+}
+
+fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<String> {
+    let random = largest(&curve.random.upper_si).abs().max(smallest(&curve.random.lower_si).abs());
+    let mixed = largest(&curve.mixed.upper_si).abs().max(smallest(&curve.mixed.lower_si).abs());
+    let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
+    is_worth_saying.then(|| {
+        format!(
+            "If the unknown values were in the middle of their ranges, {} of mechanisms would stay within ±{} at each \
+             angle; not knowing them widens this to ±{}.",
+            writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest),
+            writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
+            writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
+        )
+    })
+}
+
+fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
+    result
+        .requirements
+        .iter()
+        .map(|requirement| {
+            let unit = output_unit(result, &requirement.output);
+            let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
+            let verdict = match requirement.verdict {
+                Verdict::Met => "is met",
+                Verdict::NotMet => "is not met",
+                Verdict::Undecided => "is undecided, because the numerical error reaches over it",
+            };
+            format!(
+                "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
+                 share is {}.",
+                deviation_words(requirement.of),
+                requirement.output,
+                place_words(requirement.at, writer),
+                writer.percent(requirement.probability_at_least, Rounding::Nearest),
+                writer.percent_range(requirement.probability[0], requirement.probability[1]),
+            )
+        })
+        .collect()
+}
+
+/// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
+pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
+    match (lower_si.is_finite(), upper_si.is_finite()) {
+        (true, true) if lower_si == -upper_si => format!("within ±{}", writer.value_shortest(upper_si, unit)),
+        (true, true) => {
+            format!("between {} and {}", writer.shortest(lower_si, unit), writer.value_shortest(upper_si, unit))
+        }
+        (true, false) => format!("above {}", writer.value_shortest(lower_si, unit)),
+        (false, true) => format!("below {}", writer.value_shortest(upper_si, unit)),
+        (false, false) => "anywhere".to_owned(),
+    }
+}
+
+fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == TreatmentKind::Mixed);
+    let error_text = match (main_bound(result), main_curve(result)) {
+        (Some((bound, _)), _) => Some(writer.error(bound.upper.error.total_si(), &bound.unit)),
+        (None, Some(curve)) => Some(writer.error(curve.numerical_error_si, &curve.unit)),
+        (None, None) => None,
+    };
+    let inner = mixed().filter(|bound| bound.guarantee == GuaranteeKind::Inner).count();
+    let mut sentence = match error_text {
+        Some(error) => format!("Numerical error of this answer: at most {error}, already added on the outside."),
+        None => "The numerical error of each bound stands beside it.".to_owned(),
+    };
+    if inner > 0 {
+        sentence.push_str(&format!(
+            " {inner} of {} bounds {} not confirmed by the search and may be wider.",
+            mixed().count(),
+            if inner == 1 { "is" } else { "are" }
+        ));
+    }
+    sentence
+}
+
+fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
+    let runs = counted(result.counts.runs, "run", writer);
+    let failed = match result.counts.failed {
+        0 => "none failed".to_owned(),
+        failed => format!(
+            "{} of them failed and {} counted as not known",
+            super::wording::count(failed, writer),
+            if failed == 1 { "is" } else { "are" }
+        ),
+    };
+    let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
+    format!(
+        "From {runs}; {failed}. Assumed: the model as written, {} as stated, {} to start up and {} recorded.",
+        match random {
+            0 => "no random scatter".to_owned(),
+            1 => "the distribution of 1 random input".to_owned(),
+            many => format!("the distributions of {many} random inputs"),
+        },
+        turns(result.cycle.transient_turns),
+        turns(result.cycle.recorded_turns),
+    )
+}
+
+pub(super) fn turns(turns: f64) -> String {
+    if turns == 1.0 { "1 turn".to_owned() } else { format!("{turns} turns") }
+}
+
+/// What the three treatments claim and which of them keeps its promise, one sentence each.
+pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &NumberWriter) -> Vec<String> {
+    let promised = comparison.promised_coverage;
+    let mixed_width =
+        comparison.bands.iter().find(|band| band.treatment == TreatmentKind::Mixed).map(TreatmentBand::width_si);
+    comparison
+        .bands
+        .iter()
+        .map(|band| {
+            let keeps = band.keeps_promise(promised);
+            let least = writer.percent(band.coverage_minimum, Rounding::Down);
+            let promise = writer.percent(promised, Rounding::Nearest);
+            let start = match band.treatment {
+                TreatmentKind::ProbabilityOnly => {
+                    "Treating everything as probability pretends to know which unknown values are likely."
+                }
+                TreatmentKind::IntervalOnly => {
+                    "Treating everything as interval throws away what is known about the scatter."
+                }
+                TreatmentKind::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
+            };
+            let kept = if band.coverage_minimum >= 1.0 {
+                "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
+            } else if keeps && band.coverage_minimum < promised {
+                format!(
+                    "Its band keeps the promise of {promise} within numerical error: where the truth is unkind, {least} \
+                     ± {} lie inside",
+                    writer.percent(band.coverage_error, Rounding::Up)
+                )
+            } else if keeps {
+                format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
+            } else {
+                format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
+            };
+            let width = match mixed_width {
+                Some(mixed) if band.treatment != TreatmentKind::Mixed && mixed > 0.0 => {
+                    let ratio = band.width_si() / mixed;
+                    if ratio > 1.02 {
+                        format!(", at {ratio:.2} times the width that is needed.")
+                    } else if ratio < 0.98 && !keeps {
+                        format!(", for it is only {ratio:.2} times as wide as the band that does.")
+                    } else {
+                        ".".to_owned()
+                    }
+                }
+                _ => ".".to_owned(),
+            };
+            format!("{start} {kept}{width}")
+        })
+        .collect()
+}
+
+fn smallest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}

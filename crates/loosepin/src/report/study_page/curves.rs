@@ -1,0 +1,218 @@
+//! The deviation over the cycle, and probability boxes.
+
+use maud::{Markup, html};
+
+use crate::report::answer::limits_words;
+use crate::report::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled};
+use crate::report::number::{NumberWriter, Rounding, significant};
+use crate::report::script_data::{round_to_digits, rounded};
+use crate::report::wording::{deviation_words, output_words, place_words};
+use crate::study::result::{
+    CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, StudyResult,
+};
+use crate::units::SiUnit;
+
+pub(super) fn deviation_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, curve) in result.curves.iter().enumerate() {
+            (deviation_chart(result, curve, index, writer).figure())
+        }
+    }
+}
+
+fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, writer: &NumberWriter) -> Chart {
+    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let range = |range: &CurveRange| {
+        (scaled(&range.lower_si, &curve.unit, writer), scaled(&range.upper_si, &curve.unit, writer))
+    };
+    let mut entries = Vec::new();
+    let mut add = |label: String, role: Role, dashed: bool, values: EntryValues| {
+        entries.push(Entry { label, role, dashed, values });
+    };
+    if !curve.mixed.lower_si.is_empty() {
+        let (lower, upper) = range(&curve.mixed);
+        let label = format!("{share}, whatever the unknown values");
+        add(label, Role::Mixed, false, EntryValues::band(&lower, &upper));
+    }
+    if !curve.random.lower_si.is_empty() {
+        let (lower, upper) = range(&curve.random);
+        add(format!("{share}, random scatter alone"), Role::Random, false, EntryValues::band(&lower, &upper));
+    }
+    if !curve.mean.lower_si.is_empty() {
+        let (lower, upper) = range(&curve.mean);
+        add("bounds of the mean".to_owned(), Role::Mean, false, EntryValues::pair(&lower, &upper));
+    }
+    if !curve.nominal_si.is_empty() {
+        let values = scaled(&curve.nominal_si, &curve.unit, writer);
+        add("nominal parts".to_owned(), Role::Nominal, true, EntryValues::line(&values));
+    }
+    if !curve.worst_case.lower_si.is_empty() {
+        let (lower, upper) = range(&curve.worst_case);
+        add("worst case, quasi-static".to_owned(), Role::Worst, true, EntryValues::pair(&lower, &upper));
+    }
+    for (label, lower_si, upper_si) in limits(result, curve, writer) {
+        let constant = |value_si: f64| vec![writer.scaled(value_si, &curve.unit); curve.pose_rad.len()];
+        add(label, Role::Limit, true, EntryValues::pair(&constant(lower_si), &constant(upper_si)));
+    }
+    let (worst_angle, worst) = worst_pose(curve);
+    let subject = output_words(&curve.output, &result.outputs);
+    let centre = writer.witness(&curve.centre, &result.inputs);
+    let worst_words = format!(
+        "widest at {}, where it reaches {}",
+        writer.rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest),
+        writer.rounded(worst, &curve.unit, 2, Rounding::Up)
+    );
+    Chart {
+        id: format!("deviation-{index}"),
+        horizontal: HorizontalAxis::Angle,
+        x_label: format!("angle of {}", result.cycle.drive),
+        x_symbol: writer.symbol(&SiUnit::ANGLE),
+        x: rounded(&scaled(&curve.pose_rad, &SiUnit::ANGLE, writer)),
+        y_label: format!("{} of {}", deviation_words(curve.of), curve.output),
+        y_symbol: writer.symbol(&curve.unit),
+        y_range: None,
+        entries,
+        marks: Vec::new(),
+        height: 380,
+        caption: html! {
+            strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
+            "At each angle, " (share) " of mechanisms lie inside the blue band if the unknown values are in the middle \
+             of their ranges"
+            @if !centre.is_empty() { " (" (centre) ")" }
+            ", and inside the orange band whatever they are. The orange band is " (worst_words)
+            "; its numerical error, up to " (writer.error(curve.numerical_error_si, &curve.unit))
+            ", is included."
+        },
+        alternative: format!(
+            "Chart of the {} of {} over one turn of {}; the band for every unknown value is {worst_words}.",
+            deviation_words(curve.of),
+            subject,
+            result.cycle.drive
+        ),
+    }
+}
+
+/// The limits that a requirement puts on this deviation over the cycle.
+fn limits(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Vec<(String, f64, f64)> {
+    let concerns = |requirement: &&RequirementOutcome| {
+        requirement.output == curve.output && requirement.of == curve.of && requirement.at == ResponsePoint::Whole
+    };
+    result
+        .requirements
+        .iter()
+        .filter(concerns)
+        .map(|requirement| {
+            let words = limits_words(requirement.lower_si, requirement.upper_si, &curve.unit, writer);
+            (format!("required: {words}"), requirement.lower_si, requirement.upper_si)
+        })
+        .collect()
+}
+
+fn worst_pose(curve: &DeviationCurve) -> (f64, f64) {
+    let reach = |pose: usize| {
+        let at = |list: &[f64]| list.get(pose).copied().unwrap_or(0.0).abs();
+        at(&curve.mixed.lower_si).max(at(&curve.mixed.upper_si))
+    };
+    (0..curve.pose_rad.len())
+        .map(|pose| (curve.pose_rad[pose], reach(pose)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or((0.0, 0.0))
+}
+
+pub(super) fn box_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "Read off the share of mechanisms that stay below a given size. The share itself is known only to lie within \
+             the orange band: how wide it is shows what is not known."
+        }
+        @for (index, probability_box) in result.boxes.iter().enumerate() {
+            (box_chart(result, probability_box, index, writer).figure())
+        }
+    }
+}
+
+fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: &NumberWriter) -> Chart {
+    let percent = |list: &[f64]| -> Vec<f64> { list.iter().map(|share| 100.0 * share).collect() };
+    let response = format!(
+        "{} of {}, {}",
+        deviation_words(pbox.of),
+        output_words(&pbox.output, &result.outputs),
+        place_words(pbox.at, writer)
+    );
+    let mut entries = vec![Entry {
+        label: "bounds of the share below".to_owned(),
+        role: Role::Mixed,
+        dashed: false,
+        values: EntryValues::band(&percent(&pbox.lower), &percent(&pbox.upper)),
+    }];
+    if !pbox.probability_only.is_empty() {
+        entries.push(Entry {
+            label: "everything as probability".to_owned(),
+            role: Role::Probability,
+            dashed: true,
+            values: EntryValues::line(&percent(&pbox.probability_only)),
+        });
+    }
+    let marks: Vec<Mark> = pbox
+        .limit_si
+        .iter()
+        .map(|limit_si| Mark {
+            at: round_to_digits(writer.scaled(*limit_si, &pbox.unit), 6),
+            label: writer.value_trimmed(*limit_si, &pbox.unit),
+        })
+        .collect();
+    let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(pbox, limit_si, writer)).unwrap_or_default();
+    let crossing = |list: &[f64]| {
+        let position = list.iter().position(|share| *share >= 0.5);
+        position.and_then(|position| pbox.value_si.get(position)).copied()
+    };
+    let median = match (crossing(&pbox.upper), crossing(&pbox.lower)) {
+        (Some(from), Some(to)) => format!(
+            "Half of all mechanisms stay below a size between {} and {}.",
+            significant(writer.scaled(from, &pbox.unit), 2, Rounding::Down).replace('-', "−"),
+            writer.rounded(to, &pbox.unit, 2, Rounding::Up)
+        ),
+        _ => String::new(),
+    };
+    Chart {
+        id: format!("box-{index}"),
+        horizontal: HorizontalAxis::Plain,
+        x_label: format!("{} of {}", deviation_words(pbox.of), pbox.output),
+        x_symbol: writer.symbol(&pbox.unit),
+        x: rounded(&scaled(&pbox.value_si, &pbox.unit, writer)),
+        y_label: "share of mechanisms below".to_owned(),
+        y_symbol: "%".to_owned(),
+        y_range: Some([0.0, 100.0]),
+        entries,
+        marks,
+        height: 320,
+        caption: html! {
+            strong { (capitalised(&response)) ". " } (median) " " (limit_words)
+            " Numerical error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
+        },
+        alternative: format!("Probability box: {response}. {median}"),
+    }
+}
+
+/// The share below the limit that was asked about, read off the box outwards.
+fn limit_sentence(pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -> String {
+    let above = pbox.value_si.partition_point(|value_si| *value_si < limit_si);
+    let at = |list: &[f64], index: usize| list.get(index).copied();
+    match (at(&pbox.lower, above.saturating_sub(1)), at(&pbox.upper, above)) {
+        (Some(least), Some(most)) => format!(
+            "Below {}: between {} and {} of mechanisms.",
+            writer.value_trimmed(limit_si, &pbox.unit),
+            writer.percent(least, Rounding::Down),
+            writer.percent(most, Rounding::Up)
+        ),
+        _ => String::new(),
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    match characters.next() {
+        Some(first) => first.to_uppercase().chain(characters).collect(),
+        None => String::new(),
+    }
+}

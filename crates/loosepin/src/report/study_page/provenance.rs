@@ -1,0 +1,212 @@
+//! Which runs failed and why, the energy check, and how everything was computed.
+
+use maud::{Markup, html};
+
+use crate::report::answer::turns;
+use crate::report::glossary::glossary;
+use crate::report::number::{NumberWriter, Rounding};
+use crate::report::page::facts;
+use crate::report::still_figures::histogram_figure;
+use crate::report::wording::{count, guarantee_words, listed, reading_words};
+use crate::study::result::{EnergyResiduals, InputKind, JointImpacts, StudyResult, TreatmentKind};
+use crate::units::SiUnit;
+
+pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let share = result.counts.failed as f64 / result.counts.runs.max(1) as f64;
+    html! {
+        p {
+            (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
+            " values of the interval inputs, each with " (count(result.counts.inner, writer))
+            " random samples, the same for every one of them. "
+            @if result.counts.failed == 0 { "No run failed. " }
+            @else {
+                strong { (count(result.counts.failed, writer)) " runs failed" }
+                " (" (writer.percent(share, Rounding::Up)) "). What they would have given is not known: probabilities \
+                 include both possibilities. "
+            }
+            @if let Some(settled) = result.settled_share {
+                "In " (writer.percent(settled, Rounding::Down)) " of the runs the motion had settled into a period; the \
+                 others are kept. "
+                @if settled < 0.5 {
+                    "Most motions do not repeat from turn to turn: statistics over more recorded turns are advised."
+                }
+            }
+        }
+        @if !result.failures.is_empty() {
+            table.cards {
+                thead { tr { th scope="col" { "Reason" } th.number scope="col" { "Runs" } th scope="col" { "One of them" } } }
+                tbody {
+                    @for failure in &result.failures {
+                        tr {
+                            th scope="row" { (failure.words) br; code.quiet { (failure.code) } }
+                            td.number data-label="Runs" { (count(failure.count, writer)) }
+                            td data-label="One of them" {
+                                "run " (failure.example.index) ":" pre { code { (failure.example.command) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        @for joint in &result.impacts { (impacts(joint, writer)) }
+    }
+}
+
+fn impacts(joint: &JointImpacts, writer: &NumberWriter) -> Markup {
+    let [least, median, most] = joint.impacts_per_turn;
+    let mut rows = vec![(
+        "Impacts per turn".to_owned(),
+        html! {
+            (plain(median, writer)) " in the median run (" (plain(least, writer)) " to " (plain(most, writer)) ")"
+        },
+    )];
+    rows.push(("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }));
+    if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
+        rows.push((
+            "Restitution".to_owned(),
+            html! {
+                "stated " (range(nominal, writer)) "; under this contact law a free impact really delivers "
+                strong { (range(delivered, writer)) }
+            },
+        ));
+    }
+    if let Some(share) = joint.share_outside_validity {
+        rows.push((
+            "Outside the law's validity".to_owned(),
+            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law was made for" },
+        ));
+    }
+    if joint.floored_contacts > 0 {
+        rows.push((
+            "Very gentle contacts".to_owned(),
+            html! { (count(joint.floored_contacts, writer)) " computed with the least impact speed of the law" },
+        ));
+    }
+    html! { h3 { "Impacts in " (joint.joint) } (facts(&rows)) }
+}
+
+fn plain(value: f64, writer: &NumberWriter) -> String {
+    writer.shortest((value * 100.0).round() / 100.0, &SiUnit::NONE)
+}
+
+fn range(ends: [f64; 2], writer: &NumberWriter) -> String {
+    let [from, to] = ends.map(|end| writer.shortest((end * 1e4).round() / 1e4, &SiUnit::NONE));
+    if from == to { from } else { format!("{from} to {to}") }
+}
+
+pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup {
+    let share = |value: f64| writer.rounded(value, &SiUnit::NONE, 2, Rounding::Up);
+    let alternative = format!(
+        "Histogram of the energy residuals of the runs; half lie below {}, the largest is {}.",
+        share(energy.median),
+        share(energy.maximum)
+    );
+    html! {
+        p {
+            "Every run adds up its energy: kinetic, potential, stored, lost in contact and friction, supplied by the drive. \
+             What is left over, as a share of the largest energy exchanged, is the run's own check."
+        }
+        (histogram_figure(
+            &energy.histogram,
+            "energy-residuals",
+            html! {
+                strong { "Energy residuals of the runs. " }
+                "Half lie below " (share(energy.median)) ", 90 % below " (share(energy.quantile_90)) ", 99 % below "
+                (share(energy.quantile_99)) "; the largest is " (share(energy.maximum)) ". Bars: number of runs, over the \
+                 relative residual."
+            },
+            &alternative,
+        ))
+    }
+}
+
+pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        h3 { "What is uncertain" }
+        table.cards {
+            thead { tr { th scope="col" { "Input" } th scope="col" { "Kind" } th scope="col" { "Range or distribution" } } }
+            tbody {
+                @for input in &result.inputs {
+                    tr {
+                        th scope="row" { code { (input.path) } }
+                        td data-label="Kind" { (kind_words(&input.kind)) }
+                        td data-label="Range or distribution" { (input.words) }
+                    }
+                }
+            }
+        }
+        @if !result.correlations.is_empty() {
+            p {
+                "Rank correlations: "
+                @for (index, correlation) in result.correlations.iter().enumerate() {
+                    @if index > 0 { "; " }
+                    (listed(&correlation.of)) " " (writer.shortest(correlation.rank, &SiUnit::NONE))
+                }
+                "."
+            }
+        }
+        h3 { "How it was run" }
+        (facts(&run_facts(result, writer)))
+        (glossary())
+    }
+}
+
+fn kind_words(kind: &InputKind) -> &'static str {
+    match kind {
+        InputKind::Random => "random",
+        InputKind::Interval { .. } => "interval",
+        InputKind::Choice { .. } => "one of a list",
+    }
+}
+
+fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup)> {
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == TreatmentKind::Mixed);
+    let mut guarantees: Vec<String> = mixed().map(|bound| guarantee_words(bound.guarantee, writer)).collect();
+    guarantees.sort();
+    guarantees.dedup();
+    let mut readings: Vec<&'static str> = mixed().map(|bound| reading_words(bound.reading)).collect();
+    readings.sort_unstable();
+    readings.dedup();
+    let counts = &result.counts;
+    let mut rows = vec![
+        (
+            "Cycle".to_owned(),
+            html! {
+                (result.cycle.drive)
+                @if let Some(speed) = result.cycle.drive_speed_rad_s {
+                    " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+                }
+                "; " (turns(result.cycle.transient_turns)) " to start up, then " (turns(result.cycle.recorded_turns))
+                " recorded"
+            },
+        ),
+        (
+            "Runs".to_owned(),
+            html! {
+                (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the interval inputs × "
+                (count(counts.inner, writer)) " random samples"
+                @if counts.replicates > 1 { " in " (counts.replicates) " independent replicates" }
+                @if counts.rounds > 1 { ", in " (counts.rounds) " rounds" }
+            },
+        ),
+        (
+            "Integration".to_owned(),
+            html! {
+                (result.cycle.method) ", position tolerance "
+                (writer.value_shortest(result.cycle.tolerance_m, &SiUnit::LENGTH))
+            },
+        ),
+    ];
+    if !readings.is_empty() {
+        let text = readings.join("; ");
+        rows.push(("Reading of an interval".to_owned(), html! { (text) }));
+    }
+    if !guarantees.is_empty() {
+        let text = guarantees.join("; ");
+        rows.push(("Guarantee of the bounds".to_owned(), html! { (text) }));
+    }
+    rows.push(("Seed".to_owned(), html! { (result.seed) }));
+    rows.push(("Hash of all inputs".to_owned(), html! { code.hash { (result.input_hash) } }));
+    rows.push(("Version".to_owned(), html! { "loosepin " (result.version) }));
+    rows
+}

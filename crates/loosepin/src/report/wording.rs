@@ -1,0 +1,119 @@
+//! Words for the parts of a result.
+
+use super::number::{NumberWriter, Rounding};
+use crate::study::result::{
+    DeviationKind, GuaranteeKind, IntervalReading, OutputDescription, Reduction, ResponsePoint, StatisticKind,
+    TreatmentKind, Verdict,
+};
+use crate::units::SiUnit;
+
+pub(super) fn deviation_words(of: DeviationKind) -> &'static str {
+    match of {
+        DeviationKind::Value => "value",
+        DeviationKind::Total => "deviation",
+        DeviationKind::Dimensional => "deviation from part scatter",
+        DeviationKind::Clearance => "deviation from play",
+    }
+}
+
+pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
+    match at {
+        ResponsePoint::Whole => "over the whole cycle".to_owned(),
+        ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
+            format!("at {}", writer.value_trimmed(pose_rad, &SiUnit::ANGLE))
+        }
+        ResponsePoint::Reduced { reduction } => match reduction {
+            Reduction::Maximum => "largest in the cycle",
+            Reduction::Minimum => "smallest in the cycle",
+            Reduction::MaximumMagnitude => "largest in the cycle, in either direction",
+            Reduction::PeakToPeak => "peak to peak in the cycle",
+            Reduction::Rms => "root mean square over the cycle",
+            Reduction::Mean => "mean over the cycle",
+        }
+        .to_owned(),
+    }
+}
+
+pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &NumberWriter) -> String {
+    match statistic {
+        StatisticKind::Mean => "mean".to_owned(),
+        StatisticKind::StandardDeviation => "standard deviation".to_owned(),
+        StatisticKind::Quantile { probability } => {
+            format!("{} quantile", writer.percent(probability, Rounding::Nearest))
+        }
+        StatisticKind::ProbabilityAbove { limit_si } => {
+            format!("probability above {}", writer.value_trimmed(limit_si, unit))
+        }
+        StatisticKind::ProbabilityBelow { limit_si } => {
+            format!("probability below {}", writer.value_trimmed(limit_si, unit))
+        }
+        StatisticKind::ProbabilityBeyond { limit_si } => {
+            format!("probability beyond ±{}", writer.value_trimmed(limit_si, unit))
+        }
+    }
+}
+
+pub(super) fn treatment_words(treatment: TreatmentKind) -> &'static str {
+    match treatment {
+        TreatmentKind::ProbabilityOnly => "Everything as probability",
+        TreatmentKind::IntervalOnly => "Everything as interval",
+        TreatmentKind::Mixed => "Each as what it is",
+    }
+}
+
+pub(super) fn reading_words(reading: IntervalReading) -> &'static str {
+    match reading {
+        IntervalReading::Fixed => "fixed but unknown: one value, the same for every mechanism made (reading A)",
+        IntervalReading::UnknownDistribution => {
+            "of unknown distribution, independent of the random inputs (reading A2)"
+        }
+        IntervalReading::RandomSet => "free to differ from mechanism to mechanism in any way (reading B)",
+    }
+}
+
+pub(super) fn guarantee_words(guarantee: GuaranteeKind, writer: &NumberWriter) -> String {
+    match guarantee {
+        GuaranteeKind::Enclosure => "proven, rounding included".to_owned(),
+        GuaranteeKind::Optimised => "best found by a search over the intervals".to_owned(),
+        GuaranteeKind::Sampled { confidence } => {
+            format!("holds with {} confidence over the sampling", writer.percent(confidence, Rounding::Nearest))
+        }
+        GuaranteeKind::Inner => "at least this wide; the search is not confirmed".to_owned(),
+    }
+}
+
+pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Met => "met",
+        Verdict::NotMet => "not met",
+        Verdict::Undecided => "undecided",
+    }
+}
+
+/// `slider` with its meaning where there is one: `slider (x of slider.pin)`.
+pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String {
+    match outputs.iter().find(|output| output.name == name) {
+        Some(output) if !output.words.is_empty() => format!("{name} ({})", output.words),
+        _ => name.to_owned(),
+    }
+}
+
+/// A count, on a page with thousands apart: `16 384`.
+pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
+    writer.count(value)
+}
+
+/// `1 run`, `2 runs`.
+pub(super) fn counted(value: u64, singular: &str, writer: &NumberWriter) -> String {
+    let plural = if value == 1 { "" } else { "s" };
+    format!("{}{}{singular}{plural}", count(value, writer), writer.space())
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(parts: &[String]) -> String {
+    match parts {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

@@ -1,0 +1,187 @@
+//! Outputs as columns of numbers, read off the state of a mechanism.
+
+use crate::dynamics::Dynamics;
+use crate::math::Vec2;
+use crate::mechanism::{Mechanism, acceleration_at};
+use crate::model::{Axis, BodyId, Component, JointId, OutputKind, PointId};
+use crate::units::SiUnit;
+
+/// One number that a model file asks for; a path is two of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Index in [`crate::model::Model::outputs`].
+    pub output: usize,
+    /// Name of the output; paths add ` x` and ` y`.
+    pub name: String,
+    /// What it is in words, for example `x of slider.pin`.
+    pub words: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// What is read.
+    pub reading: Reading,
+}
+
+/// What a column reads, seen from the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reading {
+    /// Coordinate of a point, m.
+    Position(PointId, Axis),
+    /// Its velocity, m/s.
+    Velocity(PointId, Axis),
+    /// Its acceleration, m/s².
+    Acceleration(PointId, Axis),
+    /// Angle of a body, rad.
+    Angle(BodyId),
+    /// Its angular velocity, rad/s.
+    AngularVelocity(BodyId),
+    /// Its angular acceleration, rad/s².
+    AngularAcceleration(BodyId),
+    /// Force of a joint on its second body, N.
+    Force(JointId, Component),
+}
+
+/// All columns of a model, in file order.
+pub fn columns(mechanism: &Mechanism) -> Vec<Column> {
+    let model = &mechanism.model;
+    let point_name = |point: PointId| {
+        let body = &model.bodies[point.body.0];
+        format!("{}.{}", body.name, body.points[point.point].name)
+    };
+    let axis_name = |axis| match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+    };
+    let mut columns = Vec::new();
+    for (output, written) in model.outputs.iter().enumerate() {
+        let name = written.name.clone();
+        let mut push = |name: String, words: String, unit: SiUnit, reading: Reading| {
+            columns.push(Column { output, name, words, unit, reading });
+        };
+        match written.kind {
+            OutputKind::Position { point, along } => {
+                let words = format!("{} of {}", axis_name(along), point_name(point));
+                push(name, words, SiUnit::LENGTH, Reading::Position(point, along));
+            }
+            OutputKind::Velocity { point, along } => {
+                let words = format!("{} velocity of {}", axis_name(along), point_name(point));
+                push(name, words, SiUnit::VELOCITY, Reading::Velocity(point, along));
+            }
+            OutputKind::Acceleration { point, along } => {
+                let words = format!("{} acceleration of {}", axis_name(along), point_name(point));
+                push(name, words, SiUnit::ACCELERATION, Reading::Acceleration(point, along));
+            }
+            OutputKind::Angle(body) => {
+                let words = format!("angle of {}", model.bodies[body.0].name);
+                push(name, words, SiUnit::ANGLE, Reading::Angle(body));
+            }
+            OutputKind::AngularVelocity(body) => {
+                let words = format!("angular velocity of {}", model.bodies[body.0].name);
+                push(name, words, SiUnit::ANGULAR_VELOCITY, Reading::AngularVelocity(body));
+            }
+            OutputKind::AngularAcceleration(body) => {
+                let words = format!("angular acceleration of {}", model.bodies[body.0].name);
+                push(name, words, SiUnit::ANGULAR_ACCELERATION, Reading::AngularAcceleration(body));
+            }
+            OutputKind::Force { joint, component } => {
+                let part = match component {
+                    Component::X => "x force",
+                    Component::Y => "y force",
+                    Component::Magnitude => "force",
+                };
+                let words = format!("{part} in {}", model.joints[joint.0].name);
+                push(name, words, SiUnit::FORCE, Reading::Force(joint, component));
+            }
+            OutputKind::Path(point) => {
+                for axis in [Axis::X, Axis::Y] {
+                    let words = format!("{} of {}", axis_name(axis), point_name(point));
+                    let name = format!("{name} {}", axis_name(axis));
+                    push(name, words, SiUnit::LENGTH, Reading::Position(point, axis));
+                }
+            }
+        }
+    }
+    columns
+}
+
+impl Reading {
+    /// Whether accelerations or forces are needed, not only positions and velocities.
+    pub fn needs_forces(&self) -> bool {
+        matches!(self, Self::Acceleration(..) | Self::AngularAcceleration(_) | Self::Force(..))
+    }
+
+    /// Whether it is a position or an angle, so that its first two time derivatives are velocities and accelerations.
+    pub fn is_position(&self) -> bool {
+        matches!(self, Self::Position(..) | Self::Angle(_))
+    }
+
+    /// The value at the last state of `dynamics`, SI.
+    pub fn value(&self, arms: &Arms, dynamics: &Dynamics<'_, f64>) -> f64 {
+        let mechanism = dynamics.mechanism();
+        let slot = |body: BodyId| mechanism.real.slot_of_body[body.0];
+        match *self {
+            Self::Position(point, axis) => {
+                let pose = &dynamics.kinematics.poses[slot(point.body)];
+                along(pose.point_m(arms.of(point)), axis)
+            }
+            Self::Velocity(point, axis) => {
+                let slot = slot(point.body);
+                let arm = dynamics.kinematics.poses[slot].turn(arms.of(point));
+                along(dynamics.kinematics.twists[slot].at(arm), axis)
+            }
+            Self::Acceleration(point, axis) => {
+                let slot = slot(point.body);
+                let arm = dynamics.kinematics.poses[slot].turn(arms.of(point));
+                let change = dynamics.acceleration(slot);
+                along(acceleration_at(&change, &dynamics.kinematics.twists[slot], arm), axis)
+            }
+            Self::Angle(body) => dynamics.kinematics.poses[slot(body)].angle_rad,
+            Self::AngularVelocity(body) => dynamics.kinematics.twists[slot(body)].angular,
+            Self::AngularAcceleration(body) => dynamics.acceleration(slot(body)).angular,
+            Self::Force(joint, component) => {
+                let force_n = dynamics.joint_force_n(joint);
+                match component {
+                    Component::X => force_n.x,
+                    Component::Y => force_n.y,
+                    Component::Magnitude => force_n.length(),
+                }
+            }
+        }
+    }
+
+    /// Value and first two time derivatives of a position or angle at the last state of `dynamics`.
+    pub fn jet(&self, arms: &Arms, dynamics: &Dynamics<'_, f64>) -> [f64; 3] {
+        let [first, second] = match *self {
+            Self::Angle(body) => [Self::AngularVelocity(body), Self::AngularAcceleration(body)],
+            Self::Position(point, axis) => [Self::Velocity(point, axis), Self::Acceleration(point, axis)],
+            other => [other, other],
+        };
+        [self, &first, &second].map(|reading| reading.value(arms, dynamics))
+    }
+}
+
+fn along(vector: Vec2<f64>, axis: Axis) -> f64 {
+    match axis {
+        Axis::X => vector.x,
+        Axis::Y => vector.y,
+    }
+}
+
+/// Positions of all points of a model in their body frames, for one sample.
+#[derive(Debug, Clone)]
+pub struct Arms(Vec<Vec<Vec2<f64>>>);
+
+impl Arms {
+    /// Reads the points of `mechanism` from `values`.
+    pub fn new(mechanism: &Mechanism, values: &crate::model::Values) -> Self {
+        let model = &mechanism.model;
+        let of_body = |body: &crate::model::Body| {
+            body.points.iter().map(|p| Vec2::new(values[p.position_m[0]], values[p.position_m[1]])).collect()
+        };
+        Self(model.bodies.iter().map(of_body).collect())
+    }
+
+    /// Position of `point` in its body's frame, m.
+    pub fn of(&self, point: PointId) -> Vec2<f64> {
+        self.0[point.body.0][point.point]
+    }
+}

@@ -1,0 +1,191 @@
+//! Where within a step pin and hole meet or part.
+
+use crate::dynamics::{PlayMotion, PlayState};
+use crate::math::{Quintic, Vec2};
+use crate::mechanism::PlayGeometry;
+
+/// g = |e|² - c² and its first two time derivatives: positive in contact, smooth everywhere.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct GapJet {
+    /// g, m²; ġ, m²/s; g̈, m²/s².
+    pub jet: [f64; 3],
+}
+
+impl GapJet {
+    /// From the motion of the journal in its bearing and ë, m/s².
+    pub fn new(motion: &PlayMotion<f64>, eccentricity_acceleration_m_s2: Vec2<f64>, clearance_m: f64) -> Self {
+        let (e, rate) = (motion.eccentricity_m, motion.eccentricity_rate_m_s);
+        Self {
+            jet: [
+                motion.gap_m2(clearance_m),
+                2.0 * e.dot(rate),
+                2.0 * (rate.length_squared() + e.dot(eccentricity_acceleration_m_s2)),
+            ],
+        }
+    }
+}
+
+/// Which way g goes through zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Crossing {
+    /// Contact begins: g from negative to positive.
+    Onset,
+    /// Contact ends: g from positive to negative.
+    Separation,
+}
+
+impl Crossing {
+    /// +1 where g must rise, -1 where it must fall.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Onset => 1.0,
+            Self::Separation => -1.0,
+        }
+    }
+}
+
+/// The first share τ in [0, 1] of a step of `step_s` at which g, between `start` and `end`, goes through zero in the
+/// direction of `crossing`; also when it comes back within the step.
+pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Crossing) -> Option<f64> {
+    /// The step is searched piece by piece: a polynomial of degree five turns at most four times.
+    const PIECES: usize = 8;
+    let sign = crossing.sign();
+    let [p0, v0, a0] = start.jet.map(|value| sign * value);
+    let [p1, v1, a1] = end.jet.map(|value| sign * value);
+    let h = step_s;
+    // The polynomial lies below the largest of its Bernstein coefficients: mostly that settles it. The first one is g at
+    // the start, where the sign is known up to the tolerance of the event before.
+    let bernstein = [
+        p0 + v0 * h / 5.0,
+        p0 + 0.4 * v0 * h + a0 * h * h / 20.0,
+        p1 - 0.4 * v1 * h + a1 * h * h / 20.0,
+        p1 - v1 * h / 5.0,
+        p1,
+    ];
+    if bernstein.iter().all(|&b| b < 0.0) {
+        return None;
+    }
+    let quintic = Quintic::new([p0, v0, a0], [p1, v1, a1], h);
+    let mut left = (0.0, p0.min(0.0));
+    for piece in 1..=PIECES {
+        let tau = piece as f64 / PIECES as f64;
+        let right = (tau, quintic.value(tau));
+        if right.1 > 0.0 {
+            return Some(root(&quintic, left.0, right.0));
+        }
+        // A maximum inside the piece may touch zero though both ends are below it.
+        if quintic.slope(left.0) > 0.0 && quintic.slope(tau) < 0.0 {
+            let top = turning_point(&quintic, left.0, tau);
+            if quintic.value(top) > 0.0 {
+                return Some(root(&quintic, left.0, top));
+            }
+        }
+        left = right;
+    }
+    None
+}
+
+/// Largest value of g within a step, m².
+pub fn largest_gap_m2(start: &GapJet, end: &GapJet, step_s: f64) -> f64 {
+    let ends = start.jet[0].max(end.jet[0]);
+    if start.jet[1] > 0.0 && end.jet[1] < 0.0 {
+        let quintic = Quintic::new(start.jet, end.jet, step_s);
+        ends.max(quintic.value(turning_point(&quintic, 0.0, 1.0)))
+    } else {
+        ends
+    }
+}
+
+/// δ, m, from g = |e|² - c².
+pub fn penetration_m(gap_m2: f64, clearance_m: f64) -> f64 {
+    gap_m2 / ((gap_m2 + clearance_m * clearance_m).sqrt() + clearance_m)
+}
+
+/// Largest normal force within a step in contact, N, at the ends and three points between.
+pub fn largest_force_n(
+    start: &GapJet,
+    end: &GapJet,
+    step_s: f64,
+    play: &PlayGeometry<f64>,
+    state: &PlayState<f64>,
+) -> f64 {
+    let quintic = Quintic::new(start.jet, end.jet, step_s);
+    (0..=4)
+        .map(|k| {
+            let tau = f64::from(k) / 4.0;
+            let gap_m2 = quintic.value(tau);
+            let distance_m = (gap_m2 + play.clearance_m * play.clearance_m).max(0.0).sqrt();
+            let rate_m_s = quintic.slope(tau) / (2.0 * distance_m * step_s);
+            let depth_m = penetration_m(gap_m2, play.clearance_m);
+            play.normal.force(depth_m, rate_m_s, state.inverse_impact_speed_s_m).total_n
+        })
+        .fold(0.0, f64::max)
+}
+
+/// Bisections that leave a share of 1e-15 of a step.
+const BISECTIONS: usize = 50;
+
+/// Where the polynomial rises through zero between `low` (not above) and `high` (above).
+fn root(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
+    let mut tau = 0.5 * (low + high);
+    for _ in 0..BISECTIONS {
+        let value = quintic.value(tau);
+        if value > 0.0 {
+            high = tau
+        } else {
+            low = tau
+        }
+        // Newton's step where it stays inside, else the middle.
+        let newton = tau - value / quintic.slope(tau);
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - tau).abs() <= 1e-15 || next == low || next == high {
+            return next;
+        }
+        tau = next;
+    }
+    tau
+}
+
+/// Where the slope falls through zero between `low` and `high`.
+fn turning_point(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        if quintic.slope(middle) > 0.0 {
+            low = middle
+        } else {
+            high = middle
+        }
+        if high - low < 1e-10 {
+            break;
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn jet(f: impl Fn(f64) -> [f64; 3], t: f64) -> GapJet {
+        GapJet { jet: f(t) }
+    }
+
+    #[test]
+    fn analytic_crossing_touch_and_miss() {
+        // g = (t - 0.3)(0.7 - t) - margin: a hump of height 0.04 - margin.
+        let hump = |margin: f64| move |t: f64| [(t - 0.3) * (0.7 - t) - margin, 1.0 - 2.0 * t, -2.0];
+        let found =
+            |margin: f64, crossing| first_crossing(&jet(hump(margin), 0.0), &jet(hump(margin), 1.0), 1.0, crossing);
+        let touch = found(0.0, Crossing::Onset).expect("both ends are below zero, the middle is above");
+        assert!((touch - 0.3).abs() < 1e-12);
+        let grazing = found(0.04 - 1e-9, Crossing::Onset).expect("the top is 1e-9 above zero");
+        assert!((grazing - 0.5).abs() < 1e-4);
+        assert!(found(0.04 + 1e-9, Crossing::Onset).is_none(), "the top is 1e-9 below zero");
+        // Contact that begins at 0.3 exactly and ends at 0.7, seen over [0.3, 1].
+        let f = hump(0.0);
+        let end = first_crossing(&jet(f, 0.3), &jet(f, 1.0), 0.7, Crossing::Separation).expect("g falls at 0.7");
+        assert!((0.3 + 0.7 * end - 0.7).abs() < 1e-12);
+        let largest = largest_gap_m2(&jet(f, 0.0), &jet(f, 1.0), 1.0);
+        assert!((largest - 0.04).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,475 @@
+//! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
+
+use super::column::{Arms, Column, columns};
+use super::drawing::{add_pose, skeleton};
+use super::engine::{RunReport, run};
+use super::failure::RunFailure;
+use super::observer::{Observer, Onset, Separation, Step};
+use super::record::{
+    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
+    OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
+};
+use super::reference::IdealReference;
+use super::search::{Peak, maximum_within};
+use super::settings::{Settings, Window};
+use crate::dynamics::Dynamics;
+use crate::math::Vec2;
+use crate::mechanism::{Mechanism, Sample, SampleError, acceleration_at};
+use crate::model::{Cycle, JointKind, Values};
+use crate::units::DisplayUnits;
+
+/// What is run and recorded.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// Drive, transient and recorded turns, samples.
+    pub cycle: Cycle,
+    /// Accuracy.
+    pub settings: Settings,
+    /// Whether positions, velocities and accelerations of all bodies are recorded.
+    pub with_states: bool,
+    /// What was set on the command line, for the record.
+    pub overrides: Vec<Override>,
+}
+
+impl Plan {
+    /// The recorded part of the run.
+    ///
+    /// # Errors
+    /// The drive of the cycle stands still.
+    pub fn window(&self, mechanism: &Mechanism, values: &Values) -> Result<Window, RunFailure> {
+        let turn_s = turn_s(mechanism, values, &self.cycle)?;
+        let start_s = self.cycle.transient_turns * turn_s;
+        Ok(Window { start_s, end_s: start_s + self.cycle.recorded_turns * turn_s })
+    }
+}
+
+/// Duration of a turn of the cycle's drive, s.
+///
+/// # Errors
+/// The drive stands still.
+pub fn turn_s(mechanism: &Mechanism, values: &Values, cycle: &Cycle) -> Result<f64, RunFailure> {
+    let drive = &mechanism.model.drives[cycle.drive.0];
+    let speed_rad_s = values[drive.speed].abs();
+    if speed_rad_s > 0.0 {
+        Ok(std::f64::consts::TAU / speed_rad_s)
+    } else {
+        Err(RunFailure::StandsStill { drive: drive.name.clone() })
+    }
+}
+
+/// A finished run.
+#[derive(Debug, Clone)]
+pub struct Simulation {
+    /// Everything for pages and tables.
+    pub record: SimulationRecord,
+    /// States of all bodies, where asked for.
+    pub states: Option<BodyStates>,
+    /// What the run counted.
+    pub report: RunReport,
+}
+
+/// Motion of the centres of mass at the sample times: for each moving body x, y, angle, then their rates, then their
+/// accelerations; m, rad, s.
+#[derive(Debug, Clone, Default)]
+pub struct BodyStates {
+    /// Names of the bodies.
+    pub bodies: Vec<String>,
+    /// One row for each sample: positions of all bodies, velocities of all, accelerations of all.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// Runs `mechanism` with `values` and records everything.
+///
+/// # Errors
+/// The one reason why the run failed.
+pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
+    let window = plan.window(mechanism, values)?;
+    let sample = Sample::new(mechanism, values)?;
+    let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
+    let reference = IdealReference::new(&ideal, &ideal_sample)?;
+    let mut recorder = Recorder::new(mechanism, values, reference, plan, &window);
+    let report = run(mechanism, &sample, &window, &plan.settings, &mut recorder)?;
+    if let Some(failure) = recorder.failure {
+        return Err(failure.into());
+    }
+    Ok(recorder.into_simulation(&sample, plan, report))
+}
+
+/// Points at which each step is looked at for extremes, the ends included.
+const POINTS_PER_STEP: usize = 5;
+
+struct Recorder<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    arms: Arms,
+    columns: Vec<Column>,
+    reference: IdealReference<'a>,
+    failure: Option<SampleError>,
+    sample_times_s: Vec<f64>,
+    next_sample: usize,
+    window: Window,
+    drive_start_rad: f64,
+    drive_speed_rad_s: f64,
+    /// Values and ideal values by column.
+    value_si: Vec<Vec<f64>>,
+    ideal_si: Vec<Vec<f64>>,
+    /// Minimum (negated) and maximum of each column, then of each deviation.
+    extremes: Vec<[Peak; 2]>,
+    energy: EnergyAccount,
+    energy_at_zero_j: Option<f64>,
+    contact_forces: Vec<Vec<f64>>,
+    impacts: Vec<ImpactRecord>,
+    /// Index of the impact of the present contact, by joint with play.
+    open_impacts: Vec<Option<usize>>,
+    peak_forces_n: Vec<f64>,
+    largest_speeds_m_s: Vec<f64>,
+    orbits: Vec<(Vec<f64>, Vec<f64>)>,
+    drawing: Drawing,
+    states: Option<BodyStates>,
+    with_forces: bool,
+}
+
+impl<'a> Recorder<'a> {
+    fn new(
+        mechanism: &'a Mechanism,
+        values: &'a Values,
+        reference: IdealReference<'a>,
+        plan: &Plan,
+        window: &Window,
+    ) -> Self {
+        let columns = columns(mechanism);
+        let rows = (plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64).round().max(1.0) as usize;
+        let span_s = window.end_s - window.start_s;
+        let at =
+            |row: usize| if row == rows { window.end_s } else { window.start_s + span_s * row as f64 / rows as f64 };
+        let drive = &mechanism.model.drives[plan.cycle.drive.0];
+        let plays = mechanism.plays.len();
+        let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
+        Self {
+            mechanism,
+            values,
+            arms: Arms::new(mechanism, values),
+            reference,
+            failure: None,
+            sample_times_s: (0..=rows).map(at).collect(),
+            next_sample: 0,
+            window: *window,
+            drive_start_rad: values[drive.start],
+            drive_speed_rad_s: values[drive.speed],
+            value_si: vec![Vec::with_capacity(rows + 1); columns.len()],
+            ideal_si: vec![Vec::with_capacity(rows + 1); columns.len()],
+            extremes: vec![[Peak::none(); 2]; 2 * columns.len()],
+            energy: EnergyAccount {
+                relative_residual: 0.0,
+                kinetic_j: Vec::new(),
+                potential_j: Vec::new(),
+                stored_j: Vec::new(),
+                contact_loss_j: Vec::new(),
+                friction_loss_j: Vec::new(),
+                supplied_j: Vec::new(),
+                residual_j: Vec::new(),
+            },
+            energy_at_zero_j: None,
+            contact_forces: vec![Vec::new(); plays],
+            impacts: Vec::new(),
+            open_impacts: vec![None; plays],
+            peak_forces_n: vec![0.0; plays],
+            largest_speeds_m_s: vec![0.0; plays],
+            orbits: vec![(Vec::new(), Vec::new()); plays],
+            drawing: skeleton(mechanism, values),
+            states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
+            with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
+            columns,
+        }
+    }
+
+    fn drive_angle_rad(&self, time_s: f64) -> f64 {
+        self.drive_start_rad + self.drive_speed_rad_s * time_s
+    }
+
+    /// Values of all columns, then of all deviations, at `time_s` within the step.
+    fn look(&mut self, step: &mut Step<'_, '_>, time_s: f64) -> Vec<f64> {
+        let dynamics = if self.with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
+        let mut values: Vec<f64> =
+            self.columns.iter().map(|column| column.reading.value(&self.arms, dynamics)).collect();
+        match self.reference.at(time_s, self.with_forces) {
+            Ok(ideal) => {
+                for (index, column) in self.columns.iter().enumerate() {
+                    let ideal_si = column.reading.value(&self.arms, ideal);
+                    values.push(values[index] - ideal_si);
+                }
+            }
+            Err(error) => {
+                self.failure.get_or_insert(error);
+                values.resize(2 * self.columns.len(), f64::NAN);
+            }
+        }
+        values
+    }
+
+    fn note_extremes(&mut self, step: &mut Step<'_, '_>) {
+        let start_s = step.start_s.max(self.window.start_s);
+        let end_s = step.end_s.min(self.window.end_s);
+        if !(end_s > start_s) || self.columns.is_empty() {
+            return;
+        }
+        let time = |k: usize| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64;
+        let looks: Vec<Vec<f64>> = (0..POINTS_PER_STEP).map(|k| self.look(step, time(k))).collect();
+        for series in 0..self.extremes.len() {
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                let points: Vec<(f64, f64)> =
+                    looks.iter().enumerate().map(|(k, look)| (time(k), sign * look[series])).collect();
+                let (low, high) =
+                    points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
+                // Between the points the value can rise above them by a part of their range only.
+                if high + 0.25 * (high - low) <= self.extremes[series][side].value {
+                    continue;
+                }
+                let peak = maximum_within(&points, |time_s| sign * self.look(step, time_s)[series]);
+                self.extremes[series][side].raise(peak.value, peak.time_s);
+            }
+        }
+    }
+
+    fn note_peak_forces(&mut self, step: &mut Step<'_, '_>) {
+        for play in 0..self.open_impacts.len() {
+            if !step.is_in_contact(play) {
+                continue;
+            }
+            let (start_s, end_s) = (step.start_s, step.end_s);
+            let points: Vec<(f64, f64)> = (0..POINTS_PER_STEP)
+                .map(|k| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64)
+                .map(|time_s| (time_s, step.normal_force_n(play, time_s)))
+                .collect();
+            let peak = maximum_within(&points, |time_s| step.normal_force_n(play, time_s));
+            let largest_n = &mut self.peak_forces_n[play];
+            *largest_n = largest_n.max(peak.value);
+            if let Some(index) = self.open_impacts[play] {
+                let impact = &mut self.impacts[index];
+                impact.peak_force_n = impact.peak_force_n.max(peak.value);
+            }
+        }
+    }
+
+    fn record_samples(&mut self, step: &mut Step<'_, '_>) {
+        while let Some(&time_s) = self.sample_times_s.get(self.next_sample).filter(|&&time_s| time_s <= step.end_s) {
+            self.next_sample += 1;
+            self.record_sample(step, time_s);
+        }
+    }
+
+    fn record_sample(&mut self, step: &mut Step<'_, '_>, time_s: f64) {
+        let values = self.look(step, time_s);
+        let count = self.columns.len();
+        for k in 0..count {
+            self.value_si[k].push(values[k]);
+            self.ideal_si[k].push(values[k] - values[count + k]);
+        }
+        let angle_rad = self.drive_angle_rad(time_s);
+        for play in 0..self.contact_forces.len() {
+            let force_n = step.normal_force_n(play, time_s);
+            self.contact_forces[play].push(if step.is_in_contact(play) { force_n } else { 0.0 });
+        }
+        let in_contact: Vec<bool> = (0..self.contact_forces.len()).map(|play| step.is_in_contact(play)).collect();
+        let dynamics = step.set_state(time_s);
+        for (play, ((motion, _), slots)) in dynamics.plays().iter().zip(dynamics.play_slots()).enumerate() {
+            let bearing = &dynamics.kinematics.poses[slots[0]];
+            let e = motion.eccentricity_m.rotated(-bearing.sine, bearing.cosine);
+            self.orbits[play].0.push(e.x);
+            self.orbits[play].1.push(e.y);
+        }
+        add_pose(&mut self.drawing.poses, &self.mechanism.real, &dynamics.kinematics, angle_rad);
+        let energy = dynamics.energy(|play| in_contact[play]);
+        let total_j = energy.total_j();
+        let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);
+        let [supplied_j, contact_loss_j, friction_loss_j] = step.account_j().unwrap_or([total_j - at_zero_j, 0.0, 0.0]);
+        self.energy.kinetic_j.push(energy.kinetic_j);
+        self.energy.potential_j.push(energy.potential_j);
+        self.energy.stored_j.push(energy.stored_j);
+        self.energy.contact_loss_j.push(contact_loss_j);
+        self.energy.friction_loss_j.push(friction_loss_j);
+        self.energy.supplied_j.push(supplied_j);
+        if let Some(states) = &mut self.states {
+            let dynamics = step.evaluate(time_s);
+            states.rows.push(body_states(self.mechanism, self.values, dynamics));
+        }
+        if let Ok(ideal) = self.reference.at(time_s, false) {
+            let tree = &self.mechanism.ideal;
+            add_pose(&mut self.drawing.ideal_poses, tree, &ideal.kinematics, angle_rad);
+        }
+    }
+
+    fn into_simulation(mut self, sample: &Sample<f64>, plan: &Plan, report: RunReport) -> Simulation {
+        let at_zero_j = report.energy.map_or(self.energy_at_zero_j.unwrap_or(0.0), |account| account.at_start_j);
+        let energy = &mut self.energy;
+        energy.relative_residual = report.energy.map_or(0.0, |account| account.relative_residual());
+        energy.residual_j = (0..energy.kinetic_j.len())
+            .map(|k| {
+                energy.kinetic_j[k] + energy.potential_j[k] + energy.stored_j[k] - at_zero_j
+                    + energy.contact_loss_j[k]
+                    + energy.friction_loss_j[k]
+                    - energy.supplied_j[k]
+            })
+            .collect();
+        let joints = self.joint_summaries(sample, plan, &report);
+        let extremes = self.extreme_records();
+        let name_of = |play: usize| self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone();
+        let outputs = self
+            .columns
+            .iter()
+            .enumerate()
+            .map(|(k, column)| OutputHistory {
+                name: column.name.clone(),
+                words: column.words.clone(),
+                unit: column.unit.clone(),
+                deviation_si: self.value_si[k].iter().zip(&self.ideal_si[k]).map(|(a, b)| a - b).collect(),
+                value_si: self.value_si[k].clone(),
+                ideal_si: self.ideal_si[k].clone(),
+            })
+            .collect();
+        let drive = &self.mechanism.model.drives[plan.cycle.drive.0];
+        let record = SimulationRecord {
+            model: self.mechanism.model.name.clone(),
+            version: crate::VERSION.to_owned(),
+            overrides: plan.overrides.clone(),
+            settings: SimulationSettings {
+                drive: drive.name.clone(),
+                drive_speed_rad_s: Some(self.drive_speed_rad_s),
+                transient_turns: plan.cycle.transient_turns,
+                recorded_turns: plan.cycle.recorded_turns,
+                samples_per_turn: plan.cycle.samples_per_turn,
+                tolerance_m: plan.settings.tolerance_m,
+                method: plan.settings.method.name.to_owned(),
+            },
+            stop: StopReason::Finished,
+            counters: RunCounters {
+                steps: report.counters.steps,
+                rejections: report.counters.rejections,
+                evaluations: report.counters.evaluations,
+                contact_changes: report.counters.events,
+            },
+            extremes,
+            joints,
+            display_units: DisplayUnits::default(),
+            drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
+            outputs,
+            contact_forces: (0..self.contact_forces.len())
+                .map(|play| ContactForceHistory { joint: name_of(play), force_n: self.contact_forces[play].clone() })
+                .collect(),
+            orbits: (0..self.orbits.len())
+                .map(|play| JournalOrbit {
+                    joint: name_of(play),
+                    label: String::new(),
+                    radial_clearance_m: sample.plays[play].clearance_m,
+                    x_m: self.orbits[play].0.clone(),
+                    y_m: self.orbits[play].1.clone(),
+                })
+                .collect(),
+            time_s: self.sample_times_s,
+            energy: self.energy,
+            impacts: self.impacts,
+            drawing: self.drawing,
+        };
+        Simulation { record, states: self.states, report }
+    }
+
+    fn extreme_records(&self) -> Vec<Extreme> {
+        let point = |peak: Peak, sign: f64| ExtremePoint {
+            value_si: sign * peak.value,
+            time_s: peak.time_s,
+            drive_angle_rad: self.drive_angle_rad(peak.time_s),
+        };
+        let count = self.columns.len();
+        (0..2 * count)
+            .map(|series| {
+                let column = &self.columns[series % count];
+                let name = if series < count { column.name.clone() } else { format!("{}, deviation", column.name) };
+                let [minimum, maximum] = self.extremes[series];
+                Extreme { name, unit: column.unit.clone(), minimum: point(minimum, -1.0), maximum: point(maximum, 1.0) }
+            })
+            .collect()
+    }
+
+    fn joint_summaries(&self, sample: &Sample<f64>, plan: &Plan, report: &RunReport) -> Vec<JointSummary> {
+        let model = &self.mechanism.model;
+        let turns = plan.cycle.transient_turns + plan.cycle.recorded_turns;
+        let plays = self.mechanism.plays.iter().zip(&sample.plays).zip(&report.plays).enumerate();
+        plays
+            .filter_map(|(index, ((joint, numbers), summary))| {
+                let joint = &model.joints[joint.0];
+                let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { return None };
+                let contact = &model.contacts[clearance.contact.0];
+                let impacts = summary.contacts - summary.floored_contacts;
+                Some(JointSummary {
+                    joint: joint.name.clone(),
+                    radial_clearance_m: numbers.clearance_m,
+                    law: contact.law.name().to_owned(),
+                    contacts: summary.contacts,
+                    impacts,
+                    impacts_per_turn: Some(impacts as f64 / turns),
+                    largest_penetration_m: summary.largest_penetration_m,
+                    peak_force_n: self.peak_forces_n[index],
+                    largest_speed_m_s: self.largest_speeds_m_s[index],
+                    nominal_restitution: Some(self.values[contact.restitution]),
+                    delivered_restitution: Some(numbers.delivered_restitution),
+                    share_outside_validity: (numbers.largest_valid_impact_speed_m_s.is_finite() && impacts > 0)
+                        .then(|| summary.impacts_beyond_validity as f64 / impacts as f64),
+                    floored_contacts: summary.floored_contacts,
+                })
+            })
+            .collect()
+    }
+}
+
+impl Observer for Recorder<'_> {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        self.record_samples(step);
+        self.note_extremes(step);
+        self.note_peak_forces(step);
+    }
+
+    fn contact_begins(&mut self, onset: &Onset) {
+        let largest_m_s = &mut self.largest_speeds_m_s[onset.play];
+        *largest_m_s = largest_m_s.max(onset.speed_m_s);
+        if onset.is_floored || onset.time_s < self.window.start_s {
+            return;
+        }
+        self.open_impacts[onset.play] = Some(self.impacts.len());
+        self.impacts.push(ImpactRecord {
+            time_s: onset.time_s,
+            drive_angle_rad: self.drive_angle_rad(onset.time_s),
+            joint: self.mechanism.model.joints[self.mechanism.plays[onset.play].0].name.clone(),
+            speed_m_s: onset.speed_m_s,
+            duration_s: self.window.end_s - onset.time_s,
+            peak_force_n: 0.0,
+            separation_speed_m_s: None,
+        });
+    }
+
+    fn contact_ends(&mut self, separation: &Separation) {
+        if let Some(index) = self.open_impacts[separation.play].take() {
+            let impact = &mut self.impacts[index];
+            impact.duration_s = separation.time_s - impact.time_s;
+            impact.separation_speed_m_s = Some(separation.speed_m_s);
+        }
+    }
+}
+
+/// Positions of all centres of mass, then velocities, then accelerations.
+fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f64>) -> Vec<f64> {
+    let (mut positions, mut velocities, mut accelerations) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, body) in mechanism.model.bodies.iter().enumerate().skip(1) {
+        let slot = mechanism.real.slot_of_body[index];
+        let centre = body.centre_of_mass_m.map_or(Vec2::zero(), |c| Vec2::new(values[c[0]], values[c[1]]));
+        let pose = &dynamics.kinematics.poses[slot];
+        let twist = &dynamics.kinematics.twists[slot];
+        let change = dynamics.acceleration(slot);
+        let arm = pose.turn(centre);
+        let (position, velocity) = (pose.position_m + arm, twist.at(arm));
+        let acceleration = acceleration_at(&change, twist, arm);
+        positions.extend([position.x, position.y, pose.angle_rad]);
+        velocities.extend([velocity.x, velocity.y, twist.angular]);
+        accelerations.extend([acceleration.x, acceleration.y, change.angular]);
+    }
+    positions.into_iter().chain(velocities).chain(accelerations).collect()
+}

@@ -1,0 +1,65 @@
+//! The CSV files of a run, SI.
+
+use super::history::Simulation;
+use super::record::SimulationRecord;
+use std::fmt::Write;
+
+/// `history.csv`: `time_s`, the angle of the drive, the outputs in file order, then the states of all bodies where they were
+/// recorded. One row a sample.
+pub fn history_csv(simulation: &Simulation) -> String {
+    let record = &simulation.record;
+    let mut text = String::from("time_s,");
+    text.push_str(&record.settings.drive);
+    text.push_str("_rad");
+    for output in &record.outputs {
+        let unit = unit_suffix(output.unit.symbol());
+        let _ = write!(text, ",{}{unit}", output.name.replace(' ', "_"));
+    }
+    if let Some(states) = &simulation.states {
+        for quantities in
+            [["x_m", "y_m", "angle_rad"], ["vx_m_s", "vy_m_s", "omega_rad_s"], ["ax_m_s2", "ay_m_s2", "alpha_rad_s2"]]
+        {
+            for body in &states.bodies {
+                for quantity in quantities {
+                    let _ = write!(text, ",{body}.{quantity}");
+                }
+            }
+        }
+    }
+    text.push('\n');
+    for row in 0..record.time_s.len() {
+        let _ = write!(text, "{:?},{:?}", record.time_s[row], record.drive_angle_rad[row]);
+        for output in &record.outputs {
+            let _ = write!(text, ",{:?}", output.value_si[row]);
+        }
+        for value in simulation.states.iter().flat_map(|states| &states.rows[row]) {
+            let _ = write!(text, ",{value:?}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// `impacts.csv`: one impact a row, in the order of time. An empty separation speed: the run ended in contact.
+pub fn impacts_csv(record: &SimulationRecord) -> String {
+    let mut text = String::from("time_s,joint,speed_m_s,duration_s,peak_force_n,separation_speed_m_s\n");
+    for impact in &record.impacts {
+        let _ = write!(text, "{:?},{},{:?},", impact.time_s, impact.joint, impact.speed_m_s);
+        let _ = write!(text, "{:?},{:?},", impact.duration_s, impact.peak_force_n);
+        if let Some(speed_m_s) = impact.separation_speed_m_s {
+            let _ = write!(text, "{speed_m_s:?}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The unit as a suffix of a column name: `m/s^2` becomes `_m_s2`.
+fn unit_suffix(symbol: &str) -> String {
+    let plain: String = symbol
+        .chars()
+        .filter(|c| *c != '^')
+        .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' })
+        .collect();
+    if symbol == "1" { String::new() } else { format!("_{plain}") }
+}

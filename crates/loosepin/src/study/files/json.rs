@@ -1,0 +1,115 @@
+//! JSON that repeats byte for byte and reads well: objects indented, lists of numbers on one line.
+
+use std::io;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::ser::{Formatter, Serializer};
+
+use super::FilesError;
+
+/// Any record as JSON: keys in the order of the type, floats in the shortest form that reads back to the same bits,
+/// lists of plain values on one line, a newline at the end.
+///
+/// # Errors
+/// A value without a form in JSON.
+pub fn to_json<T: Serialize>(record: &T) -> Result<String, FilesError> {
+    let mut bytes = Vec::new();
+    let mut serializer = Serializer::with_formatter(&mut bytes, ReadableLayout::default());
+    record.serialize(&mut serializer).map_err(|source| FilesError::Json { source })?;
+    bytes.push(b'\n');
+    // The serializer writes only UTF-8, so nothing is ever replaced here.
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Reads a record that [`to_json`] wrote; `what` names it in the message.
+///
+/// # Errors
+/// A text that does not fit, with line and column.
+pub fn read_json<T: DeserializeOwned>(text: &str, what: &str) -> Result<T, FilesError> {
+    serde_json::from_str(text).map_err(|source| FilesError::Layout { what: what.to_owned(), source })
+}
+
+/// Puts objects on lines of their own and keeps lists of numbers and words together.
+#[derive(Default)]
+struct ReadableLayout {
+    depth: usize,
+    /// For each open list or object: whether it holds something that began a line of its own.
+    has_lines: Vec<bool>,
+    /// A list item is about to begin; if it turns out to be a list or an object, it begins a line.
+    pending_item: bool,
+}
+
+impl ReadableLayout {
+    fn new_line<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        if let Some(has_lines) = self.has_lines.last_mut() {
+            *has_lines = true;
+        }
+        writer.write_all(b"\n")?;
+        for _ in 0..self.depth {
+            writer.write_all(b"  ")?;
+        }
+        Ok(())
+    }
+
+    fn open<W: ?Sized + io::Write>(&mut self, writer: &mut W, bracket: &[u8]) -> io::Result<()> {
+        if std::mem::take(&mut self.pending_item) {
+            self.new_line(writer)?;
+        }
+        self.depth += 1;
+        self.has_lines.push(false);
+        writer.write_all(bracket)
+    }
+
+    fn close<W: ?Sized + io::Write>(&mut self, writer: &mut W, bracket: &[u8]) -> io::Result<()> {
+        self.pending_item = false;
+        self.depth = self.depth.saturating_sub(1);
+        if self.has_lines.pop() == Some(true) {
+            // The line belongs to the list that closes, not to the one around it.
+            writer.write_all(b"\n")?;
+            for _ in 0..self.depth {
+                writer.write_all(b"  ")?;
+            }
+        }
+        writer.write_all(bracket)
+    }
+}
+
+impl Formatter for ReadableLayout {
+    fn begin_array<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.open(writer, b"[")
+    }
+
+    fn end_array<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.close(writer, b"]")
+    }
+
+    fn begin_array_value<W: ?Sized + io::Write>(&mut self, writer: &mut W, is_first: bool) -> io::Result<()> {
+        self.pending_item = true;
+        if is_first { Ok(()) } else { writer.write_all(b",") }
+    }
+
+    fn end_array_value<W: ?Sized + io::Write>(&mut self, _writer: &mut W) -> io::Result<()> {
+        self.pending_item = false;
+        Ok(())
+    }
+
+    fn begin_object<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.open(writer, b"{")
+    }
+
+    fn end_object<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.close(writer, b"}")
+    }
+
+    fn begin_object_key<W: ?Sized + io::Write>(&mut self, writer: &mut W, is_first: bool) -> io::Result<()> {
+        if !is_first {
+            writer.write_all(b",")?;
+        }
+        self.new_line(writer)
+    }
+
+    fn begin_object_value<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        writer.write_all(b": ")
+    }
+}

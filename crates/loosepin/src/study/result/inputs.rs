@@ -1,0 +1,119 @@
+//! What was uncertain, what was run, and what failed.
+
+use serde::{Deserialize, Serialize};
+
+use crate::units::{SiUnit, extended};
+
+/// One uncertain input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputDescription {
+    /// Path in the model, for example `joint.gudgeon.radial_clearance`.
+    pub path: String,
+    /// Random or epistemic, with its range.
+    pub kind: InputKind,
+    /// Unit of its values.
+    pub unit: SiUnit,
+    /// In words and people's units, for example `normal, mean 50 mm, standard deviation 0.02 mm`.
+    pub words: String,
+}
+
+/// Kinds of uncertain input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum InputKind {
+    /// Scatters from part to part with a known distribution.
+    Random,
+    /// Fixed but unknown, in an interval.
+    Interval {
+        /// Lower end.
+        lower_si: f64,
+        /// Upper end.
+        upper_si: f64,
+    },
+    /// Fixed but unknown, one of a list.
+    Choice {
+        /// The list.
+        of: Vec<String>,
+    },
+}
+
+/// A rank correlation between random inputs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CorrelationDescription {
+    /// Paths of the inputs.
+    pub of: Vec<String>,
+    /// Spearman's rank correlation, -1 to 1.
+    #[serde(with = "extended")]
+    pub rank: f64,
+}
+
+/// What was run for each sample; part of what every response means.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CycleDescription {
+    /// Name of the drive whose angle is the input.
+    pub drive: String,
+    /// Speed of the drive where it is constant.
+    #[serde(with = "extended")]
+    pub drive_speed_rad_s: Option<f64>,
+    /// Turns that were run and thrown away.
+    #[serde(with = "extended")]
+    pub transient_turns: f64,
+    /// Turns that were recorded.
+    #[serde(with = "extended")]
+    pub recorded_turns: f64,
+    /// Position tolerance of the integration.
+    #[serde(with = "extended")]
+    pub tolerance_m: f64,
+    /// Name of the integration method.
+    pub method: String,
+}
+
+/// One output.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct OutputDescription {
+    /// Name of the output.
+    pub name: String,
+    /// What it is in words, for example `x of slider.pin`.
+    pub words: String,
+    /// Unit of its values.
+    pub unit: SiUnit,
+}
+
+/// How many runs of which kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RunCounts {
+    /// All runs.
+    pub runs: u64,
+    /// Those that failed.
+    pub failed: u64,
+    /// Values of the epistemic inputs.
+    pub outer: u64,
+    /// Random samples at each of them.
+    pub inner: u64,
+    /// Independently randomised repetitions among the random samples, from which the sampling error comes.
+    pub replicates: u64,
+    /// Rounds of an adaptive study; 1 otherwise.
+    pub rounds: u64,
+}
+
+/// Runs that failed for the same reason.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FailureGroup {
+    /// Short name that does not change, for example `cannot_close`.
+    pub code: String,
+    /// The reason in words.
+    pub words: String,
+    /// How many runs.
+    pub count: u64,
+    /// One of them.
+    pub example: ExampleRun,
+}
+
+/// One run, ready to be made again.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ExampleRun {
+    /// Its index in `runs.parquet`.
+    pub index: u64,
+    /// The command that makes it again.
+    pub command: String,
+}

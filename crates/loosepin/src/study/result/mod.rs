@@ -1,0 +1,117 @@
+//! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
+
+mod bound;
+mod figures;
+mod inputs;
+
+use serde::{Deserialize, Serialize};
+
+pub use bound::{
+    BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, Reduction, ResponsePoint,
+    StatisticKind, TreatmentKind, Witness, WitnessValue,
+};
+pub use figures::{
+    CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
+    TreatmentBand, TreatmentComparison,
+};
+pub use inputs::{
+    CorrelationDescription, CycleDescription, ExampleRun, FailureGroup, InputDescription, InputKind, OutputDescription,
+    RunCounts,
+};
+
+use crate::simulate::record::{Drawing, JournalOrbit};
+use crate::units::{DisplayUnits, extended};
+
+/// The finished study. Keys are written in this order, the bulky ones last.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyResult {
+    /// Version of this layout; rises when a reader must change.
+    pub format: u32,
+    /// Name of the study.
+    pub name: String,
+    /// Name of the model.
+    pub model: String,
+    /// Version of the program, `major.minor.patch`.
+    pub version: String,
+    /// Hash of all inputs, hexadecimal.
+    pub input_hash: String,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// The uncertain inputs, in file order.
+    pub inputs: Vec<InputDescription>,
+    /// Rank correlations between random inputs.
+    pub correlations: Vec<CorrelationDescription>,
+    /// What was run for each sample.
+    pub cycle: CycleDescription,
+    /// The outputs asked for.
+    pub outputs: Vec<OutputDescription>,
+    /// How many runs, and how many of them failed.
+    pub counts: RunCounts,
+    /// The failed runs by reason, most frequent first.
+    pub failures: Vec<FailureGroup>,
+    /// Share of the runs whose motion had settled into a period, 0 to 1; absent where it was not examined.
+    #[serde(with = "extended")]
+    pub settled_share: Option<f64>,
+    /// Requirements and whether they are met.
+    pub requirements: Vec<RequirementOutcome>,
+    /// Every bound.
+    pub bounds: Vec<BoundRecord>,
+    /// The three treatments side by side.
+    pub treatments: Vec<TreatmentComparison>,
+    /// Energy residuals of the runs: their own check.
+    pub energy: Option<EnergyResiduals>,
+    /// Impacts in each clearance joint.
+    pub impacts: Vec<JointImpacts>,
+    /// Units that pages and tables use.
+    pub display_units: DisplayUnits,
+    /// Deviation curves over the cycle.
+    pub curves: Vec<DeviationCurve>,
+    /// Probability boxes.
+    pub boxes: Vec<ProbabilityBox>,
+    /// Paths of journals in their bearings.
+    pub orbits: Vec<JournalOrbit>,
+    /// The mechanism and its poses.
+    pub drawing: Drawing,
+}
+
+/// The layout that this version of the program writes.
+pub const FORMAT: u32 = 1;
+
+/// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RequirementOutcome {
+    /// Name of the output.
+    pub output: String,
+    /// Which deviation.
+    pub of: DeviationKind,
+    /// Where in the cycle: `whole` means everywhere.
+    pub at: ResponsePoint,
+    /// Least allowed value; minus infinity where there is none.
+    #[serde(with = "extended")]
+    pub lower_si: f64,
+    /// Largest allowed value; infinity where there is none.
+    #[serde(with = "extended")]
+    pub upper_si: f64,
+    /// The least share of mechanisms that must keep the limits.
+    #[serde(with = "extended")]
+    pub probability_at_least: f64,
+    /// Bounds of that share over the epistemic inputs, widened by their numerical error.
+    #[serde(with = "extended")]
+    pub probability: [f64; 2],
+    /// The epistemic inputs at which the share is smallest.
+    pub witness: Witness,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+/// Whether a requirement is met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Met for every value of the epistemic inputs, numerical error included.
+    Met,
+    /// Not met for at least one value, numerical error included.
+    NotMet,
+    /// The numerical error reaches over the limit: more runs decide.
+    Undecided,
+}

@@ -1,0 +1,130 @@
+//! SI numbers to text for people.
+
+use super::{Dimension, Measured, parse_unit};
+
+/// Significant digits shown: more than a person reads, fewer than round-off reaches.
+const SHOWN_DIGITS: usize = 7;
+
+/// Decimal exponents outside this range are written with an exponent.
+const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=6;
+
+/// The unit in which a quantity is shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadableUnit {
+    /// The unit as written, for example `mm`; empty for a pure number.
+    pub text: String,
+    /// What one such unit is in SI.
+    pub si_per_unit: f64,
+}
+
+impl ReadableUnit {
+    /// A unit chosen by a person; `None` if `text` is not a unit of this dimension.
+    pub fn of_dimension(text: &str, dimension: Dimension) -> Option<ReadableUnit> {
+        let Measured { value_si, dimension: written } = parse_unit(text).ok()?;
+        (written == dimension).then(|| ReadableUnit { text: text.trim().to_owned(), si_per_unit: value_si })
+    }
+
+    /// The unit that people read this dimension in: mm, deg, rpm, N; SI where there is no custom.
+    pub fn default_for(dimension: Dimension) -> ReadableUnit {
+        let custom = [
+            (Dimension::LENGTH, "mm"),
+            (Dimension::ANGLE, "deg"),
+            (Dimension::ANGULAR_VELOCITY, "rpm"),
+            (Dimension::PRESSURE, "GPa"),
+            (Dimension::TIME, "ms"),
+        ];
+        custom
+            .into_iter()
+            .find(|(named, _)| *named == dimension)
+            .and_then(|(_, text)| ReadableUnit::of_dimension(text, dimension))
+            .unwrap_or_else(|| ReadableUnit { text: dimension.si_unit(), si_per_unit: 1.0 })
+    }
+
+    /// `value_si` as a number of this unit.
+    pub fn number(&self, value_si: f64) -> f64 {
+        // Dividing by 1e-3 and multiplying by 1e3 round differently; the second gives back what was written.
+        let reciprocal = (1.0 / self.si_per_unit).round();
+        if self.si_per_unit < 1.0 && 1.0 / reciprocal == self.si_per_unit {
+            value_si * reciprocal
+        } else {
+            value_si / self.si_per_unit
+        }
+    }
+
+    /// `value_si` as text with this unit, for example `0.5 mm`.
+    pub fn format(&self, value_si: f64) -> String {
+        let number = format_number(self.number(value_si));
+        if self.text.is_empty() { number } else { format!("{number} {}", self.text) }
+    }
+}
+
+/// An SI value as text in the unit that people read it in, for example `0.5 mm` or `5000 rpm`.
+pub fn format_value(value_si: f64, dimension: Dimension) -> String {
+    ReadableUnit::default_for(dimension).format(value_si)
+}
+
+/// A number with up to seven significant digits and no trailing zeros, for example `0.05`, `6.61e10`.
+pub fn format_number(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return if value.is_nan() {
+            "NaN".to_owned()
+        } else if value > 0.0 {
+            "infinity".to_owned()
+        } else {
+            "-infinity".to_owned()
+        };
+    }
+    let scientific = format!("{value:.*e}", SHOWN_DIGITS - 1);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if PLAIN_EXPONENTS.contains(&exponent) {
+        let decimals = usize::try_from(SHOWN_DIGITS as i32 - 1 - exponent).unwrap_or(0);
+        without_trailing_zeros(&format!("{value:.decimals$}")).to_owned()
+    } else {
+        format!("{}e{exponent}", without_trailing_zeros(mantissa))
+    }
+}
+
+fn without_trailing_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_show_what_was_written() {
+        for (value, text) in [
+            (0.5, "0.5"),
+            (-0.05, "-0.05"),
+            (1e-4, "0.0001"),
+            (1e-5, "1e-5"),
+            (120.0, "120"),
+            (6.610198e10, "6.610198e10"),
+            (1_234_567.0, "1234567"),
+            (1e7, "1e7"),
+            (1.0 / 3.0, "0.3333333"),
+            (f64::NAN, "NaN"),
+            (0.0, "0"),
+            (-0.0, "0"),
+        ] {
+            assert_eq!(format_number(value), text);
+        }
+    }
+
+    #[test]
+    fn values_show_units_people_read() {
+        assert_eq!(format_value(0.0005, Dimension::LENGTH), "0.5 mm");
+        assert_eq!(format_value(500.0 * std::f64::consts::PI / 3.0, Dimension::ANGULAR_VELOCITY), "5000 rpm");
+        assert_eq!(format_value(std::f64::consts::PI, Dimension::ANGLE), "180 deg");
+        assert_eq!(format_value(1e-4, Dimension::INERTIA), "0.0001 kg m^2");
+        assert_eq!(format_value(6.610198e10, Dimension::contact_stiffness(1.5)), "6.610198e10 N/m^1.5");
+        assert_eq!(format_value(0.9, Dimension::NUMBER), "0.9");
+        assert_eq!(format_value(45870.0, Dimension::FORCE), "45870 N");
+        assert_eq!(format_value(2.0, Dimension::FREQUENCY), "2 1/s");
+    }
+}

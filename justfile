@@ -1,0 +1,95 @@
+# Every command of a developer. `./test` installs the tools and calls `everything`; CI calls `./test`.
+
+set shell := ["bash", "-euo", "pipefail", "-c"]
+
+# The Python with maturin, numpy, pyarrow and pytest that ./test prepares.
+python := justfile_directory() / ".venv/bin/python"
+
+# The list of recipes.
+default:
+    @just --list --unsorted
+
+# Before every push: format, lint, docs, architecture, unit tests; under two minutes on a warm build.
+check: format-check lint docs architecture unit
+
+# Everything that CI runs, on a bare machine: installs what is missing first.
+test:
+    ./test
+
+# The steps of ./test, once the tools are there.
+everything: format-check lint docs rust-tests python-tests browser-tests
+
+# Rewrites the sources in the house format.
+format:
+    cargo fmt --all
+
+# The sources are in the house format.
+format-check:
+    cargo fmt --all --check
+
+# Clippy over every target; warnings are errors.
+lint:
+    cargo clippy --workspace --all-targets --locked -- -D warnings
+
+# The documentation builds; a broken link or a missing page is an error.
+docs:
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
+
+# Who imports whom, file sizes, dependencies named: the rules of docs/architecture.md.
+architecture:
+    cargo test --locked --package loosepin --test architecture
+
+# Unit tests of the library alone.
+unit:
+    cargo test --locked --package loosepin --lib
+
+# Unit, integration and documentation tests of all crates.
+rust-tests:
+    cargo test --workspace --locked
+
+# Builds the wheel, installs it into .venv, runs the Python tests.
+python-tests: (tool "maturin")
+    rm -rf target/wheels
+    cd crates/loosepin-python && "{{ python }}" -m maturin build --locked --profile dev --quiet \
+        --interpreter "{{ python }}" --out "{{ justfile_directory() }}/target/wheels"
+    "{{ python }}" -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall target/wheels/*.whl
+    "{{ python }}" -m pytest --quiet crates/loosepin-python/tests
+
+# Loads the pages that people see in headless Chromium (its path in CHROMIUM).
+browser-tests: (tool "pytest")
+    #!/usr/bin/env bash
+    set -euo pipefail
+    if [ ! -d tests/browser ]; then
+        echo "there is no tests/browser" >&2
+        exit 0
+    fi
+    "{{ python }}" -m pytest --quiet tests/browser
+
+# A long run, quoted in docs and not part of CI: fuzzing, kills, seeded repetitions, comparisons.
+campaign NAME *ARGUMENTS:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    if [ ! -x "tests/campaigns/{{ NAME }}" ]; then
+        echo "error: there is no campaign '{{ NAME }}'" >&2
+        echo "hint: the campaigns are: $(ls tests/campaigns | tr '\n' ' ')" >&2
+        exit 2
+    fi
+    exec "tests/campaigns/{{ NAME }}" {{ ARGUMENTS }}
+
+# Simulations per second, right-hand sides per revolution, nanoseconds each.
+bench *ARGUMENTS:
+    cargo bench --locked {{ ARGUMENTS }}
+
+# The main job, on the reference case.
+study:
+    cargo run --release --locked -- study cases/slider_crank_worn_pin/study.toml
+
+# A tool of .venv is there, or a message says how to get it.
+[private]
+tool NAME:
+    #!/usr/bin/env bash
+    if ! "{{ python }}" -c "import {{ NAME }}" 2>/dev/null; then
+        echo "error: {{ NAME }} is not installed in .venv" >&2
+        echo "hint: ./test --install-only" >&2
+        exit 2
+    fi
