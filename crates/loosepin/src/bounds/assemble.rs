@@ -40,10 +40,11 @@ impl DoubleLoop {
                 .requests
                 .iter()
                 .filter(|request| request.statistic == Statistic::Cdf)
-                .map(|request| ProbabilityBox::new(&evidence, request.column))
+                .map(|request| ProbabilityBox::new(&evidence, table, request.column))
                 .collect(),
             comparisons: TreatmentComparison::all(&evidence, table),
             outer_points: pool.points.iter().map(|point| point.epistemic.clone()).collect(),
+            centre_point: self.centre_point(),
             runs: table.len(),
             failed_runs: table.failed(),
             rounds: table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0),
@@ -81,6 +82,7 @@ impl Evidence<'_> {
                     statistic: request.statistic,
                     lower: bound(Direction::Minimum)?,
                     upper: bound(Direction::Maximum)?,
+                    estimates: measure.as_ref()?.low.iter().map(|estimate| estimate.value).collect(),
                     failed_runs,
                     unbounded_by_failures: has_no_bound && failed_runs > 0,
                 })

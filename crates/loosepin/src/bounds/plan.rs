@@ -23,8 +23,8 @@ const REFINING_ROUNDS: usize = 6;
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// Separates the streams of random numbers.
-const INNER: u64 = 0x69_6e6e_6572;
-const MIXTURE: u64 = 0x6d_6978_7475;
+const INNER: u64 = 0x0069_6e6e_6572;
+const MIXTURE: u64 = 0x006d_6978_7475;
 
 /// A checked problem and its plan: the direct double loop, in rounds.
 ///
@@ -128,6 +128,12 @@ impl DoubleLoop {
     /// The problem.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// Outer index of the centre of the epistemic box.
+    pub fn centre_point(&self) -> u32 {
+        let dimensions = self.problem.epistemic.len();
+        if dimensions == 0 { 0 } else { structural_point_count(dimensions) as u32 - 1 }
     }
 
     /// The most runs that the plan may come to.
@@ -238,7 +244,10 @@ impl DoubleLoop {
         }
         for &column in &self.problem.compared_columns {
             for (statistic, direction) in self.band_statistics() {
-                searched.push((Request { column, statistic }, vec![direction]));
+                let request = Request { column, statistic };
+                if !self.problem.requests.contains(&request) {
+                    searched.push((request, vec![direction]));
+                }
             }
         }
         searched
@@ -391,3 +400,6 @@ fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError
     }
     Ok(runs)
 }
+
+#[cfg(test)]
+mod tests;

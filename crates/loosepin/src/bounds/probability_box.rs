@@ -5,7 +5,9 @@ use rayon::prelude::*;
 use super::assemble::Evidence;
 use super::bound::Bound;
 use super::measure::{Event, Measure};
+use super::pool::Pool;
 use super::search::Direction;
+use super::table::{Purpose, SampleTable};
 
 /// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
 const GRID_VALUES: usize = 101;
@@ -20,6 +22,9 @@ pub struct ProbabilityBox {
     pub column: usize,
     /// The values y, increasing; empty where no run finished.
     pub values: Vec<f64>,
+    /// P(Y <= y) when every epistemic input is taken as uniform, for each y, failed runs taken as not below: the
+    /// probability-only treatment. Nothing where the problem compares no columns, so that it was not sampled.
+    pub probability_only: Option<Vec<f64>>,
     /// min over u of P(Y <= y), for each y; `widened` is made increasing.
     pub lower: Vec<Bound>,
     /// max over u of P(Y <= y), for each y; `widened` is made increasing.
@@ -27,7 +32,7 @@ pub struct ProbabilityBox {
 }
 
 impl ProbabilityBox {
-    pub(super) fn new(evidence: &Evidence<'_>, column: usize) -> Self {
+    pub(super) fn new(evidence: &Evidence<'_>, table: &SampleTable, column: usize) -> Self {
         let samples = evidence.pool.samples(column);
         let ends = samples.iter().filter_map(|sample| Some((*sample.sorted().first()?, *sample.sorted().last()?)));
         let (low, high) = ends
@@ -54,6 +59,10 @@ impl ProbabilityBox {
         for i in (1..lower.len()).rev() {
             lower[i - 1].widened = lower[i - 1].widened.min(lower[i].widened);
         }
-        Self { column, values, lower, upper }
+        let mixture = Pool::gather(table, Purpose::Mixture, [column]);
+        let probability_only = mixture.samples(column).first().map(|sample| {
+            values.iter().map(|&value| sample.count_up_to(value) as f64 / sample.runs() as f64).collect()
+        });
+        Self { column, values, probability_only, lower, upper }
     }
 }

@@ -223,7 +223,7 @@ fn check_probability(name: &'static str, value: f64) -> Result<(), ProblemError>
 }
 
 fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result<(), ProblemError> {
-    if count % replicates == 0 && count >= 2 * replicates && count <= 1 << 31 {
+    if count.is_multiple_of(replicates) && count >= 2 * replicates && count <= 1 << 31 {
         Ok(())
     } else {
         Err(ProblemError::NotAMultiple { name, count, replicates })

@@ -24,12 +24,14 @@ use super::dense::{Cholesky, dot, multiply};
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 
 /// Noise ratios τ of the grid. The first stands for none, and keeps the matrices positive definite.
-const NOISE_RATIOS: [f64; 7] = [1e-10, 1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0];
+const NOISE_RATIOS: [f64; 8] = [1e-10, 1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0];
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const LEAST_DEVIATION: f64 = 1e-12;
 
-/// The shortest ℓ is taken whose misfit, -2 ln likelihood, exceeds the least one by no more than this.
+/// Of the models whose misfit, -2 ln likelihood, exceeds the least one by no more than this, those with the most noise are
+/// preferred; of them the likeliest, or without noise the one with the shortest ℓ. What cannot be told apart is taken the
+/// cautious way: rather noise than an extreme, rather rough than smooth.
 const TOLERATED_MISFIT: f64 = 4.0;
 
 /// Standardised errors of predicting each estimate from the others may go up to this before the model is mistrusted.
@@ -125,12 +127,17 @@ impl Smoother {
             }
         }
         // Where no model without noise could be factorised and none with noise is allowed, the first is what there is.
-        let likeliest = assessed.iter().min_by(|a, b| a.2.total_cmp(&b.2)).copied();
-        let (likeliest, variance, misfit) = likeliest.unwrap_or((&self.models[0], noise_variance.max(floor), 0.0));
-        let (model, variance, _) = assessed
-            .into_iter()
-            .find(|(model, _, other)| model.noise_ratio == likeliest.noise_ratio && *other <= misfit + TOLERATED_MISFIT)
-            .unwrap_or((likeliest, variance, misfit));
+        let least = assessed.iter().fold(f64::INFINITY, |least, (_, _, misfit)| least.min(*misfit));
+        assessed.retain(|(_, _, misfit)| *misfit <= least + TOLERATED_MISFIT);
+        let noisiest = assessed.iter().fold(0.0_f64, |most, (model, ..)| most.max(model.noise_ratio));
+        assessed.retain(|(model, ..)| model.noise_ratio == noisiest);
+        let chosen = if noisiest > NOISE_RATIOS[0] {
+            assessed.iter().min_by(|a, b| a.2.total_cmp(&b.2))
+        } else {
+            assessed.first()
+        };
+        // Where no model without noise could be factorised and none with noise is allowed, the first is what there is.
+        let (model, variance, _) = chosen.copied().unwrap_or((&self.models[0], noise_variance.max(floor), 0.0));
         let deviation = variance.sqrt() * surprise(model, &residual, variance);
         Fit { smoother: self, model, values, centre, deviation }
     }

@@ -22,6 +22,9 @@ pub struct Band {
     pub upper: Bound,
     /// Half the distance of the attained ends.
     pub half_width: f64,
+    /// Failed runs of the column among those that the band was made from. The quantiles of the other treatments take them
+    /// as unknown; an interval-only band says nothing of them.
+    pub failed_runs: usize,
     /// P(Y in band | u), for the attained ends.
     pub coverage: Coverage,
 }
@@ -46,25 +49,34 @@ impl TreatmentComparison {
     pub(super) fn all(evidence: &Evidence<'_>, table: &SampleTable) -> Vec<Self> {
         let problem = evidence.plan.problem();
         let columns = &problem.compared_columns;
+        let plan = evidence.plan;
+        let mixture = gather(table, plan.has_mixture(), Purpose::Mixture, columns);
+        let extremes = gather(table, plan.has_extremes(), Purpose::Extreme, columns);
         let mixed = mixed_ends(evidence, columns);
-        let probability_only = probability_only_ends(evidence, table, columns);
-        let interval_only = interval_only_ends(evidence, table, columns);
-        let band = |treatment, column, [lower, upper]: [Bound; 2]| {
-            let confidence = evidence.plan.confidence();
-            let coverage = Coverage::of_band(evidence.pool, column, lower.value, upper.value, confidence);
-            Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, coverage }
+        let probability_only = probability_only_ends(evidence, &mixture, columns);
+        let interval_only = interval_only_ends(evidence, table, &extremes, columns);
+        let band = |treatment, pool: &Pool, column, [lower, upper]: [Bound; 2]| {
+            let coverage = Coverage::of_band(evidence.pool, column, lower.value, upper.value, plan.confidence());
+            let failed_runs = pool.samples(column).iter().map(|sample| sample.failed()).sum();
+            Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, failed_runs, coverage }
         };
         let ends: Vec<_> = columns.iter().zip(mixed).zip(probability_only).zip(interval_only).collect();
         ends.into_par_iter()
             .map(|(((&column, mixed), probability_only), interval_only)| Self {
                 column,
                 probability: problem.band_probability,
-                probability_only: band(Treatment::ProbabilityOnly, column, probability_only),
-                interval_only: band(Treatment::IntervalOnly, column, interval_only),
-                mixed: band(Treatment::Mixed, column, mixed),
+                probability_only: band(Treatment::ProbabilityOnly, &mixture, column, probability_only),
+                interval_only: band(Treatment::IntervalOnly, &extremes, column, interval_only),
+                mixed: band(Treatment::Mixed, evidence.pool, column, mixed),
             })
             .collect()
     }
+}
+
+/// The runs of a treatment. Without epistemic inputs the runs of the double loop are the mixture, without random inputs
+/// they are points of the joint box: then the treatment has none of its own.
+fn gather(table: &SampleTable, has_own: bool, own: Purpose, columns: &[usize]) -> Pool {
+    Pool::gather(table, if has_own { own } else { Purpose::DoubleLoop }, columns.iter().copied())
 }
 
 fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
@@ -88,11 +100,8 @@ fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
         .collect()
 }
 
-fn probability_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: &[usize]) -> Vec<[Bound; 2]> {
+fn probability_only_ends(evidence: &Evidence<'_>, pool: &Pool, columns: &[usize]) -> Vec<[Bound; 2]> {
     let plan = evidence.plan;
-    // Without epistemic inputs the double loop has one point, and its runs are the mixture.
-    let purpose = if plan.has_mixture() { Purpose::Mixture } else { Purpose::DoubleLoop };
-    let pool = Pool::gather(table, purpose, columns.iter().copied());
     let tail = 0.5 * (1.0 - plan.problem().band_probability);
     let guarantee = Guarantee::Sampled { confidence: plan.problem().sampling.confidence };
     let unknown = |sign: f64| Bound {
@@ -122,13 +131,10 @@ fn probability_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: 
         .collect()
 }
 
-fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: &[usize]) -> Vec<[Bound; 2]> {
+fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool, columns: &[usize]) -> Vec<[Bound; 2]> {
     let plan = evidence.plan;
-    // Without random inputs every run of the double loop is a point of the joint box already.
-    let purpose = if plan.has_extremes() { Purpose::Extreme } else { Purpose::DoubleLoop };
-    let pool = Pool::gather(table, purpose, columns.iter().copied());
-    let places = plan.extreme_places(&pool);
-    let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(&pool, column)).collect();
+    let places = plan.extreme_places(pool);
+    let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(pool, column)).collect();
     let search = Search::new(&places, plan.joint_candidates(), &targets);
     columns
         .par_iter()
