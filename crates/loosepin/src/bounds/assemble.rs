@@ -101,7 +101,7 @@ impl Evidence<'_> {
     /// The kind of guarantee that bounds from these runs have.
     pub fn guarantee(&self) -> Guarantee {
         let problem = self.plan.problem();
-        match (problem.random.is_empty(), problem.epistemic.is_empty()) {
+        match (problem.random.is_empty(), self.plan.epistemic_box().dimensions() == 0) {
             (true, true) => Guarantee::Enclosure,
             (true, false) => Guarantee::Optimised,
             (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },
@@ -125,7 +125,7 @@ impl Evidence<'_> {
             Direction::Minimum => estimate.below,
             Direction::Maximum => estimate.above,
         };
-        let optimisation = if self.plan.problem().epistemic.is_empty() || estimate.value.is_infinite() {
+        let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
         } else {
             let further = furthest(search, samples, measure, direction, estimate.value);

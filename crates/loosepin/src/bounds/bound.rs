@@ -75,7 +75,8 @@ pub struct Witness {
 /// One end of a range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bound {
-    /// The estimate at the witness: it has been attained. Not a number where no run finished.
+    /// The estimate at the witness: it has been attained. Not a number where no run finished or the values
+    /// are too large for their sum.
     pub value: f64,
     /// The value moved outwards by its error: what people are shown as the bound.
     pub widened: f64,

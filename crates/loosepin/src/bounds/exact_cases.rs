@@ -322,3 +322,53 @@ fn identity_the_same_bits_with_1_2_and_16_threads() {
     assert_eq!(one, run(2));
     assert_eq!(one, run(16));
 }
+
+#[test]
+fn identity_no_response_makes_the_plan_panic() {
+    let statistics = [
+        Statistic::Mean,
+        Statistic::StandardDeviation,
+        Statistic::Quantile(0.01),
+        Statistic::ProbabilityAbove(0.0),
+        Statistic::ProbabilityBeyond(0.0),
+        Statistic::Cdf,
+    ];
+    let nasty: [fn(&[f64], &[f64]) -> f64; 9] = [
+        |_, _| f64::NAN,
+        |x, _| x.iter().sum::<f64>() * 1e300 * 1e8,
+        |x, _| x.iter().sum::<f64>() * 1e-310,
+        |x, u| if u.first().is_some_and(|u| *u > 0.2) { f64::INFINITY } else { x.iter().sum() },
+        |x, u| if u.iter().sum::<f64>() > 0.7 { f64::NAN } else { x.iter().sum::<f64>() + 1.0 },
+        |_, u| 1.0 / u.iter().sum::<f64>(),
+        |_, _| 3.0,
+        |x, u| (x.iter().sum::<f64>() * 1e9).sin() * u.iter().product::<f64>(),
+        |x, _| if x.first().is_some_and(|x| *x > 2.0) { 1e200 } else { 0.0 },
+    ];
+    for (random, epistemic) in [(0, 0), (0, 2), (1, 0), (1, 1), (2, 5)] {
+        for function in nasty {
+            let random = vec![STANDARD_NORMAL; random];
+            let epistemic = vec![(0.0, 0.5); epistemic];
+            let mut problem = problem(&random, &epistemic, &statistics);
+            problem.compared_columns = vec![0];
+            problem.sampling = Sampling { outer: 24, inner: 16, mixture: 16, extreme: 40, ..Sampling::default() };
+            let bounds = evaluate(problem, &Function(function)).unwrap();
+            for pair in &bounds.pairs {
+                let value_is_inside = |lower: f64, value: f64| lower <= value || value.is_nan() || lower.is_nan();
+                assert!(value_is_inside(pair.lower.widened, pair.lower.value), "{pair:?}");
+                assert!(value_is_inside(pair.upper.value, pair.upper.widened), "{pair:?}");
+                assert!(!pair.lower.widened.is_nan() && !pair.upper.widened.is_nan(), "{pair:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn analytic_an_interval_of_no_width_is_a_number() {
+    let bounds = evaluate(
+        problem(&[STANDARD_NORMAL], &[(-1.0, 1.0), (0.25, 0.25)], &[Statistic::Mean]),
+        &Function(|x: &[f64], u: &[f64]| x[0] + u[0] + u[1]),
+    )
+    .unwrap();
+    check(&bounds.pairs[0], (-0.75, 1.25), 0.05);
+    assert!(bounds.outer_points.iter().all(|point| point[1] == 0.25));
+}

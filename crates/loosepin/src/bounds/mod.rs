@@ -27,6 +27,7 @@ mod problem;
 mod quantile;
 mod sample;
 mod search;
+mod search_box;
 mod smoother;
 mod statistic;
 mod table;

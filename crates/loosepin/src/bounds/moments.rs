@@ -4,7 +4,7 @@ use super::sample::{Confidence, Estimate, Sample, replicate_error, variance_of_m
 
 /// Mean over the finished runs; its error from the means of the replicates ([`replicate_error`]).
 pub(super) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
-    let Some(value) = plain_mean(sample.values()) else { return Estimate::UNDEFINED };
+    let Some(value) = plain_mean(sample.values()).filter(|mean| mean.is_finite()) else { return Estimate::UNDEFINED };
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
     }
@@ -29,6 +29,9 @@ pub(super) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
     let value = square(sample.values()) + variance_of_mean(&means);
     let (below, above) = replicate_error(&squares, confidence);
+    if !value.is_finite() {
+        return Estimate::UNDEFINED;
+    }
     if value <= 0.0 || !below.is_finite() {
         return Estimate { value, below, above };
     }

@@ -85,9 +85,7 @@ impl Smoother {
     /// themselves. Models with noise are prepared where `has_noise`. Nothing where there are too few points for any model.
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], has_noise: bool) -> Option<Self> {
         let dimensions = points.first()?.len();
-        let trend = Trend::for_points(points.len(), dimensions)?;
-        let basis: Vec<f64> = points.iter().flat_map(|point| trend.at(point)).collect();
-        let normal_equations = Cholesky::new(gram(&basis, trend.size(dimensions)), trend.size(dimensions))?;
+        let (trend, basis, normal_equations) = Trend::for_points(&points)?;
         let noise_ratios = if has_noise { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let grid: Vec<(f64, f64)> = noise_ratios
             .iter()
@@ -292,9 +290,19 @@ enum Trend {
 }
 
 impl Trend {
-    /// The highest degree with at least two points for each coefficient.
-    fn for_points(count: usize, dimensions: usize) -> Option<Self> {
-        [Self::Quadratic, Self::Linear, Self::Constant].into_iter().find(|trend| 2 * trend.size(dimensions) <= count)
+    /// The highest degree with at least two points for each coefficient that the points determine, with its terms at the
+    /// points (row by row) and the factor of its normal equations.
+    fn for_points(points: &[Vec<f64>]) -> Option<(Self, Vec<f64>, Cholesky)> {
+        let dimensions = points.first()?.len();
+        [Self::Quadratic, Self::Linear, Self::Constant].into_iter().find_map(|trend| {
+            let size = trend.size(dimensions);
+            if 2 * size > points.len() {
+                return None;
+            }
+            let basis: Vec<f64> = points.iter().flat_map(|point| trend.at(point)).collect();
+            let normal_equations = Cholesky::new(gram(&basis, size), size)?;
+            Some((trend, basis, normal_equations))
+        })
     }
 
     fn size(self, dimensions: usize) -> usize {

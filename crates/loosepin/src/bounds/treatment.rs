@@ -49,6 +49,9 @@ impl TreatmentComparison {
     pub(super) fn all(evidence: &Evidence<'_>, table: &SampleTable) -> Vec<Self> {
         let problem = evidence.plan.problem();
         let columns = &problem.compared_columns;
+        if columns.is_empty() {
+            return Vec::new();
+        }
         let plan = evidence.plan;
         let mixture = gather(table, plan.has_mixture(), Purpose::Mixture, columns);
         let extremes = gather(table, plan.has_extremes(), Purpose::Extreme, columns);
@@ -146,7 +149,7 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
                 let searched = extreme(&target.values, direction);
                 let further = search.reach(target, direction);
                 let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(0.0);
-                let has_box = !plan.joint_box().is_empty();
+                let has_box = plan.joint_box().dimensions() > 0;
                 let error =
                     BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
                 let widened = if value.is_nan() { sign * f64::INFINITY } else { value + sign * error.total() };
@@ -170,8 +173,7 @@ fn furthest_run(
         if !value.is_finite() || best.is_some_and(|best| !direction.is_beyond(value, table.values(best)[column])) {
             continue;
         }
-        let mut values = inputs.random.iter().zip(joint_box);
-        if values.all(|(&value, interval)| value >= interval.lower() && value <= interval.upper()) {
+        if joint_box.holds(&inputs.random) {
             best = Some(run);
         }
     }
