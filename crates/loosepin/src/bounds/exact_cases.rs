@@ -333,7 +333,8 @@ fn identity_no_response_makes_the_plan_panic() {
         Statistic::ProbabilityBeyond(0.0),
         Statistic::Cdf,
     ];
-    let nasty: [fn(&[f64], &[f64]) -> f64; 9] = [
+    type Scalar = fn(&[f64], &[f64]) -> f64;
+    let nasty: [Scalar; 9] = [
         |_, _| f64::NAN,
         |x, _| x.iter().sum::<f64>() * 1e300 * 1e8,
         |x, _| x.iter().sum::<f64>() * 1e-310,

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::assemble::Evidence;
+use super::assemble::{Evidence, Modelled};
 use super::bound::Bound;
 use super::measure::{Event, Measure};
 use super::pool::Pool;
@@ -48,10 +48,14 @@ impl ProbabilityBox {
             .map(|&value| Measure::probability(&samples, Event::UpTo(value), evidence.plan.confidence()))
             .collect();
         let search = evidence.search(measures.iter());
-        let curve = |direction| -> Vec<Bound> {
-            measures.par_iter().map(|measure| evidence.bound(&search, &samples, measure, direction)).collect()
-        };
-        let (mut lower, mut upper) = (curve(Direction::Minimum), curve(Direction::Maximum));
+        let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = measures
+            .par_iter()
+            .map(|measure| {
+                let modelled = Modelled::new(&search, measure);
+                let bound = |direction| evidence.bound(&search, &samples, &modelled, direction);
+                (bound(Direction::Minimum), bound(Direction::Maximum))
+            })
+            .unzip();
         // A distribution function increases, so a bound at one y holds on one side of it; of two, the wider one is kept.
         for i in 1..upper.len() {
             upper[i].widened = upper[i].widened.max(upper[i - 1].widened);

@@ -136,27 +136,12 @@ impl<'a> Search<'a> {
         Some(self.smoothers.get(&defined)?.as_ref()?.fit(&values, target.noise_variance))
     }
 
-    /// The most that the model of `target` allows in `direction`, anywhere in the box; infinite without a model.
-    pub fn reach(&self, target: &Target, direction: Direction) -> f64 {
-        let Some(fit) = self.fit(target) else { return direction.sign() * f64::INFINITY };
+    /// The most that the model of `target`, its `fit`, allows in `direction`, anywhere in the box; infinite without one.
+    pub fn reach(&self, target: &Target, fit: Option<&Fit<'_>>, direction: Direction) -> f64 {
+        let Some(fit) = fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
-        let most = if is_located { located_reach(&fit, direction) } else { reach(&fit, direction).optimistic };
+        let most = if is_located { located_reach(fit, direction) } else { reach(fit, direction).optimistic };
         most + direction.sign() * MODEL_RESOLUTION * target.range()
-    }
-
-    /// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise.
-    pub fn smoothed(&self, target: &Target) -> Vec<f64> {
-        let mut values = target.values.clone();
-        if let Some(fit) = self.fit(target)
-            && fit.is_smoothed()
-        {
-            let defined = defined(target);
-            let means = fit.at_places().skip(fit.places().len() - defined.len());
-            for (point, (mean, _)) in defined.into_iter().zip(means) {
-                values[point] = mean;
-            }
-        }
-        values
     }
 
     /// At most `count` new points for the ends of `targets` that are sought, most promising first; none where no gain
@@ -168,7 +153,14 @@ impl<'a> Search<'a> {
             .flat_map_iter(|(index, (target, directions))| self.promises(index, target, directions))
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
-        let located: Vec<Vec<f64>> = distinct(promises, LOCATED_PER_POINT * count)
+        // What a model expects and what it merely allows take turns: every target allows more than it expects.
+        let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
+            promises.into_iter().partition(|promise| promise.optimism == 0.0);
+        let most = LOCATED_PER_POINT * count;
+        let (mut expected, mut allowed) = (distinct(expected, most).into_iter(), distinct(allowed, most).into_iter());
+        let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
+        let located: Vec<Vec<f64>> = turns
+            .collect::<Vec<Promise>>()
             .into_par_iter()
             .filter_map(|promise| {
                 let fit = self.fit(&targets[promise.target].0)?;
@@ -199,7 +191,6 @@ impl<'a> Search<'a> {
                 }
             };
             promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
-            // An expected gain is worth more than a possible one of the same size.
             promise(reach.expected, 0.0, reach.expected_at);
         }
         promises
@@ -221,10 +212,7 @@ fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
         if kept.len() == count {
             break;
         }
-        let is_known = |other: &Promise| {
-            other.optimism == promise.optimism && distance(&other.place, &promise.place) < LEAST_DISTANCE
-        };
-        if !kept.iter().any(is_known) {
+        if kept.iter().all(|other| distance(&other.place, &promise.place) >= LEAST_DISTANCE) {
             kept.push(promise);
         }
     }
@@ -258,6 +246,19 @@ fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
     let (mean, deviation) = fit.at(&place);
     let located = mean + direction.sign() * OPTIMISM * deviation;
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
+}
+
+/// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise.
+pub(super) fn smoothed(target: &Target, fit: Option<&Fit<'_>>) -> Vec<f64> {
+    let mut values = target.values.clone();
+    if let Some(fit) = fit.filter(|fit| fit.is_smoothed()) {
+        let defined = defined(target);
+        let means = fit.at_places().skip(fit.places().len() - defined.len());
+        for (point, (mean, _)) in defined.into_iter().zip(means) {
+            values[point] = mean;
+        }
+    }
+    values
 }
 
 /// The extreme of the finite values; infinite where there are none.

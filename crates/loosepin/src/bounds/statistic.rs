@@ -3,7 +3,7 @@
 /// A statistic of a response Y for fixed epistemic inputs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Statistic {
-    /// E[Y].
+    /// E\[Y\].
     Mean,
     /// Standard deviation of Y.
     StandardDeviation,

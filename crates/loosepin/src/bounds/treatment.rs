@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::assemble::Evidence;
+use super::assemble::{Evidence, Modelled};
 use super::bound::{Bound, BoundError, Guarantee, Treatment, Witness};
 use super::coverage::Coverage;
 use super::measure::Measure;
@@ -98,7 +98,10 @@ fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
         .zip(&measures)
         .map(|(&column, measures)| {
             let samples = evidence.pool.samples(column);
-            [0, 1].map(|end| evidence.bound(&search, &samples, &measures[end], statistics[end].1))
+            [0, 1].map(|end| {
+                let modelled = Modelled::new(&search, &measures[end]);
+                evidence.bound(&search, &samples, &modelled, statistics[end].1)
+            })
         })
         .collect()
 }
@@ -143,11 +146,12 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
         .par_iter()
         .zip(&targets)
         .map(|(&column, target)| {
+            let fit = search.fit(target);
             Direction::BOTH.map(|direction| {
                 let sign = direction.sign();
                 let (value, witness) = furthest_run(evidence, table, column, direction);
                 let searched = extreme(&target.values, direction);
-                let further = search.reach(target, direction);
+                let further = search.reach(target, fit.as_ref(), direction);
                 let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(0.0);
                 let has_box = plan.joint_box().dimensions() > 0;
                 let error =
