@@ -25,7 +25,7 @@ const MOST_LOCATED_TARGETS: usize = 256;
 const MODEL_RESOLUTION: f64 = 1e-8;
 
 /// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
-const MOST_NEIGHBOURHOODS: usize = 24;
+const MOST_NEIGHBOURHOODS: usize = 12;
 
 /// Distances of these surroundings along each axis, in units of the box.
 const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
@@ -224,8 +224,11 @@ fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
     for (place, (mean, deviation)) in fit.at_places().enumerate() {
-        if sign * mean + OPTIMISM * deviation > optimistic.0 {
-            optimistic = (sign * mean + OPTIMISM * deviation, place);
+        let most = sign * mean + OPTIMISM * deviation;
+        // A model that overflows allows anything.
+        let most = if most.is_nan() { f64::INFINITY } else { most };
+        if most > optimistic.0 {
+            optimistic = (most, place);
         }
         if sign * mean > expected.0 {
             expected = (sign * mean, place);

@@ -36,6 +36,9 @@ const LEAST_DEVIATION: f64 = 1e-12;
 /// taken the cautious way: rather noise than an extreme, rather rough than smooth.
 const TOLERATED_MISFIT: f64 = 4.0;
 
+/// Where every model with some noise is worse than one with less by this, those with more noise are not tried.
+const HOPELESS_MISFIT: f64 = 50.0;
+
 /// Standardised errors of predicting each estimate from the others may go up to this before the model is mistrusted.
 const EXPECTED_SURPRISE: f64 = 2.5;
 
@@ -46,7 +49,8 @@ pub(super) struct Smoother {
     /// Terms of the polynomial at the points, row by row, and the factor of its normal equations.
     terms: Vec<f64>,
     normal_equations: Cholesky,
-    models: Vec<Model>,
+    /// Models of the same noise ratio together, from little to much noise; the first is never empty.
+    levels: Vec<Vec<Model>>,
 }
 
 /// A statistic fitted on a smoother's points.
@@ -64,24 +68,23 @@ impl Smoother {
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], has_noise: bool) -> Option<Self> {
         let (trend, terms, normal_equations) = Trend::for_points(&points)?;
         let diagonal = (points.first()?.len() as f64).sqrt();
-        let scales = |smoothness, noise_ratio| {
-            LENGTH_SCALES.iter().map(move |scale| (Kernel { smoothness, length_scale: scale * diagonal }, noise_ratio))
+        let scales =
+            |smoothness| LENGTH_SCALES.iter().map(move |scale| Kernel { smoothness, length_scale: scale * diagonal });
+        let prepare = |kernels: Vec<Kernel>, noise_ratio: f64| -> Vec<Model> {
+            let kernels = kernels.into_par_iter();
+            kernels.filter_map(|kernel| Model::try_new(&points, trend, &terms, kernel, noise_ratio)).collect()
         };
-        let noise_ratios = if has_noise { &NOISE_RATIOS[1..] } else { &[] };
-        // From little to much noise, from rough to smooth, from short to long. Noise hides how smooth a function is.
-        let grid: Vec<(Kernel, f64)> = scales(Smoothness::FiveHalves, NOISE_RATIOS[0])
-            .chain(scales(Smoothness::NineHalves, NOISE_RATIOS[0]))
-            .chain(noise_ratios.iter().flat_map(|&noise_ratio| scales(Smoothness::FiveHalves, noise_ratio)))
-            .collect();
-        let models: Vec<Model> = grid
-            .into_par_iter()
-            .filter_map(|(kernel, noise_ratio)| Model::try_new(&points, trend, &terms, kernel, noise_ratio))
-            .collect();
-        if models.is_empty() {
+        let rough = || scales(Smoothness::FiveHalves);
+        // From rough to smooth, from short to long. Noise hides how smooth a function is.
+        let without_noise = prepare(rough().chain(scales(Smoothness::NineHalves)).collect(), NOISE_RATIOS[0]);
+        if without_noise.is_empty() {
             return None;
         }
+        let noise_ratios = if has_noise { &NOISE_RATIOS[1..] } else { &[] };
+        let with_noise = noise_ratios.iter().map(|&noise_ratio| prepare(rough().collect(), noise_ratio));
+        let levels = std::iter::once(without_noise).chain(with_noise).collect();
         let places = candidates.iter().cloned().chain(points).collect();
-        Some(Self { places, terms, normal_equations, models })
+        Some(Self { places, terms, normal_equations, levels })
     }
 
     /// Fits `values` (one for each point) whose mean sampling variance is `noise_variance`.
@@ -94,15 +97,25 @@ impl Smoother {
         let freedom = (count - self.terms.len() / count) as f64;
         let floor = (LEAST_DEVIATION * range).powi(2);
         let mut assessed: Vec<(&Model, f64, f64)> = Vec::new();
-        for model in &self.models {
-            let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
-            if is_noisy && noise_variance <= floor {
-                continue;
-            }
-            let variance = (model.misfit(&residual) / freedom).max(floor);
-            if !is_noisy || model.noise_ratio() * variance <= noise_variance {
+        let mut least = f64::INFINITY;
+        for level in &self.levels {
+            let mut least_of_level = f64::INFINITY;
+            for model in level {
+                let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
+                if is_noisy && noise_variance <= floor {
+                    continue;
+                }
+                let variance = (model.misfit(&residual) / freedom).max(floor);
                 let ln_variance = if variance > 0.0 { libm::log(variance) } else { 0.0 };
-                assessed.push((model, variance, freedom * ln_variance + model.ln_determinants()));
+                let misfit = freedom * ln_variance + model.ln_determinants();
+                least_of_level = least_of_level.min(misfit);
+                if !is_noisy || model.noise_ratio() * variance <= noise_variance {
+                    assessed.push((model, variance, misfit));
+                }
+            }
+            least = least.min(least_of_level);
+            if least_of_level > least + HOPELESS_MISFIT {
+                break;
             }
         }
         let least = assessed.iter().fold(f64::INFINITY, |least, (_, _, misfit)| least.min(*misfit));
@@ -114,8 +127,8 @@ impl Smoother {
         } else {
             assessed.first()
         };
-        // Where no model without noise could be factorised and none with noise is allowed, the first is what there is.
-        let (model, variance, _) = chosen.copied().unwrap_or((&self.models[0], noise_variance.max(floor), 0.0));
+        // Models without noise are always allowed: where none is chosen, no misfit is a number.
+        let (model, variance, _) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
         let surprise = if variance > 0.0 { model.largest_error(&residual) / variance.sqrt() } else { 0.0 };
         let deviation = variance.sqrt() * (surprise / EXPECTED_SURPRISE).max(1.0);
         Fit { smoother: self, model, values, centre, deviation }
