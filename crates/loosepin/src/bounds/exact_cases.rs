@@ -290,6 +290,7 @@ fn analytic_without_anything_uncertain_the_bound_is_the_number() {
 #[test]
 fn analytic_probability_box_of_a_sum() {
     let mut problem = problem(&[STANDARD_NORMAL], &[(-1.0, 1.0)], &[Statistic::Cdf]);
+    problem.compared_columns = vec![0];
     problem.sampling = Sampling { inner: 1024, ..Sampling::default() };
     let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| x[0] + u[0])).unwrap();
     const MOST_ERROR: f64 = 0.03;
@@ -298,6 +299,8 @@ fn analytic_probability_box_of_a_sum() {
         let (lower, upper) = (&probability_box.lower[i], &probability_box.upper[i]);
         let (exact_lower, exact_upper) = (normal_cdf(y - 1.0), normal_cdf(y + 1.0));
         assert!(lower.widened <= exact_lower && upper.widened >= exact_upper, "{y}: {lower:?} {upper:?}");
+        let mixture = probability_box.probability_only.as_ref().unwrap()[i];
+        assert!(lower.widened <= mixture && mixture <= upper.widened, "{y}: {mixture}");
         assert!(exact_lower - lower.widened < MOST_ERROR && upper.widened - exact_upper < MOST_ERROR, "{y} {lower:?}");
     }
 }

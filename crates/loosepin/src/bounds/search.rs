@@ -16,7 +16,7 @@ const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
 const LEAST_DISTANCE: f64 = 1e-6;
 
 /// This many promising places for each new point are located precisely.
-const LOCATED_PER_POINT: usize = 4;
+const LOCATED_PER_POINT: usize = 2;
 
 /// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
 const MOST_LOCATED_TARGETS: usize = 256;
@@ -205,14 +205,14 @@ struct Promise {
     place: Vec<f64>,
 }
 
-/// The first `count` promises whose places differ.
+/// The first `count` promises that are not near each other.
 fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
     let mut kept: Vec<Promise> = Vec::new();
     for promise in promises {
         if kept.len() == count {
             break;
         }
-        if kept.iter().all(|other| distance(&other.place, &promise.place) >= LEAST_DISTANCE) {
+        if kept.iter().all(|other| distance(&other.place, &promise.place) > LEAST_DISTANCE_IN_ROUND) {
             kept.push(promise);
         }
     }
