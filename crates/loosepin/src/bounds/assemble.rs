@@ -8,7 +8,7 @@ use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
 use super::probability_box::ProbabilityBox;
 use super::sample::Sample;
-use super::search::{Direction, Search, extreme_point, smoothed};
+use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme_point, smoothed};
 use super::smoother::Fit;
 use super::statistic::Statistic;
 use super::table::{Purpose, SampleTable};
@@ -137,7 +137,7 @@ impl Evidence<'_> {
         let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
         } else {
-            let further = modelled.furthest(search, samples, direction, estimate.value);
+            let further = modelled.furthest(search, samples, direction, (witness, estimate.value));
             (direction.sign() * (further - estimate.value)).max(0.0)
         };
         let error = BoundError { sampling, optimisation, surrogate: 0.0 };
@@ -186,7 +186,7 @@ impl<'a> Modelled<'a> {
         if let Some(point) = estimates.iter().position(|estimate| estimate.value == outward) {
             return Some(point);
         }
-        let mut scores = smoothed(&measure.target, self.fit.as_ref());
+        let mut scores = smoothed(&measure.target, self.fit.as_ref(), |point| measure.target_errors[point]);
         for (point, score) in scores.iter_mut().enumerate() {
             // Failed runs move the two estimates apart; the target is the low one.
             let gap = measure.high[point].value - measure.low[point].value;
@@ -211,11 +211,19 @@ impl<'a> Modelled<'a> {
         best
     }
 
-    /// How far the statistic may go in `direction`.
-    fn furthest(&self, search: &Search<'_>, samples: &[&Sample], direction: Direction, attained: f64) -> f64 {
+    /// How far the statistic may go in `direction`, `attained` at the point `witness`.
+    fn furthest(
+        &self,
+        search: &Search<'_>,
+        samples: &[&Sample],
+        direction: Direction,
+        (witness, attained): (usize, f64),
+    ) -> f64 {
         let target = &self.measure.target;
-        let most = || search.reach(target, self.fit.as_ref(), direction);
+        let at_witness = target.values[witness];
         let beyond = |a: f64, b: f64| if direction.is_beyond(a, b) { a } else { b };
+        let conceded = direction.sign() * SEARCH_RESOLUTION * target.range();
+        let most = || beyond(search.reach(target, self.fit.as_ref(), direction), at_witness + conceded);
         match self.measure.kind {
             MeasureKind::Plain => beyond(most(), attained),
             MeasureKind::Deviation => beyond(most().max(0.0).sqrt(), attained),

@@ -87,7 +87,7 @@ fn analytic_three_treatments_of_a_sum() {
     assert!((probability_only.half_width - 2.2541).abs() < HALF_WIDTH_TOLERANCE, "{}", probability_only.half_width);
     assert!((mixed.half_width - 2.9600).abs() < HALF_WIDTH_TOLERANCE, "{}", mixed.half_width);
     assert!((interval_only.half_width - 4.0).abs() < ROUND_OFF, "{}", interval_only.half_width);
-    assert!(interval_only.upper.error.total() < 1e-6, "{:?}", interval_only.upper.error);
+    assert!(interval_only.upper.error.total() < 1e-5, "{:?}", interval_only.upper.error);
     assert!(probability_only.upper.widened >= 2.2541 && mixed.upper.widened >= 2.95996);
     assert!((probability_only.coverage.maximum - 0.976).abs() < COVERAGE_TOLERANCE, "{:?}", probability_only.coverage);
     assert!((probability_only.coverage.minimum - 0.895).abs() < COVERAGE_TOLERANCE, "{:?}", probability_only.coverage);
@@ -108,7 +108,7 @@ fn analytic_product_has_its_least_deviation_inside() {
     check(&bounds.pairs[0], (0.0, 1.0), 0.05);
     check(&bounds.pairs[1], (0.0, 0.0), 0.02);
     // The minimum is exact: no sample of 0·X scatters.
-    assert!(bounds.pairs[0].lower.value < 1e-6 && bounds.pairs[0].lower.error.total() < 1e-6);
+    assert!(bounds.pairs[0].lower.value < 1e-6 && bounds.pairs[0].lower.error.total() < 1e-5);
     // An interval that is not symmetric: neither a corner nor the centre.
     let bounds = evaluate(
         problem(&[STANDARD_NORMAL], &[(-0.37, 1.0)], &statistics),

@@ -14,9 +14,10 @@ use std::sync::OnceLock;
 use super::dense::{Cholesky, LowerTriangle, dot, multiply};
 use super::trend::{Trend, gram};
 
-/// How often the process can be differentiated: 5/2 twice, 9/2 four times.
+/// How often the process can be differentiated: 3/2 once, 5/2 twice, 9/2 four times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Smoothness {
+    ThreeHalves,
     FiveHalves,
     NineHalves,
 }
@@ -33,6 +34,10 @@ impl Kernel {
         let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
         let r = square.sqrt() / self.length_scale;
         match self.smoothness {
+            Smoothness::ThreeHalves => {
+                let s = 3.0_f64.sqrt() * r;
+                (1.0 + s) * libm::exp(-s)
+            }
             Smoothness::FiveHalves => {
                 let s = 5.0_f64.sqrt() * r;
                 (1.0 + s + s * s / 3.0) * libm::exp(-s)

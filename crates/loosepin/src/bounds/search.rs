@@ -21,8 +21,8 @@ const LOCATED_PER_POINT: usize = 2;
 /// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
 const MOST_LOCATED_TARGETS: usize = 256;
 
-/// What the arithmetic of a model resolves, as a share of the range of its values.
-const MODEL_RESOLUTION: f64 = 1e-8;
+/// What a search resolves, as a share of the range of its target: gains below it are not pursued, so it is always conceded.
+pub(super) const SEARCH_RESOLUTION: f64 = 1e-6;
 
 /// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
 const MOST_NEIGHBOURHOODS: usize = 12;
@@ -141,7 +141,7 @@ impl<'a> Search<'a> {
         let Some(fit) = fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
         let most = if is_located { located_reach(fit, direction) } else { reach(fit, direction).optimistic };
-        most + direction.sign() * MODEL_RESOLUTION * target.range()
+        most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
     /// At most `count` new points for the ends of `targets` that are sought, most promising first; none where no gain
@@ -251,14 +251,16 @@ fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
 }
 
-/// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise.
-pub(super) fn smoothed(target: &Target, fit: Option<&Fit<'_>>) -> Vec<f64> {
+/// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise, and never
+/// moved by more than the error of each value itself.
+pub(super) fn smoothed(target: &Target, fit: Option<&Fit<'_>>, errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
     let mut values = target.values.clone();
     if let Some(fit) = fit.filter(|fit| fit.is_smoothed()) {
         let defined = defined(target);
         let means = fit.at_places().skip(fit.places().len() - defined.len());
         for (point, (mean, _)) in defined.into_iter().zip(means) {
-            values[point] = mean;
+            let (below, above) = errors(point);
+            values[point] = mean.max(values[point] - below).min(values[point] + above);
         }
     }
     values

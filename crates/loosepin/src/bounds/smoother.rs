@@ -3,6 +3,7 @@
 //! ```text
 //! S(u) = f(u)ᵀβ + Z(u),   estimate_i = S(u_i) + noise_i
 //! Z: Gaussian process, variance σ², correlation by the distance r = |u - u'|/ℓ:
+//!    (1 + s) exp(-s), s = √3 r,                                  Matérn 3/2: one derivative,
 //!    (1 + s + s²/3) exp(-s), s = √5 r,                           Matérn 5/2: two derivatives, or
 //!    (1 + s + 3s²/7 + 2s³/21 + s⁴/105) exp(-s), s = 3r,          Matérn 9/2: four derivatives
 //! f: polynomial of degree 2, 1 or 0;   noise: independent, variance τσ²
@@ -74,14 +75,15 @@ impl Smoother {
             let kernels = kernels.into_par_iter();
             kernels.filter_map(|kernel| Model::try_new(&points, trend, &terms, kernel, noise_ratio)).collect()
         };
-        let rough = || scales(Smoothness::FiveHalves);
-        // From rough to smooth, from short to long. Noise hides how smooth a function is.
-        let without_noise = prepare(rough().chain(scales(Smoothness::NineHalves)).collect(), NOISE_RATIOS[0]);
+        // Noise hides how smooth a function is.
+        let middling = || scales(Smoothness::FiveHalves).collect();
+        let from_rough_to_smooth = [Smoothness::ThreeHalves, Smoothness::FiveHalves, Smoothness::NineHalves];
+        let without_noise = prepare(from_rough_to_smooth.into_iter().flat_map(scales).collect(), NOISE_RATIOS[0]);
         if without_noise.is_empty() {
             return None;
         }
         let noise_ratios = if has_noise { &NOISE_RATIOS[1..] } else { &[] };
-        let with_noise = noise_ratios.iter().map(|&noise_ratio| prepare(rough().collect(), noise_ratio));
+        let with_noise = noise_ratios.iter().map(|&noise_ratio| prepare(middling(), noise_ratio));
         let levels = std::iter::once(without_noise).chain(with_noise).collect();
         let places = candidates.iter().cloned().chain(points).collect();
         Some(Self { places, terms, normal_equations, levels })

@@ -8,7 +8,7 @@ use super::coverage::Coverage;
 use super::measure::Measure;
 use super::pool::Pool;
 use super::quantile::quantile;
-use super::search::{Direction, Search, extreme};
+use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme};
 use super::table::{Purpose, SampleTable};
 
 /// A band for a column, by one treatment.
@@ -152,7 +152,8 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
                 let (value, witness) = furthest_run(evidence, table, column, direction);
                 let searched = extreme(&target.values, direction);
                 let further = search.reach(target, fit.as_ref(), direction);
-                let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(0.0);
+                let conceded = SEARCH_RESOLUTION * target.range();
+                let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
                 let has_box = plan.joint_box().dimensions() > 0;
                 let error =
                     BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
