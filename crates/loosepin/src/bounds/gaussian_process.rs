@@ -14,12 +14,12 @@ use std::sync::OnceLock;
 use super::dense::{Cholesky, LowerTriangle, dot, multiply};
 use super::trend::{Trend, gram};
 
-/// How often the process can be differentiated: 3/2 once, 5/2 twice, 9/2 four times.
+/// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Smoothness {
-    ThreeHalves,
-    FiveHalves,
-    NineHalves,
+    Once,
+    Twice,
+    FourTimes,
 }
 
 /// The correlation of the process between two places.
@@ -34,15 +34,15 @@ impl Kernel {
         let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
         let r = square.sqrt() / self.length_scale;
         match self.smoothness {
-            Smoothness::ThreeHalves => {
+            Smoothness::Once => {
                 let s = 3.0_f64.sqrt() * r;
                 (1.0 + s) * libm::exp(-s)
             }
-            Smoothness::FiveHalves => {
+            Smoothness::Twice => {
                 let s = 5.0_f64.sqrt() * r;
                 (1.0 + s + s * s / 3.0) * libm::exp(-s)
             }
-            Smoothness::NineHalves => {
+            Smoothness::FourTimes => {
                 let s = 3.0 * r;
                 (1.0 + s * (1.0 + s * (3.0 / 7.0 + s * (2.0 / 21.0 + s / 105.0)))) * libm::exp(-s)
             }

@@ -76,8 +76,8 @@ impl Smoother {
             kernels.filter_map(|kernel| Model::try_new(&points, trend, &terms, kernel, noise_ratio)).collect()
         };
         // Noise hides how smooth a function is.
-        let middling = || scales(Smoothness::FiveHalves).collect();
-        let from_rough_to_smooth = [Smoothness::ThreeHalves, Smoothness::FiveHalves, Smoothness::NineHalves];
+        let middling = || scales(Smoothness::Twice).collect();
+        let from_rough_to_smooth = [Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes];
         let without_noise = prepare(from_rough_to_smooth.into_iter().flat_map(scales).collect(), NOISE_RATIOS[0]);
         if without_noise.is_empty() {
             return None;
