@@ -84,8 +84,7 @@ impl Bench {
 
 /// Evaluations over half a turn against the 90 % quantile of the position error, for both pairs.
 fn work_precision(bench: &Bench) {
-    let exact: Vec<Vec<f64>> =
-        (0..SAMPLES).map(|k| bench.half_turn(k, &bench.settings(1e-13, &DOP853)).0).collect();
+    let exact: Vec<Vec<f64>> = (0..SAMPLES).map(|k| bench.half_turn(k, &bench.settings(1e-13, &DOP853)).0).collect();
     println!("half a revolution, {SAMPLES} samples: tolerance, 90 % quantile of the position error, right-hand sides");
     for method in [&DOP853, &DORMAND_PRINCE_5] {
         for tolerance_m in TOLERANCES_M {

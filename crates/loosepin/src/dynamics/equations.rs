@@ -37,6 +37,8 @@ pub struct Dynamics<'a, T> {
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
     mass: Vec<T>,
+    /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
+    driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
     forces: Vec<T>,
     /// Partial velocities of the centre of mass of the link at hand.
@@ -81,6 +83,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             accelerations: vec![T::zero(); n],
             multipliers: vec![T::zero(); m],
             mass: vec![T::zero(); n * n],
+            driven_mass: vec![T::zero(); tree.drives.len() * n],
             forces: vec![T::zero(); z],
             centre_partials: vec![Vec2::zero(); z],
             jacobian: vec![T::zero(); rows * z],
@@ -126,6 +129,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let tree = &self.mechanism.real;
         let n = tree.free;
         self.mass.fill(T::zero());
+        self.driven_mass.fill(T::zero());
         self.forces.fill(T::zero());
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
@@ -146,16 +150,20 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 self.centre_partials[k] = velocity;
                 self.forces[dependence.coordinate] += force.dot(velocity);
             }
-            for (k, row) in link.dependences.iter().enumerate().filter(|(_, d)| d.coordinate < n) {
-                for (l, column) in link.dependences[..=k].iter().enumerate().filter(|(_, d)| d.coordinate < n) {
+            for (k, row) in link.dependences.iter().enumerate() {
+                for (l, column) in link.dependences[..=k].iter().enumerate() {
                     let mut entry = self.centre_partials[k].dot(self.centre_partials[l]) * numbers.mass_kg;
                     let turning = row.turning * column.turning;
                     if turning != 0.0 {
                         entry += numbers.inertia_kg_m2 * T::from_f64(turning);
                     }
-                    // Only the lower triangle is used.
+                    // Only the lower triangle is used; what couples two driven coordinates is not.
                     let (high, low) = (row.coordinate.max(column.coordinate), row.coordinate.min(column.coordinate));
-                    self.mass[high * n + low] += entry;
+                    if high < n {
+                        self.mass[high * n + low] += entry;
+                    } else if low < n {
+                        self.driven_mass[(high - n) * n + low] += entry;
+                    }
                 }
             }
         }
@@ -245,29 +253,14 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Force (N) or torque (N m) of the tree's drive `k` along its coordinate, at the last evaluation.
     pub fn drive_force(&self, k: usize) -> T {
         let tree = &self.mechanism.real;
-        let coordinate = tree.free + k;
+        let n = tree.free;
         // `forces` holds applied minus inertial forces without q̈; the part of q̈ is added here.
-        let mut needed = -self.forces[coordinate];
-        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
-            let slot = index + 1;
-            let partials = self.kinematics.partials(slot);
-            let Some(own) = link.dependences.iter().position(|d| d.coordinate == coordinate) else { continue };
-            let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m).turned();
-            let own_turning = T::from_f64(link.dependences[own].turning);
-            let own_velocity = partials[own] + arm * own_turning;
-            let mut extra = Twist { linear: Vec2::zero(), angular: T::zero() };
-            for (dependence, partial) in link.dependences.iter().zip(partials) {
-                if let Some(&acceleration) = self.accelerations.get(dependence.coordinate) {
-                    let turning = T::from_f64(dependence.turning);
-                    extra.linear += (*partial + arm * turning) * acceleration;
-                    extra.angular += acceleration * turning;
-                }
-            }
-            needed +=
-                own_velocity.dot(extra.linear) * numbers.mass_kg + own_turning * extra.angular * numbers.inertia_kg_m2;
+        let mut needed = -self.forces[n + k];
+        for (coupling, acceleration) in self.driven_mass[k * n..(k + 1) * n].iter().zip(&self.accelerations) {
+            needed += *coupling * *acceleration;
         }
         for (r, &row) in self.mechanism.real_rows().iter().enumerate() {
-            needed -= self.jacobian[row * tree.coordinates() + coordinate] * self.multipliers[r];
+            needed -= self.jacobian[row * tree.coordinates() + n + k] * self.multipliers[r];
         }
         needed
     }

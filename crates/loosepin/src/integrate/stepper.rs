@@ -8,11 +8,16 @@ pub trait System {
     fn derivative(&mut self, time_s: f64, state: &[f64], slope: &mut [f64]);
 }
 
+/// Unknowns that are combined at once: the compiler makes vector instructions of a group.
+const GROUP: usize = 4;
+
 /// One step at a time with an embedded pair. The caller decides about steps, events and the end.
 #[derive(Debug, Clone)]
 pub struct Stepper {
     tableau: &'static Tableau,
     dimension: usize,
+    /// Distance between two stages: the dimension rounded up to whole groups.
+    stride: usize,
     /// Time at the start of the step, s.
     time_s: f64,
     /// State at the start of the step.
@@ -34,15 +39,17 @@ impl Stepper {
     /// Room for `dimension` unknowns.
     pub fn new(tableau: &'static Tableau, dimension: usize) -> Self {
         let stages = tableau.stages.len() + 1 + tableau.dense_stages.len();
+        let stride = dimension.next_multiple_of(GROUP);
         Self {
             tableau,
             dimension,
+            stride,
             time_s: 0.0,
-            start: vec![0.0; dimension],
-            end: vec![0.0; dimension],
+            start: vec![0.0; stride],
+            end: vec![0.0; stride],
             step_s: 0.0,
-            stages: vec![0.0; stages * dimension],
-            trial: vec![0.0; dimension],
+            stages: vec![0.0; stages * stride],
+            trial: vec![0.0; stride],
             dense: vec![0.0; (3 + tableau.dense.len()) * dimension],
             is_dense: false,
             evaluations: 0,
@@ -52,8 +59,9 @@ impl Stepper {
     /// Starts, or starts again, at `state`: evaluates the derivative there.
     pub fn restart(&mut self, system: &mut impl System, time_s: f64, state: &[f64]) {
         self.time_s = time_s;
-        self.start.copy_from_slice(state);
-        system.derivative(time_s, &self.start, &mut self.stages[..self.dimension]);
+        let n = self.dimension;
+        self.start[..n].copy_from_slice(state);
+        system.derivative(time_s, &self.start[..n], &mut self.stages[..n]);
         self.evaluations += 1;
         self.step_s = 0.0;
         self.is_dense = false;
@@ -67,8 +75,8 @@ impl Stepper {
         self.is_dense = false;
         for stage in 1..self.tableau.stages.len() {
             self.set_trial(self.tableau.stages[stage]);
-            let slope = &mut self.stages[stage * n..(stage + 1) * n];
-            system.derivative(self.time_s + self.tableau.nodes[stage] * step_s, &self.trial, slope);
+            let slope = &mut self.stages[stage * self.stride..stage * self.stride + n];
+            system.derivative(self.time_s + self.tableau.nodes[stage] * step_s, &self.trial[..n], slope);
         }
         self.evaluations += self.tableau.stages.len() as u64 - 1;
         self.set_trial(self.tableau.weights);
@@ -92,8 +100,8 @@ impl Stepper {
     /// [`Self::accept`].
     pub fn finish(&mut self, system: &mut impl System) {
         let n = self.dimension;
-        let last = self.tableau.stages.len();
-        system.derivative(self.time_s + self.step_s, &self.end, &mut self.stages[last * n..(last + 1) * n]);
+        let last = self.tableau.stages.len() * self.stride;
+        system.derivative(self.time_s + self.step_s, &self.end[..n], &mut self.stages[last..last + n]);
         self.evaluations += 1;
     }
 
@@ -104,11 +112,10 @@ impl Stepper {
 
     /// Makes the end of the step the start of the next one.
     pub fn accept(&mut self) {
-        let n = self.dimension;
-        let last = self.tableau.stages.len();
+        let last = self.tableau.stages.len() * self.stride;
         self.time_s += self.step_s;
         std::mem::swap(&mut self.start, &mut self.end);
-        self.stages.copy_within(last * n..(last + 1) * n, 0);
+        self.stages.copy_within(last..last + self.stride, 0);
         self.is_dense = false;
     }
 
@@ -136,13 +143,14 @@ impl Stepper {
             let stage = last + 1 + extra;
             self.set_trial(row);
             let time_s = self.time_s + self.tableau.dense_nodes[extra] * self.step_s;
-            system.derivative(time_s, &self.trial, &mut self.stages[stage * n..(stage + 1) * n]);
+            let slope = &mut self.stages[stage * self.stride..stage * self.stride + n];
+            system.derivative(time_s, &self.trial[..n], slope);
         }
         self.evaluations += self.tableau.dense_stages.len() as u64;
         for i in 0..n {
             let difference = self.end[i] - self.start[i];
             let first = self.step_s * self.stages[i];
-            let second = self.step_s * self.stages[last * n + i];
+            let second = self.step_s * self.stages[last * self.stride + i];
             self.dense[i] = difference;
             self.dense[n + i] = first - difference;
             self.dense[2 * n + i] = 2.0 * difference - (second + first);
@@ -155,8 +163,18 @@ impl Stepper {
 
     /// trial = start + h Σ row · stages.
     fn set_trial(&mut self, row: Row) {
-        for i in 0..self.dimension {
-            self.trial[i] = self.start[i] + self.step_s * self.combine(row, i);
+        let groups = self.trial.chunks_exact_mut(GROUP).zip(self.start.chunks_exact(GROUP));
+        for (group, (trial, start)) in groups.enumerate() {
+            let mut sum = [0.0; GROUP];
+            for &(stage, coefficient) in row {
+                let first = stage * self.stride + group * GROUP;
+                for (sum, slope) in sum.iter_mut().zip(&self.stages[first..first + GROUP]) {
+                    *sum += coefficient * slope;
+                }
+            }
+            for k in 0..GROUP {
+                trial[k] = start[k] + self.step_s * sum[k];
+            }
         }
     }
 
@@ -164,7 +182,7 @@ impl Stepper {
     fn combine(&self, row: Row, i: usize) -> f64 {
         let mut sum = 0.0;
         for &(stage, coefficient) in row {
-            sum += coefficient * self.stages[stage * self.dimension + i];
+            sum += coefficient * self.stages[stage * self.stride + i];
         }
         sum
     }
@@ -189,11 +207,11 @@ impl Stepper {
     }
     /// State at the start of the step.
     pub fn start(&self) -> &[f64] {
-        &self.start
+        &self.start[..self.dimension]
     }
     /// State at the end of the step.
     pub fn end(&self) -> &[f64] {
-        &self.end
+        &self.end[..self.dimension]
     }
     /// Derivative at the start of the step.
     pub fn start_slope(&self) -> &[f64] {
@@ -201,8 +219,8 @@ impl Stepper {
     }
     /// Derivative at the end of the finished step.
     pub fn end_slope(&self) -> &[f64] {
-        let last = self.tableau.stages.len();
-        &self.stages[last * self.dimension..(last + 1) * self.dimension]
+        let last = self.tableau.stages.len() * self.stride;
+        &self.stages[last..last + self.dimension]
     }
     /// Evaluations of the system so far.
     pub fn evaluations(&self) -> u64 {
