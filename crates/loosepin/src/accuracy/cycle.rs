@@ -10,6 +10,8 @@ use crate::simulate::maximum_within;
 const NEARLY_SINGULAR_SINE: f64 = 0.087_155_742_747_658_17;
 /// Singular positions are located to this share of a turn.
 const LOCATED_TURNS: f64 = 1e-12;
+/// How far beyond a sample at which branches cross the motion is taken up again, in steps.
+const PAST_CROSSING: f64 = 0.37;
 /// Some body turns this much faster than the drive at a located dead point, where its speed grows beyond all bounds; where
 /// two branches cross, speeds stay finite.
 const DEAD_POINT_RATIO: f64 = 1e3;
@@ -57,7 +59,7 @@ impl<'a> Cycle<'a> {
             let (backward, _) = walk.follow(start, (1..=left).map(|step| at(-step)));
             states.splice(0..0, backward.into_iter().rev());
         }
-        walk.note_nearly_singular(&states);
+        walk.note_nearly_singular(&states, turn_s / positions as f64);
         let mut singular = walk.singular;
         singular.sort_by(|a, b| a.0.total_cmp(&b.0));
         Self { states, singular }
@@ -94,10 +96,16 @@ impl Walk<'_> {
         for time_s in times_s {
             let mut next = last.clone();
             if next.move_to(time_s).is_err() {
-                let (end, error) = self.last_reachable(last, time_s);
+                let (end, error) = self.last_reachable(last.clone(), time_s);
                 let words = self.end_words(&end, &error);
+                let is_dead_point = words != CROSSING_WORDS;
                 self.singular.push((end.time_s(), words));
-                return (states, Some(end.time_s()));
+                // Branches that cross at a sample: the motion goes on smoothly, past this sample.
+                let past_s = time_s + PAST_CROSSING * (time_s - last.time_s());
+                if is_dead_point || last.move_to(past_s).is_err() {
+                    return (states, Some(end.time_s()));
+                }
+                continue;
             }
             let [before, after] = [&last, &next].map(|motion| is_positive(self.mechanism, motion));
             if before != after {
@@ -169,11 +177,10 @@ impl Walk<'_> {
     }
 
     /// Local minima of the sine of transmission that are low but not zero.
-    fn note_nearly_singular(&mut self, states: &[IdealMotion<'_>]) {
+    fn note_nearly_singular(&mut self, states: &[IdealMotion<'_>], stride_s: f64) {
         let transmission = Transmission::over(self.mechanism, states);
         let sines: Vec<(f64, f64)> = states.iter().map(|state| (state.time_s(), transmission.sine(state))).collect();
         let turn_s = self.input.turn_s();
-        let stride_s = if sines.len() > 1 { (sines[1].0 - sines[0].0).abs() } else { turn_s };
         let mut found: Vec<(f64, f64)> = Vec::new();
         for k in 0..sines.len() {
             let (low, high) = (k.saturating_sub(1), (k + 1).min(sines.len() - 1));
@@ -193,7 +200,7 @@ impl Walk<'_> {
                     Err(_) => f64::NEG_INFINITY,
                 }
             });
-            let is_singular = self.singular.iter().any(|(time_s, _)| (time_s - lowest.time_s).abs() <= 1.01 * stride_s);
+            let is_singular = self.singular.iter().any(|(time_s, _)| (time_s - lowest.time_s).abs() <= 1.5 * stride_s);
             let is_repeated =
                 found.iter().any(|(time_s, _)| ((time_s - lowest.time_s).abs() - turn_s).abs() < 1e-6 * turn_s);
             if -lowest.value < NEARLY_SINGULAR_SINE && !is_singular && !is_repeated {

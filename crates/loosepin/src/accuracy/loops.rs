@@ -179,7 +179,9 @@ impl<'a> DisplacedLoops<'a> {
         let mut change: Vec<f64> =
             self.mechanism.ideal_rows().iter().map(|&row| -self.dual_residuals[row].derivative).collect();
         let mut matrix = self.loop_matrix();
-        if n > 0 && !(solve_square(&mut matrix, n, &mut change) > SINGULAR_PIVOT_RATIO) {
+        // Also false where an entry is not a number.
+        let is_regular = n == 0 || solve_square(&mut matrix, n, &mut change) > SINGULAR_PIVOT_RATIO;
+        if !is_regular {
             return Err(AccuracyError::SingularWithPlay);
         }
         for (coordinate, derivative) in coordinates[..n].iter_mut().zip(change) {
@@ -227,20 +229,20 @@ impl<'a> DisplacedLoops<'a> {
             let tree = &self.mechanism.ideal;
             constraints::residuals(tree, &self.geometry, &self.kinematics, &mut self.residuals);
             let worst = self.residuals.iter().fold(0.0_f64, |w, r| w.max(r.abs()));
+            let is_closed = worst <= NEARLY_CLOSED * size_m;
             let mut matrix = self.loop_matrix();
             if polished {
                 let is_positive = determinant(&mut matrix, n) > 0.0;
-                return if !(worst <= NEARLY_CLOSED * size_m) {
-                    Err(self.cannot_close())
-                } else if is_positive != self.is_positive {
-                    Err(AccuracyError::SingularWithPlay)
-                } else {
-                    Ok(())
+                return match (is_closed, is_positive == self.is_positive) {
+                    (true, true) => Ok(()),
+                    (true, false) => Err(AccuracyError::SingularWithPlay),
+                    (false, _) => Err(self.cannot_close()),
                 };
             }
-            polished = worst <= NEARLY_CLOSED * size_m;
+            polished = is_closed;
             let mut step: Vec<f64> = self.mechanism.ideal_rows().iter().map(|&row| -self.residuals[row]).collect();
-            if !(solve_square(&mut matrix, n, &mut step) > SINGULAR_PIVOT_RATIO) {
+            let is_regular = solve_square(&mut matrix, n, &mut step) > SINGULAR_PIVOT_RATIO;
+            if !is_regular {
                 return Err(AccuracyError::SingularWithPlay);
             }
             self.coordinates.iter_mut().zip(step).for_each(|(coordinate, step)| *coordinate += step);

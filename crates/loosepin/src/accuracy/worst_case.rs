@@ -135,7 +135,8 @@ fn climb(
                 *target_m = rim_m;
             }
         }
-        if !(gain > SETTLED * worst_case) {
+        let is_worth_it = gain > SETTLED * worst_case;
+        if !is_worth_it {
             break;
         }
         let mut share = 1.0;

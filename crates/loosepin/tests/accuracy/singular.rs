@@ -126,7 +126,13 @@ fn analytic_branches_of_a_parallelogram_cross_where_it_is_flat() {
     let built = four_bar([50.0, 120.0, 50.0], 120.0, 33.3, r#"{ rocker = "33.3 deg" }"#);
     let record = motion_of(&built, 360);
     let angles: Vec<f64> = record.singular_positions.iter().map(|p| p.drive_angle_rad.to_degrees()).collect();
-    assert!(angles.iter().any(|angle| (angle - 180.0).abs() < 1e-4), "{angles:?}");
+    assert_eq!(angles.len(), 2, "{angles:?}");
+    assert!((angles[0] - 180.0).abs() < 1e-4 && (angles[1] - 360.0).abs() < 1e-4, "{angles:?}");
+    // The motion goes on as a parallelogram.
+    let rocker = output(&record, "rocker");
+    for (angle, value) in record.drive_angle_rad.iter().zip(&rocker.value_si) {
+        assert!((angle - value).abs() < 1e-9, "{angle}: {value}");
+    }
     for position in &record.singular_positions {
         assert!(position.words.starts_with("two ways of assembling the links meet here"), "{}", position.words);
     }
@@ -137,7 +143,13 @@ fn analytic_parallelogram_that_is_flat_at_a_sample() {
     let built = four_bar([50.0, 120.0, 50.0], 120.0, 30.0, r#"{ rocker = "30 deg" }"#);
     let record = motion_of(&built, 360);
     let angles: Vec<f64> = record.singular_positions.iter().map(|p| p.drive_angle_rad.to_degrees()).collect();
-    assert!(angles.iter().any(|angle| (angle - 180.0).abs() < 1e-4), "{angles:?}");
+    assert_eq!(angles.len(), 2, "{angles:?}");
+    assert!((angles[0] - 180.0).abs() < 1e-4 && (angles[1] - 360.0).abs() < 1e-4, "{angles:?}");
+    // The motion goes on as a parallelogram.
+    let rocker = output(&record, "rocker");
+    for (angle, value) in record.drive_angle_rad.iter().zip(&rocker.value_si) {
+        assert!((angle - value).abs() < 1e-9, "{angle}: {value}");
+    }
     for position in &record.singular_positions {
         assert!(position.words.starts_with("two ways of assembling the links meet here"), "{}", position.words);
     }
