@@ -17,16 +17,16 @@ const RELATIVE: f64 = 1e-11;
 /// Central differences with the steps used here: truncation and round-off, relative to the scale of the derivative.
 const DIFFERENCE: f64 = 1e-7;
 
-pub fn plan(built: &Built, positions: usize) -> MotionPlan {
+pub(crate) fn plan(built: &Built, positions: usize) -> MotionPlan {
     let drive = built.mechanism.model.cycle.drive;
     MotionPlan { drive, positions, scatter: Vec::new(), overrides: Vec::new() }
 }
 
-pub fn motion_of(built: &Built, positions: usize) -> MotionRecord {
+pub(crate) fn motion_of(built: &Built, positions: usize) -> MotionRecord {
     motion(&built.mechanism, &built.values, &plan(built, positions)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-pub fn output<'r>(record: &'r MotionRecord, name: &str) -> &'r OutputMotion {
+pub(crate) fn output<'r>(record: &'r MotionRecord, name: &str) -> &'r OutputMotion {
     record.outputs.iter().find(|output| output.name == name).unwrap_or_else(|| panic!("no output {name}"))
 }
 
