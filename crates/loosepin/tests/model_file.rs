@@ -115,10 +115,7 @@ fn paths_that_cannot_be_set_say_why() {
 fn settings_are_checked_for_unit_dimension_and_rule() {
     let model = sketch();
     let setting = model.parse_setting("joint.gudgeon.radial_clearance=0.3mm").expect("right");
-    assert_eq!(
-        (setting.id, setting.value_si),
-        (model.find("joint.gudgeon.radial_clearance").expect("path"), 0.3 / 1000.0)
-    );
+    assert_eq!((setting.id, setting.value_si), (model.find("joint.gudgeon.radial_clearance").expect("path"), 3e-4));
     let refused = |text: &str| model.parse_setting(text).expect_err("wrong").to_string();
     assert_eq!(
         refused("joint.gudgeon.radial_clearance=0.3"),

@@ -13,9 +13,6 @@ use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_value, parse_quantity};
 
-/// The largest count: what a double and every format we write hold exactly.
-pub(crate) const LARGEST_COUNT: u64 = (1 << 53) - 1;
-
 /// Reads a file as UTF-8 text.
 ///
 /// # Errors
@@ -296,13 +293,10 @@ impl Reader {
         None
     }
 
-    /// A whole number within `least` and the largest that a double holds exactly.
-    pub fn count(&mut self, entry: &Entry<'_>, least: u64) -> Option<u64> {
-        self.count_up_to(entry, least, LARGEST_COUNT)
-    }
-
-    /// A whole number within limits.
-    pub fn count_up_to(&mut self, entry: &Entry<'_>, least: u64, most: u64) -> Option<u64> {
+    /// The whole number behind a key, within the limits of the table of keys; absent where it is not written.
+    pub fn count(&mut self, table: &Table<'_>, key: &str) -> Option<u64> {
+        let entry = table.get(key)?;
+        let (least, most) = entry.count_limits()?;
         let found = match entry.value {
             DeValue::Integer(number) => {
                 match i128::from_str_radix(number.as_str(), number.radix()).ok().and_then(|n| u64::try_from(n).ok()) {
@@ -311,19 +305,21 @@ impl Reader {
                 }
             }
             DeValue::Float(number) => shortened(number.as_str()),
-            _ => return self.wrong_type(entry, "a whole number"),
+            _ => return self.wrong_type(&entry, "a whole number"),
         };
         self.complain(&DocumentProblem::BadCount { entry: entry.path.describe(), found, least, most }, entry.span);
         None
     }
 
-    /// A bare number that keeps a rule.
-    pub fn number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<f64> {
+    /// The bare number behind a key, keeping the rule of the table of keys; absent where it is not written.
+    pub fn number(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+        let entry = table.get(key)?;
+        let rule = entry.number_rule()?;
         let value = match entry.value {
-            DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(entry)?,
-            _ => return self.wrong_type(entry, "a number"),
+            DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(&entry)?,
+            _ => return self.wrong_type(&entry, "a number"),
         };
-        self.keeps(entry, value, Dimension::NUMBER, rule).then_some(value)
+        self.keeps(&entry, value, Dimension::NUMBER, rule).then_some(value)
     }
 
     fn bare_number(&mut self, entry: &Entry<'_>) -> Option<f64> {

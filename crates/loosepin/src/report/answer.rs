@@ -1,11 +1,13 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::wording::{counted, listed, output_words, place_words, verdict_words};
+use super::study_page::bound_value;
+use super::wording::{counted, deviation_words, listed, output_words, place_words, statistic_words};
 use crate::study::result::{
     BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, ResponsePoint, StatisticKind,
     StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
 };
+use crate::units::SiUnit;
 
 /// Digits of a bound in a sentence.
 const SENTENCE_DIGITS: usize = 2;
@@ -28,11 +30,10 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let headline = match (main_bound(result), curve) {
         (Some((bound, probability)), _) => bound_sentence(result, bound, probability, &conditions, writer),
         (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
-        (None, None) => format!(
-            "{conditions} {} of the statistics asked for {} given below.",
-            result.bounds.len(),
-            if result.bounds.len() == 1 { "is" } else { "are" }
-        ),
+        (None, None) => match result.bounds.iter().find(|bound| bound.treatment == TreatmentKind::Mixed) {
+            Some(bound) => statistic_sentence(result, bound, &conditions, writer),
+            None => format!("{conditions} nothing was asked for."),
+        },
     };
     let mut details = Vec::new();
     details.extend(requirement_sentences(result, writer));
@@ -107,9 +108,29 @@ fn bound_sentence(
     format!(
         "{conditions} the {} stays within ±{} of its ideal motion over the whole cycle in at least {} of mechanisms.",
         output_words(&bound.output, &result.outputs),
-        writer.rounded(bound.upper.widened_si, &bound.unit, SENTENCE_DIGITS, Rounding::Up),
+        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
         writer.percent(probability, Rounding::Down)
     )
+}
+
+/// Any bound: the statistic, what it is of, and its two ends.
+fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, conditions: &str, writer: &NumberWriter) -> String {
+    let unit = output_unit(result, &bound.output);
+    format!(
+        "{conditions} the {} of {} ({}, {}) lies between {} and {}.",
+        statistic_words(bound.statistic, &unit, writer),
+        output_words(&bound.output, &result.outputs),
+        deviation_words(bound.of),
+        place_words(bound.at, writer),
+        bound_value(&bound.lower, bound, Rounding::Down, writer),
+        bound_value(&bound.upper, bound, Rounding::Up, writer),
+    )
+}
+
+/// The unit of an output; that of a pure number where the result does not describe it.
+pub(super) fn output_unit(result: &StudyResult, name: &str) -> SiUnit {
+    let output = result.outputs.iter().find(|output| output.name == name);
+    output.map_or(SiUnit::NONE, |output| output.unit.clone())
 }
 
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str, writer: &NumberWriter) -> String {
@@ -142,8 +163,9 @@ fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<Str
     let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
     is_worth_saying.then(|| {
         format!(
-            "With the unknown values in the middle of their ranges, the same share would stay within ±{}; the rest, up to \
-             ±{} at the worst angle, is owed to not knowing them.",
+            "If the unknown values were in the middle of their ranges, {} of mechanisms would stay within ±{} at each \
+             angle; not knowing them widens this to ±{}.",
+            writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest),
             writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
             writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
         )
@@ -155,11 +177,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
         .requirements
         .iter()
         .map(|requirement| {
-            let unit = result
-                .outputs
-                .iter()
-                .find(|output| output.name == requirement.output)
-                .map_or(crate::units::SiUnit::NONE, |output| output.unit.clone());
+            let unit = output_unit(result, &requirement.output);
             let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
             let verdict = match requirement.verdict {
                 Verdict::Met => "is met",
@@ -167,21 +185,20 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 Verdict::Undecided => "is undecided, because the numerical error reaches over it",
             };
             format!(
-                "The requirement that {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true share \
-                 lies between {} and {}.",
-                super::wording::deviation_words(requirement.of),
+                "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
+                 share is {}.",
+                deviation_words(requirement.of),
                 requirement.output,
                 place_words(requirement.at, writer),
                 writer.percent(requirement.probability_at_least, Rounding::Nearest),
-                writer.percent(requirement.probability[0], Rounding::Down),
-                writer.percent(requirement.probability[1], Rounding::Up),
+                writer.percent_range(requirement.probability[0], requirement.probability[1]),
             )
         })
         .collect()
 }
 
 /// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
-pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &crate::units::SiUnit, writer: &NumberWriter) -> String {
+pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     match (lower_si.is_finite(), upper_si.is_finite()) {
         (true, true) if lower_si == -upper_si => format!("within ±{}", writer.value_shortest(upper_si, unit)),
         (true, true) => {
@@ -263,7 +280,15 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
                 }
                 TreatmentKind::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
             };
-            let kept = if keeps {
+            let kept = if band.coverage_minimum >= 1.0 {
+                "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
+            } else if keeps && band.coverage_minimum < promised {
+                format!(
+                    "Its band keeps the promise of {promise} within numerical error: where the truth is unkind, {least} \
+                     ± {} lie inside",
+                    writer.percent(band.coverage_error, Rounding::Up)
+                )
+            } else if keeps {
                 format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
             } else {
                 format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
@@ -284,11 +309,6 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             format!("{start} {kept}{width}")
         })
         .collect()
-}
-
-/// One line of verdict per requirement, for the terminal.
-pub(super) fn verdict_line(verdict: Verdict) -> String {
-    format!("requirement {}", verdict_words(verdict))
 }
 
 fn smallest(values: &[f64]) -> f64 {

@@ -19,6 +19,7 @@
 mod dimension;
 pub mod display;
 mod error;
+pub mod extended;
 mod format;
 mod lexer;
 mod parser;

@@ -7,14 +7,15 @@ mod treatments;
 
 use maud::{Markup, html};
 
-use super::answer::{Answer, answer, limits_words};
+pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
+
+use super::answer::{Answer, answer, limits_words, output_unit};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::still_figures::orbit_figure;
 use super::wording::{count, place_words, verdict_words};
 use crate::study::result::{StudyResult, Verdict};
-use crate::units::SiUnit;
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
@@ -114,8 +115,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
             }
             tbody {
                 @for requirement in &result.requirements {
-                    @let unit = result.outputs.iter().find(|output| output.name == requirement.output)
-                        .map_or(SiUnit::NONE, |output| output.unit.clone());
+                    @let unit = output_unit(result, &requirement.output);
                     tr {
                         th scope="row" {
                             (requirement.output) ", " (super::wording::deviation_words(requirement.of)) " "
@@ -126,8 +126,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
                             "≥ " (writer.percent(requirement.probability_at_least, Rounding::Nearest))
                         }
                         td.number data-label="True share" {
-                            (writer.percent(requirement.probability[0], Rounding::Down)) " to "
-                            (writer.percent(requirement.probability[1], Rounding::Up))
+                            (writer.percent_range(requirement.probability[0], requirement.probability[1]))
                         }
                         td data-label="Smallest at" { (writer.witness(&requirement.witness, &result.inputs)) }
                         td data-label="Verdict" {
