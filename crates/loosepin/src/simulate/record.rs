@@ -47,7 +47,6 @@ pub struct SimulationRecord {
     pub drawing: Drawing,
     /// How much of the quasi-static worst case the positions of the run use, by position output. Empty until the check was
     /// made, and for a mechanism without play.
-    #[serde(default)]
     pub quasi_static_check: Vec<QuasiStaticShare>,
 }
 
@@ -60,12 +59,16 @@ pub struct QuasiStaticShare {
     /// Unit of its values.
     pub unit: SiUnit,
     /// Largest deviation over worst case among the samples, 0 to 1 for a sound run.
+    #[serde(with = "extended")]
     pub largest_share: f64,
     /// When; absent where no sample deviates.
+    #[serde(with = "extended")]
     pub time_s: Option<f64>,
     /// The deviation there.
+    #[serde(with = "extended")]
     pub deviation_si: f64,
     /// The worst case on the same side there, with the sign of the deviation.
+    #[serde(with = "extended")]
     pub worst_case_si: f64,
     /// Whether a sample lies beyond its worst case by more than tolerance and round-off: then the run is wrong.
     pub is_exceeded: bool,

@@ -4,7 +4,10 @@ use crate::{Built, build_case, build_case_with, case_names};
 use loosepin::accuracy::{DisplacedLoops, check_quasi_static, position_outputs, quasi_static_check};
 use loosepin::math::Vec2;
 use loosepin::mechanism::IdealMotion;
+use loosepin::report::simulation_text;
+use loosepin::simulate::record::{QuasiStaticShare, SimulationRecord};
 use loosepin::simulate::{Observer, Plan, Settings, Simulation, Step, Window, run, simulate};
+use loosepin::units::SiUnit;
 
 fn simulate_turns(built: &Built, turns: f64, samples_per_turn: usize) -> Simulation {
     let mut cycle = built.mechanism.model.cycle.clone();
@@ -100,6 +103,41 @@ fn identity_a_run_beyond_the_worst_case_is_caught() {
     record.outputs[0].deviation_si[row] = 1.0001 * share.worst_case_si;
     let share = &quasi_static_check(&built.mechanism, &built.values, record).expect("the check can be made")[0];
     assert!(share.is_exceeded && share.largest_share > 1.00005, "{share:?}");
+}
+
+#[test]
+fn text_of_the_check() {
+    let built = build_case("slider_crank_5000");
+    let mut record = simulate_turns(&built, 0.05, 100).record;
+    record.quasi_static_check = vec![QuasiStaticShare {
+        output: "slider".to_owned(),
+        unit: SiUnit::LENGTH,
+        largest_share: 0.95712,
+        time_s: Some(4e-3),
+        deviation_si: -5.1e-4,
+        worst_case_si: -5.3286e-4,
+        is_exceeded: false,
+        samples_without_worst_case: 0,
+    }];
+    let words = |record: &SimulationRecord| simulation_text(record).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words(&record).contains(
+            "No output departs further than clearances and penetrations allow: the slider comes closest, with 95.8 % of its \
+             worst case."
+        ),
+        "{}",
+        words(&record)
+    );
+    let check = &mut record.quasi_static_check[0];
+    (check.is_exceeded, check.deviation_si, check.samples_without_worst_case) = (true, -5.5e-4, 3);
+    assert!(
+        words(&record).contains(
+            "The slider departs by -0.5500 mm, beyond the -0.5329 mm that clearances and penetrations allow: this run is \
+             wrong. 3 samples could not be checked, with a dead point within the clearances."
+        ),
+        "{}",
+        words(&record)
+    );
 }
 
 #[test]
