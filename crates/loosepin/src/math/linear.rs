@@ -211,7 +211,7 @@ impl Elimination {
         }
         x
     }
-    /// The direction in which free column `free` can move with A x = 0, with x[free] = 1.
+    /// The direction in which free column `free` can move with A x = 0, with `x[free]` = 1.
     pub fn null_direction(&self, free: usize) -> Vec<f64> {
         let mut x = vec![0.0; self.columns];
         x[free] = 1.0;
