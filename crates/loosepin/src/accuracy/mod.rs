@@ -1,3 +1,28 @@
 //! The quasi-static answer and the deviation of a run from the ideal motion.
+//!
+//! To first order in the clearances a journal at eccentricity e_k moves an output by g_k·e_k; g_k comes from the loop
+//! equations by the implicit function theorem on dual numbers. The same way gives the effect of every dimension.
 
+mod check;
+mod cycle;
+mod dimension;
+mod error;
+mod loops;
+mod motion;
+mod position;
 pub mod record;
+mod sensitivity;
+mod transmission;
+mod worst_case;
+
+pub use check::{check_quasi_static, quasi_static_check};
+pub use dimension::{DimensionDirection, dimension_direction};
+pub use error::AccuracyError;
+pub use loops::DisplacedLoops;
+pub use motion::{MotionPlan, Scatter, motion};
+pub use position::{PositionOutput, PositionReading, position_outputs};
+pub use sensitivity::{dimension_derivatives, eccentricity_gradients};
+pub use worst_case::{
+    ExactWorstCase, WorstPosition, disc_standard_deviation_si, exact_worst_case, rim_standard_deviation_si,
+    starts_on_rims, worst_case_si,
+};

@@ -88,6 +88,28 @@ pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
     if largest > 0.0 { smallest / largest } else { 1.0 }
 }
 
+/// Determinant of the n × n matrix `a` (row-major), which is destroyed.
+pub fn determinant(a: &mut [f64], n: usize) -> f64 {
+    let mut product = 1.0;
+    for j in 0..n {
+        let best = (j..n).max_by(|&i, &k| a[i * n + j].abs().total_cmp(&a[k * n + j].abs())).unwrap_or(j);
+        if best != j {
+            (0..n).for_each(|k| a.swap(j * n + k, best * n + k));
+            product = -product;
+        }
+        let pivot = a[j * n + j];
+        product *= pivot;
+        if pivot == 0.0 {
+            return 0.0;
+        }
+        for i in j + 1..n {
+            let factor = a[i * n + j] / pivot;
+            (j + 1..n).for_each(|k| a[i * n + k] -= factor * a[j * n + k]);
+        }
+    }
+    product
+}
+
 /// Gaussian elimination with full pivoting of a rectangular matrix: its rank, which rows and columns carry it, and
 /// solutions of consistent systems.
 #[derive(Debug, Clone)]
@@ -189,7 +211,7 @@ impl Elimination {
         }
         x
     }
-    /// The direction in which free column `free` can move with A x = 0, with x[free] = 1.
+    /// The direction in which free column `free` can move with A x = 0, with `x[free]` = 1.
     pub fn null_direction(&self, free: usize) -> Vec<f64> {
         let mut x = vec![0.0; self.columns];
         x[free] = 1.0;
@@ -234,6 +256,16 @@ mod tests {
         }
         let mut singular = [1.3, 2.6, 0.4, 0.8];
         assert!(solve_square(&mut singular, 2, &mut [0.3, 0.9]) < 1e-15);
+    }
+
+    #[test]
+    fn analytic_determinant_with_row_exchanges() {
+        let mut matrix = [0.0, 2.3, -0.4, 1.7, 0.6, 3.1, -0.9, 0.2, 0.5];
+        // Sarrus: 2.3·3.1·(-0.9) + (-0.4)·1.7·0.2 - (-0.4)·0.6·(-0.9) - 0.5·1.7·2.3.
+        let exact = 2.3 * 3.1 * -0.9 - 0.4 * 1.7 * 0.2 - 0.4 * 0.6 * 0.9 - 0.5 * 1.7 * 2.3;
+        assert!((determinant(&mut matrix, 3) - exact).abs() < ROUND_OFF);
+        assert_eq!(determinant(&mut [1.3, 2.6, 0.4, 0.8], 2), 0.0);
+        assert_eq!(determinant(&mut [], 0), 1.0);
     }
 
     #[test]

@@ -10,6 +10,6 @@ mod vector;
 pub use angle::sin_cos;
 pub use dual::Dual;
 pub use hermite::Quintic;
-pub use linear::{Elimination, factor_ldl, solve_ldl, solve_square};
+pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
 pub use real::Real;
 pub use vector::Vec2;

@@ -2,7 +2,7 @@
 
 use super::tree::{Attachment, Tree, points_of};
 use crate::math::{Real, Vec2};
-use crate::model::{JointId, JointKind, Model, PointId, Values};
+use crate::model::{JointId, JointKind, Model, PointId, QuantityId, Values};
 
 /// Numbers of a link of the tree.
 #[derive(Debug, Clone, Copy)]
@@ -52,7 +52,12 @@ pub struct Geometry<T> {
 impl<T: Real> Geometry<T> {
     /// Lays out `values` for `tree`, all eccentricities zero.
     pub fn new(model: &Model, tree: &Tree, values: &Values) -> Self {
-        let number = |id| T::from_f64(values[id]);
+        Self::from_numbers(model, tree, &|id| T::from_f64(values[id]))
+    }
+
+    /// Lays out the numbers that `number` gives for each quantity, all eccentricities zero. With dual numbers the
+    /// geometry moves along a direction in the space of the quantities.
+    pub fn from_numbers(model: &Model, tree: &Tree, number: &dyn Fn(QuantityId) -> T) -> Self {
         let links = tree
             .links
             .iter()
@@ -73,8 +78,8 @@ impl<T: Real> Geometry<T> {
                 if let Some((joint, forward)) = joint_of(link.attachment) {
                     let kind = &model.joints[joint.0].kind;
                     let (parent, own) = if forward { (0, 1) } else { (1, 0) };
-                    let arms = points_of(kind).map(|point| point_m(model, values, point));
-                    let angles = line_angles_rad(kind, values);
+                    let arms = points_of(kind).map(|point| numbered_point_m(model, number, point));
+                    let angles = line_angles_rad(kind, number);
                     geometry.parent_arm_m = arms[parent];
                     geometry.own_arm_m = arms[own];
                     geometry.parent_angle_rad = angles[parent];
@@ -89,8 +94,8 @@ impl<T: Real> Geometry<T> {
             .map(|cut| {
                 let kind = &model.joints[cut.joint.0].kind;
                 CutGeometry {
-                    arms_m: points_of(kind).map(|point| point_m(model, values, point)),
-                    angles_rad: line_angles_rad(kind, values),
+                    arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
+                    angles_rad: line_angles_rad(kind, number),
                     eccentricity_m: Vec2::zero(),
                 }
             })
@@ -119,8 +124,13 @@ impl<T: Real> Geometry<T> {
 
 /// Position of a point in its body's frame, m.
 pub fn point_m<T: Real>(model: &Model, values: &Values, point: PointId) -> Vec2<T> {
+    numbered_point_m(model, &|id| T::from_f64(values[id]), point)
+}
+
+/// Position of a point in its body's frame, m, from the numbers that `number` gives.
+pub fn numbered_point_m<T: Real>(model: &Model, number: &dyn Fn(QuantityId) -> T, point: PointId) -> Vec2<T> {
     let [x, y] = model.bodies[point.body.0].points[point.point].position_m;
-    Vec2::new(T::from_f64(values[x]), T::from_f64(values[y]))
+    Vec2::new(number(x), number(y))
 }
 
 /// The joint that attaches a link, and its direction.
@@ -136,12 +146,12 @@ pub fn joint_of(attachment: Attachment) -> Option<(JointId, bool)> {
 
 /// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint; for a
 /// rigid joint the second body's x axis.
-fn line_angles_rad<T: Real>(kind: &JointKind, values: &Values) -> [T; 2] {
+fn line_angles_rad<T: Real>(kind: &JointKind, number: &dyn Fn(QuantityId) -> T) -> [T; 2] {
     match *kind {
         JointKind::Revolute { .. } => [T::zero(), T::zero()],
         JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
-            [T::from_f64(values[guide_angle_rad]), T::from_f64(values[slider_angle_rad])]
+            [number(guide_angle_rad), number(slider_angle_rad)]
         }
-        JointKind::Rigid { angle_rad, .. } => [T::from_f64(values[angle_rad]), T::zero()],
+        JointKind::Rigid { angle_rad, .. } => [number(angle_rad), T::zero()],
     }
 }

@@ -14,7 +14,7 @@ mod sample;
 mod tree;
 
 pub use error::{MechanismError, SampleError};
-pub use geometry::{CutGeometry, Geometry, LinkGeometry, point_m};
+pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at};
 pub use sample::{DriveMotion, PlayGeometry, Sample};
@@ -100,6 +100,11 @@ impl Mechanism {
     /// Whether the drives alone determine the motion: no joint has play.
     pub fn is_ideal(&self) -> bool {
         self.plays.is_empty()
+    }
+
+    /// Independent constraint rows of the ideal tree, as many as it has free coordinates.
+    pub fn ideal_rows(&self) -> &[usize] {
+        &self.ideal_rows
     }
 
     /// Independent constraint rows of the real tree.

@@ -10,7 +10,9 @@ use super::page::{Page, Section, facts};
 use super::script_data::rounded;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed};
-use crate::simulate::record::{ExtremePoint, ImpactRecord, JointSummary, OutputHistory, SimulationRecord, StopReason};
+use crate::simulate::record::{
+    ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare, SimulationRecord, StopReason,
+};
 use crate::units::SiUnit;
 
 /// Rows of the table of impacts; the others stand in `impacts.csv`.
@@ -118,7 +120,39 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         "The energy account of the run closes to {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
+    sentences.extend(quasi_static_sentence(&record.quasi_static_check, writer));
     sentences
+}
+
+/// The outcome of the quasi-static check: the output that breaks it, or else the one that comes closest.
+fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> Option<String> {
+    let worst = checks.iter().max_by(|a, b| {
+        (a.is_exceeded, a.largest_share)
+            .partial_cmp(&(b.is_exceeded, b.largest_share))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    })?;
+    let skipped: usize = checks.iter().map(|check| check.samples_without_worst_case).sum();
+    let mut sentence = if worst.is_exceeded {
+        format!(
+            "The {} departs by {}, beyond the {} that clearances and penetrations allow: this run is wrong.",
+            worst.output,
+            writer.value(worst.deviation_si, &worst.unit),
+            writer.value(worst.worst_case_si, &worst.unit)
+        )
+    } else {
+        format!(
+            "No output departs further than clearances and penetrations allow: the {} comes closest, with {} of its worst case.",
+            worst.output,
+            writer.percent(worst.largest_share, Rounding::Up)
+        )
+    };
+    if skipped > 0 {
+        sentence.push_str(&format!(
+            " {} could not be checked, with a dead point within the clearances.",
+            counted(skipped as u64, "sample", writer)
+        ));
+    }
+    Some(sentence)
 }
 
 /// A chart over time with the angle of the drive in the caption.

@@ -369,6 +369,7 @@ impl<'a> Recorder<'a> {
             energy: self.energy,
             impacts: self.impacts,
             drawing: self.drawing,
+            quasi_static_check: Vec::new(),
         };
         Simulation { record, states: self.states, report }
     }

@@ -45,6 +45,35 @@ pub struct SimulationRecord {
     pub orbits: Vec<JournalOrbit>,
     /// The mechanism and its poses.
     pub drawing: Drawing,
+    /// How much of the quasi-static worst case the positions of the run use, by position output. Empty until the check was
+    /// made, and for a mechanism without play.
+    pub quasi_static_check: Vec<QuasiStaticShare>,
+}
+
+/// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot
+/// move the output beyond the worst case of the exact loops.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct QuasiStaticShare {
+    /// Name of the output.
+    pub output: String,
+    /// Unit of its values.
+    pub unit: SiUnit,
+    /// Largest deviation over worst case among the samples, 0 to 1 for a sound run.
+    #[serde(with = "extended")]
+    pub largest_share: f64,
+    /// When; absent where no sample deviates.
+    #[serde(with = "extended")]
+    pub time_s: Option<f64>,
+    /// The deviation there.
+    #[serde(with = "extended")]
+    pub deviation_si: f64,
+    /// The worst case on the same side there, with the sign of the deviation.
+    #[serde(with = "extended")]
+    pub worst_case_si: f64,
+    /// Whether a sample lies beyond its worst case by more than tolerance and round-off: then the run is wrong.
+    pub is_exceeded: bool,
+    /// Samples at which a dead point lies within the clearances, so that there is no worst case.
+    pub samples_without_worst_case: usize,
 }
 
 /// A quantity of the model that replaces what the file says.

@@ -90,6 +90,7 @@ pub fn worn_pin() -> SimulationRecord {
         impacts,
         orbits: vec![orbit(&sample, "", TURNS)],
         drawing: drawing(&sample, true),
+        quasi_static_check: Vec::new(),
         time_s,
     }
 }

@@ -1,0 +1,51 @@
+//! Why there is no quasi-static answer.
+
+use crate::mechanism::SampleError;
+use crate::model::QuantityError;
+use thiserror::Error;
+
+/// Why the ideal motion or the quasi-static answer cannot be given.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum AccuracyError {
+    /// The sample is impossible or its loops cannot close at the start.
+    #[error(transparent)]
+    Sample(#[from] SampleError),
+    /// A quantity cannot be varied.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+    /// The drive whose angle is the input does not turn.
+    #[error("drive '{drive}' stands still: it goes through no cycle")]
+    StandsStill {
+        /// The drive.
+        drive: String,
+    },
+    /// Too few positions to describe a cycle.
+    #[error("{positions} positions a cycle were asked for; must be at least {least}")]
+    TooFewPositions {
+        /// What was asked for.
+        positions: usize,
+        /// The smallest number.
+        least: usize,
+    },
+    /// A standard deviation that is negative or not finite.
+    #[error("the standard deviation of {path} is {standard_deviation_si}; must be a finite number >= 0")]
+    BadStandardDeviation {
+        /// Path of the quantity.
+        path: String,
+        /// What was given, SI.
+        standard_deviation_si: f64,
+    },
+    /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
+    #[error(
+        "the links cannot close when the journals are displaced within their clearances: joint '{joint}' stays {gap_m:e} m open"
+    )]
+    CannotCloseWithPlay {
+        /// The joint with the largest gap.
+        joint: String,
+        /// Its gap, m.
+        gap_m: f64,
+    },
+    /// Journals displaced within their clearances bring the mechanism into a singular position.
+    #[error("a singular position lies within the clearances: there the drives no longer determine the motion")]
+    SingularWithPlay,
+}

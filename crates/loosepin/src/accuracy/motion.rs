@@ -1,0 +1,237 @@
+//! The ideal motion over one cycle with the quasi-static answer: what `loosepin motion` shows.
+
+use super::cycle::{Cycle, Input};
+use super::dimension::{DimensionDirection, dimension_direction};
+use super::error::AccuracyError;
+use super::loops::DisplacedLoops;
+use super::position::{PositionOutput, PositionReading, position_outputs};
+use super::record::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
+use super::sensitivity::{dimension_derivatives, eccentricity_gradients};
+use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
+use crate::mechanism::{IdealMotion, Mechanism, Sample, point_m};
+use crate::model::{DriveId, QuantityId, Values};
+use crate::simulate::record::Override;
+use crate::simulate::{add_pose, skeleton};
+use crate::units::DisplayUnits;
+
+/// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
+const LEAST_POSITIONS: usize = 12;
+
+/// What is computed.
+#[derive(Debug, Clone)]
+pub struct MotionPlan {
+    /// The drive whose angle is the input and which turns once.
+    pub drive: DriveId,
+    /// Steps of the cycle, at least 12; the record has one position more where the mechanism can turn fully.
+    pub positions: usize,
+    /// Dimensions that scatter, independent of each other; empty without a study.
+    pub scatter: Vec<Scatter>,
+    /// What was set on the command line, for the record.
+    pub overrides: Vec<Override>,
+}
+
+/// A quantity that scatters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scatter {
+    /// The quantity; one that can be set.
+    pub quantity: QuantityId,
+    /// Its standard deviation, SI, >= 0.
+    pub standard_deviation_si: f64,
+}
+
+/// The ideal motion of `mechanism` with `values` over one turn of a drive, what clearances do to it quasi-statically, and
+/// what scattering dimensions do to first order.
+///
+/// Where the mechanism cannot go through a whole turn, the record holds the positions that it can reach from its start in
+/// both directions, and its singular positions name the ends.
+///
+/// # Errors
+/// An impossible sample, loops that do not close at the start, a drive that stands still, too few positions, a standard
+/// deviation or a quantity that cannot be used.
+pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Result<MotionRecord, AccuracyError> {
+    let drive = &mechanism.model.drives[plan.drive.0];
+    let input = Input { start_rad: values[drive.start], speed_rad_s: values[drive.speed] };
+    if input.speed_rad_s == 0.0 {
+        return Err(AccuracyError::StandsStill { drive: drive.name.clone() });
+    }
+    if plan.positions < LEAST_POSITIONS {
+        return Err(AccuracyError::TooFewPositions { positions: plan.positions, least: LEAST_POSITIONS });
+    }
+    let directions = directions(mechanism, values, &plan.scatter)?;
+    let sample = Sample::new(mechanism, values)?;
+    let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+    let mut cycle = Cycle::walk(mechanism, start, input, plan.positions);
+    if input.speed_rad_s < 0.0 {
+        // The record is in the order of the angle, not of time.
+        cycle.states.reverse();
+    }
+
+    let outputs = position_outputs(mechanism);
+    let mut recorder = Recorder::new(mechanism, values, &sample, &outputs, plan, &directions);
+    let mut drawing = skeleton(mechanism, values);
+    let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
+    for state in &cycle.states {
+        let angle_rad = input.angle_rad(state.time_s());
+        drive_angle_rad.push(angle_rad);
+        recorder.record(state)?;
+        add_pose(&mut drawing.poses, &mechanism.ideal, state.kinematics(), angle_rad);
+    }
+    drawing.ideal_poses = Default::default();
+    Ok(MotionRecord {
+        model: mechanism.model.name.clone(),
+        version: crate::VERSION.to_owned(),
+        overrides: plan.overrides.clone(),
+        drive: drive.name.clone(),
+        drive_speed_rad_s: Some(input.speed_rad_s),
+        mobility: mobility_words(mechanism),
+        singular_positions: cycle.singular_positions(input),
+        display_units: DisplayUnits::default(),
+        drive_angle_rad,
+        outputs: recorder.outputs,
+        drawing,
+    })
+}
+
+/// Directions of all scattering quantities that have to do with the motion.
+fn directions(
+    mechanism: &Mechanism,
+    values: &Values,
+    scatter: &[Scatter],
+) -> Result<Vec<(Scatter, DimensionDirection)>, AccuracyError> {
+    let mut directions = Vec::new();
+    for entry in scatter {
+        if !(entry.standard_deviation_si >= 0.0 && entry.standard_deviation_si.is_finite()) {
+            return Err(AccuracyError::BadStandardDeviation {
+                path: mechanism.model.quantities[entry.quantity].path.clone(),
+                standard_deviation_si: entry.standard_deviation_si,
+            });
+        }
+        let direction = dimension_direction(mechanism, values, entry.quantity)?;
+        if !direction.leaves_motion_alone(mechanism) {
+            directions.push((*entry, direction));
+        }
+    }
+    Ok(directions)
+}
+
+/// Fills the histories of all outputs, position by position.
+struct Recorder<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    loops: DisplacedLoops<'a>,
+    readings: Vec<PositionReading>,
+    clearances_m: Vec<f64>,
+    input: DriveId,
+    directions: &'a [(Scatter, DimensionDirection)],
+    outputs: Vec<OutputMotion>,
+}
+
+impl<'a> Recorder<'a> {
+    fn new(
+        mechanism: &'a Mechanism,
+        values: &'a Values,
+        sample: &Sample<f64>,
+        outputs: &[PositionOutput],
+        plan: &MotionPlan,
+        directions: &'a [(Scatter, DimensionDirection)],
+    ) -> Self {
+        let model = &mechanism.model;
+        let clearances_m: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
+        let contributors = mechanism.plays.iter().zip(&clearances_m).map(|(joint, clearance_m)| JointContributor {
+            joint: model.joints[joint.0].name.clone(),
+            radial_clearance_m: *clearance_m,
+            worst_case_si: Vec::new(),
+        });
+        let clearance = ClearanceAnswer { contributors: contributors.collect(), ..ClearanceAnswer::default() };
+        let dimensional_contributors: Vec<DimensionContributor> = directions
+            .iter()
+            .map(|(entry, _)| DimensionContributor {
+                path: model.quantities[entry.quantity].path.clone(),
+                standard_deviation_si: Vec::new(),
+            })
+            .collect();
+        let motions = outputs.iter().map(|output| OutputMotion {
+            name: output.name.clone(),
+            words: output.words.clone(),
+            unit: output.unit.clone(),
+            value_si: Vec::new(),
+            velocity_si: Vec::new(),
+            acceleration_si: Vec::new(),
+            clearance: clearance.clone(),
+            dimensional_standard_deviation_si: Vec::new(),
+            dimensional_contributors: dimensional_contributors.clone(),
+        });
+        Self {
+            mechanism,
+            values,
+            loops: DisplacedLoops::new(mechanism, values),
+            readings: outputs.iter().map(|output| output.reading).collect(),
+            clearances_m,
+            input: plan.drive,
+            directions,
+            outputs: motions.collect(),
+        }
+    }
+
+    fn record(&mut self, state: &IdealMotion<'_>) -> Result<(), AccuracyError> {
+        let (mechanism, values) = (self.mechanism, self.values);
+        self.loops.set_position(state.coordinates());
+        let gradients = eccentricity_gradients(&mut self.loops, &self.readings)?;
+        for ((output, &reading), gradient) in self.outputs.iter_mut().zip(&self.readings).zip(gradients) {
+            let [velocity, acceleration] =
+                reading.rates(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), &|point| {
+                    point_m(&mechanism.model, values, point)
+                });
+            output.value_si.push(self.loops.value(reading));
+            output.velocity_si.push(velocity);
+            output.acceleration_si.push(acceleration);
+            let joints: Vec<_> = self.clearances_m.iter().copied().zip(gradient).collect();
+            let answer = &mut output.clearance;
+            answer.worst_case_si.push(worst_case_si(&joints));
+            answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
+            answer.rim_standard_deviation_si.push(rim_standard_deviation_si(&joints));
+            for (contributor, joint) in answer.contributors.iter_mut().zip(&joints) {
+                contributor.worst_case_si.push(worst_case_si(&[*joint]));
+            }
+        }
+        let mut variances = vec![0.0; self.outputs.len()];
+        for (index, (entry, direction)) in self.directions.iter().enumerate() {
+            let derivatives = dimension_derivatives(
+                &mut self.loops,
+                mechanism,
+                values,
+                direction,
+                self.input,
+                state.time_s(),
+                &self.readings,
+            )?;
+            for ((output, variance), derivative) in self.outputs.iter_mut().zip(&mut variances).zip(derivatives) {
+                let deviation_si = derivative.abs() * entry.standard_deviation_si;
+                *variance += deviation_si * deviation_si;
+                output.dimensional_contributors[index].standard_deviation_si.push(deviation_si);
+            }
+        }
+        if !self.directions.is_empty() {
+            for (output, variance) in self.outputs.iter_mut().zip(variances) {
+                output.dimensional_standard_deviation_si.push(variance.sqrt());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The mobility in words, for example `1 degree of freedom, 1 drive`.
+fn mobility_words(mechanism: &Mechanism) -> String {
+    let counted = |count: usize, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
+    let mut words = format!(
+        "{}, {}",
+        counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
+        counted(mechanism.model.drives.len(), "drive", "drives")
+    );
+    for (joint, constraints) in &mechanism.redundant {
+        let name = &mechanism.model.joints[joint.0].name;
+        words
+            .push_str(&format!("; {} of joint '{name}' redundant", counted(*constraints, "constraint", "constraints")));
+    }
+    words
+}
