@@ -18,6 +18,7 @@ pub mod model;
 pub mod report;
 pub mod simulate;
 pub mod study;
+pub mod templates;
 pub mod uncertainty;
 pub mod units;
 

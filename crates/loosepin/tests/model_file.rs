@@ -115,10 +115,7 @@ fn paths_that_cannot_be_set_say_why() {
 fn settings_are_checked_for_unit_dimension_and_rule() {
     let model = sketch();
     let setting = model.parse_setting("joint.gudgeon.radial_clearance=0.3mm").expect("right");
-    assert_eq!(
-        (setting.id, setting.value_si),
-        (model.find("joint.gudgeon.radial_clearance").expect("path"), 0.3 / 1000.0)
-    );
+    assert_eq!((setting.id, setting.value_si), (model.find("joint.gudgeon.radial_clearance").expect("path"), 3e-4));
     let refused = |text: &str| model.parse_setting(text).expect_err("wrong").to_string();
     assert_eq!(
         refused("joint.gudgeon.radial_clearance=0.3"),
@@ -190,4 +187,21 @@ fn ids_are_in_table_order() {
         assert_eq!(id, QuantityId(index));
         assert_eq!(model.quantities.id(&quantity.path), Some(id), "{} stands twice", quantity.path);
     }
+}
+
+#[test]
+fn what_nothing_uses_is_warned_about() {
+    let text = SKETCH.replace("[parameter]", "[parameter]\nspare = \"1 mm\"").replace(
+        "[joint.main]",
+        "[contact.brass]\nrestitution = 0.8\nstiffness = \"1e10 N/m^1.5\"\nexponent = 1.5\n[joint.main]",
+    );
+    let model = Model::from_text("unused.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let warnings: Vec<String> = model.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        warnings,
+        [
+            "unused.toml:30:10: warning[E0408]: contact 'brass' is used by nothing\nhint: changing it has no effect on the results",
+            "unused.toml:4:1: warning[E0408]: parameter 'spare' is used by nothing\nhint: changing it has no effect on the results",
+        ]
+    );
 }

@@ -94,6 +94,22 @@ impl<'t> Entry<'t> {
         Entry { span: self.key_span, ..self.clone() }
     }
 
+    /// Least and most that the table of keys allows, where it is a count.
+    pub(super) fn count_limits(&self) -> Option<(u64, u64)> {
+        match self.key?.kind {
+            Kind::Count { least, most } => Some((least, most)),
+            _ => None,
+        }
+    }
+
+    /// Rule that the table of keys demands, where it is a bare number.
+    pub(super) fn number_rule(&self) -> Option<Rule> {
+        match self.key?.kind {
+            Kind::Number { rule } => Some(rule),
+            _ => None,
+        }
+    }
+
     /// Whether text stands here.
     pub fn is_text(&self) -> bool {
         self.value.is_str()
@@ -102,6 +118,11 @@ impl<'t> Entry<'t> {
     /// Whether a table stands here.
     pub fn is_table(&self) -> bool {
         self.value.is_table()
+    }
+
+    /// Whether an empty list stands here.
+    pub fn is_empty_list(&self) -> bool {
+        self.value.as_array().is_some_and(|list| list.is_empty())
     }
 
     /// What stands here, for messages: `the number 3`, `a table`.

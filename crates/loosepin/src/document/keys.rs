@@ -29,6 +29,8 @@ pub enum Kind {
     Count {
         /// The least.
         least: u64,
+        /// The most.
+        most: u64,
     },
     /// One of a few words.
     Choice(&'static [&'static str]),

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
-use crate::units::Dimension;
+use crate::units::{Dimension, Rule};
 
 /// The largest file that is read.
 pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
@@ -35,6 +35,12 @@ pub enum DocumentProblem {
     Syntax {
         /// What the TOML parser says.
         reason: String,
+    },
+    /// A key or table that stands twice.
+    #[error("'{key}' stands here a second time")]
+    DuplicateKey {
+        /// The key.
+        key: String,
     },
     /// A key that the table does not have.
     #[error("{} has no key '{key}'", or_file(.table))]
@@ -177,14 +183,14 @@ pub enum DocumentProblem {
         found: String,
     },
     /// A number outside its range.
-    #[error("{entry} {found}; must be {rule}")]
+    #[error("{entry} {found}; must be {}", .rule.words())]
     BreaksRule {
         /// The entry.
         entry: String,
         /// The value with its unit.
         found: String,
         /// The range.
-        rule: &'static str,
+        rule: Rule,
     },
 }
 
@@ -222,7 +228,7 @@ impl Problem for DocumentProblem {
             Self::NotReadable { .. } => Code::FileNotReadable,
             Self::NotUtf8 => Code::NotUtf8,
             Self::TooLarge { .. } => Code::FileTooLarge,
-            Self::Syntax { .. } => Code::TomlSyntax,
+            Self::Syntax { .. } | Self::DuplicateKey { .. } => Code::TomlSyntax,
             Self::UnknownKey { .. } => Code::UnknownKey,
             Self::NotYetSupported { .. } => Code::NotYetSupported,
             Self::MissingKey { .. } | Self::MissingTag { .. } | Self::MissingOneOf { .. } => Code::MissingKey,
@@ -234,12 +240,18 @@ impl Problem for DocumentProblem {
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::NotFinite { .. } => Code::NotFinite,
+            Self::BreaksRule { rule: Rule::Probability | Rule::RequiredProbability, .. } => Code::BadProbability,
             Self::BreaksRule { .. } => Code::BreaksRule,
         }
     }
 
     fn hint(&self) -> Option<String> {
         match self {
+            Self::BreaksRule { rule: Rule::Probability | Rule::RequiredProbability, .. } => {
+                Some("probabilities are written as numbers, 97.5 % is 0.975".to_owned())
+            }
+            Self::DuplicateKey { .. } => Some("a key, and the header of a table, stands once".to_owned()),
+            Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),
             Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownKey { known, .. } => Some(format!("its keys are {}", known.join(", "))),
             Self::NotYetSupported { instead, .. } => Some(instead.clone()),
@@ -248,17 +260,17 @@ impl Problem for DocumentProblem {
             }
             Self::MissingKey { doc, .. } => Some((*doc).to_owned()),
             Self::UnknownChoice { nearest: Some(nearest), .. } => Some(format!("did you mean \"{nearest}\"?")),
-            Self::MissingUnit { due, found, .. } => Some(match due.example() {
-                Some(example) => {
-                    let unit = example.split_once(' ').map_or("", |(_, unit)| unit);
-                    if found.parse::<f64>().is_ok() {
-                        format!("write the unit, for example \"{found} {unit}\"")
-                    } else {
-                        format!("write the unit, for example \"{example}\"")
+            Self::MissingUnit { due, found, .. } => {
+                let customary = due.example().and_then(|example| example.split_once(' ')).map(|(_, unit)| unit);
+                let si = due.si_unit();
+                let number = if found.parse::<f64>().is_ok() { found.as_str() } else { "1" };
+                Some(match customary {
+                    Some(unit) if unit != si => {
+                        format!("write the unit, for example \"{number} {unit}\" or \"{number} {si}\"")
                     }
-                }
-                None => format!("write the unit, for example \"{found} {}\"", due.si_unit()),
-            }),
+                    _ => format!("write the unit, for example \"{number} {si}\""),
+                })
+            }
             Self::WrongDimension { due, .. } => Some(match due.example() {
                 Some(example) => format!("for example \"{example}\""),
                 None => format!("its unit is {}", due.si_unit()),

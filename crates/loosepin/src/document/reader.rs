@@ -13,9 +13,6 @@ use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_value, parse_quantity};
 
-/// The largest count: what a double and every format we write hold exactly.
-pub(crate) const LARGEST_COUNT: u64 = (1 << 53) - 1;
-
 /// Reads a file as UTF-8 text.
 ///
 /// # Errors
@@ -74,7 +71,12 @@ pub(crate) fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, C
     let mut complaints = Complaints::new();
     for error in errors {
         let place = error.span().map(|span| Place::new(source, span));
-        let problem = DocumentProblem::Syntax { reason: error.message().replace('\n', "; ") };
+        let problem = if error.message() == "duplicate key" {
+            let key = error.span().map(|span| source.text()[source.clamp(span.into())].to_owned());
+            DocumentProblem::DuplicateKey { key: shortened(&key.unwrap_or_default()) }
+        } else {
+            DocumentProblem::Syntax { reason: error.message().replace('\n', "; ") }
+        };
         complaints.push(Complaint::error(&problem, place));
     }
     Err(complaints)
@@ -149,12 +151,15 @@ impl Reader {
         let table = Table { path, span, entries, keys };
         let words = table.path.describe();
         let mut meant = Vec::new();
+        let mut has_unknown = false;
+        let mut has_planned = false;
         for written in entries.keys() {
             let key: &str = written.get_ref();
             if keys.find(key).is_some() {
                 continue;
             }
             let problem = if let Some((_, instead)) = keys.planned.iter().find(|(planned, _)| *planned == key) {
+                has_planned = true;
                 DocumentProblem::NotYetSupported {
                     entry: table.path.join(key).describe(),
                     instead: (*instead).to_owned(),
@@ -162,14 +167,15 @@ impl Reader {
             } else {
                 let known: Vec<&'static str> = keys.keys.iter().map(|key| key.name).collect();
                 let nearest = nearest_name(key, known.iter().copied()).map(str::to_owned);
+                has_unknown = true;
                 meant.extend(nearest.clone());
                 DocumentProblem::UnknownKey { table: words.clone(), key: shortened(key), nearest, known }
             };
             self.complain(&problem, written.span().into());
         }
         for key in keys.keys.iter().filter(|key| key.is_required && !table.has(key.name)) {
-            // A misspelt key is one slip, not two.
-            if meant.iter().any(|meant| meant == key.name) {
+            // A misspelt key is one slip, not two; and a planned one stands where another would.
+            if has_planned || meant.iter().any(|meant| meant == key.name) {
                 continue;
             }
             let problem =
@@ -180,9 +186,8 @@ impl Reader {
             let given: Vec<&'static str> = group.iter().copied().filter(|key| table.has(key)).collect();
             match given.as_slice() {
                 [_] => {}
-                // A planned key was complained about already.
-                [] if group.iter().any(|key| meant.iter().any(|meant| meant == key)) => {}
-                [] if entries.keys().any(|key| keys.planned.iter().any(|(planned, _)| key.get_ref() == planned)) => {}
+                // Whatever was complained about may have been meant for it.
+                [] if has_unknown || has_planned => {}
                 [] => {
                     self.complain(&DocumentProblem::MissingOneOf { table: words.clone(), keys: group.to_vec() }, span)
                 }
@@ -296,13 +301,10 @@ impl Reader {
         None
     }
 
-    /// A whole number within `least` and the largest that a double holds exactly.
-    pub fn count(&mut self, entry: &Entry<'_>, least: u64) -> Option<u64> {
-        self.count_up_to(entry, least, LARGEST_COUNT)
-    }
-
-    /// A whole number within limits.
-    pub fn count_up_to(&mut self, entry: &Entry<'_>, least: u64, most: u64) -> Option<u64> {
+    /// The whole number behind a key, within the limits of the table of keys; absent where it is not written.
+    pub fn count(&mut self, table: &Table<'_>, key: &str) -> Option<u64> {
+        let entry = table.get(key)?;
+        let (least, most) = entry.count_limits()?;
         let found = match entry.value {
             DeValue::Integer(number) => {
                 match i128::from_str_radix(number.as_str(), number.radix()).ok().and_then(|n| u64::try_from(n).ok()) {
@@ -311,19 +313,21 @@ impl Reader {
                 }
             }
             DeValue::Float(number) => shortened(number.as_str()),
-            _ => return self.wrong_type(entry, "a whole number"),
+            _ => return self.wrong_type(&entry, "a whole number"),
         };
         self.complain(&DocumentProblem::BadCount { entry: entry.path.describe(), found, least, most }, entry.span);
         None
     }
 
-    /// A bare number that keeps a rule.
-    pub fn number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<f64> {
+    /// The bare number behind a key, keeping the rule of the table of keys; absent where it is not written.
+    pub fn number(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+        let entry = table.get(key)?;
+        let rule = entry.number_rule()?;
         let value = match entry.value {
-            DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(entry)?,
-            _ => return self.wrong_type(entry, "a number"),
+            DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(&entry)?,
+            _ => return self.wrong_type(&entry, "a number"),
         };
-        self.keeps(entry, value, Dimension::NUMBER, rule).then_some(value)
+        self.keeps(&entry, value, Dimension::NUMBER, rule).then_some(value)
     }
 
     fn bare_number(&mut self, entry: &Entry<'_>) -> Option<f64> {
@@ -397,7 +401,7 @@ impl Reader {
             return true;
         }
         let found = format_value(value_si, dimension);
-        let problem = DocumentProblem::BreaksRule { entry: entry.path.describe(), found, rule: rule.words() };
+        let problem = DocumentProblem::BreaksRule { entry: entry.path.describe(), found, rule };
         self.complain(&problem, entry.span);
         false
     }

@@ -56,7 +56,7 @@ fn kind(due: &Kind) -> Value {
         Kind::AnyQuantity => json!({ "type": ["number", "string"] }),
         Kind::Vector => json!({ "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2 }),
         Kind::Number { rule } => number(*rule),
-        Kind::Count { least } => json!({ "type": "integer", "minimum": least }),
+        Kind::Count { least, most } => json!({ "type": "integer", "minimum": least, "maximum": most }),
         Kind::Choice(words) => json!({ "enum": words }),
         Kind::ChoiceOf(words) => json!({ "enum": words() }),
         Kind::Point => json!({ "type": "string", "pattern": "^[^.]+\\.[^.]+$" }),
@@ -84,6 +84,10 @@ fn number(rule: Rule) -> Value {
         Rule::NonNegative => json!({ "type": "number", "minimum": 0 }),
         Rule::Restitution => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }),
         Rule::PoissonRatio => json!({ "type": "number", "minimum": 0, "maximum": 0.5 }),
+        Rule::Turns => json!({ "type": "number", "minimum": 0, "maximum": 1e6 }),
+        Rule::SomeTurns => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1e6 }),
+        Rule::Probability => json!({ "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1 }),
+        Rule::RequiredProbability => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }),
         Rule::AtLeastOne => json!({ "type": "number", "minimum": 1 }),
     }
 }

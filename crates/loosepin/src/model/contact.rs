@@ -139,17 +139,17 @@ impl ModelReader {
     fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
         let table = self.reader.table(entry, &FRICTION_KEYS)?;
         let law = match table.get("law") {
-            Some(entry) => self.reader.choice(&entry, &[("ambrosio", FrictionLaw::Ambrosio)])?,
-            None => FrictionLaw::Ambrosio,
+            Some(entry) => self.reader.choice(&entry, &[("ambrosio", FrictionLaw::Ambrosio)]),
+            None => Some(FrictionLaw::Ambrosio),
         };
         let sliding_velocity = match table.get("sliding_velocity") {
             Some(entry) => {
                 let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
-                self.reader.choice(&entry, &readings)?
+                self.reader.choice(&entry, &readings)
             }
-            None => SlidingVelocity::Material,
+            None => Some(SlidingVelocity::Material),
         };
-        let coefficient = self.quantity(&table, "coefficient")?;
+        let coefficient = self.quantity(&table, "coefficient");
         let lower_speed_m_s = self.quantity_or(&table, "lower_speed", LOWER_SPEED_M_S);
         let upper_speed_m_s = self.quantity_or(&table, "upper_speed", UPPER_SPEED_M_S);
         let (lower_speed_m_s, upper_speed_m_s) = lower_speed_m_s.zip(upper_speed_m_s)?;
@@ -157,6 +157,12 @@ impl ModelReader {
             let written = ["lower_speed", "upper_speed"].into_iter().find_map(|key| table.get(key));
             self.reader.complain(&problem, written.map_or(table.span, |entry| entry.span));
         }
-        Some(Friction { law, coefficient, lower_speed_m_s, upper_speed_m_s, sliding_velocity })
+        Some(Friction {
+            law: law?,
+            coefficient: coefficient?,
+            lower_speed_m_s,
+            upper_speed_m_s,
+            sliding_velocity: sliding_velocity?,
+        })
     }
 }

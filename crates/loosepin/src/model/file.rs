@@ -145,10 +145,8 @@ impl ModelReader {
                 source: self.reader.source,
                 places: self.places,
             }),
-            _ => {
-                self.warnings.into_iter().for_each(|warning| self.reader.complaints.push(warning));
-                Err(self.reader.complaints)
-            }
+            // What looks unused may be so only because of an error, so warnings wait until there is none.
+            _ => Err(self.reader.complaints),
         }
     }
 
@@ -360,19 +358,10 @@ impl ModelReader {
     fn read_cycle(&mut self, entry: &Entry<'_>) -> Option<Cycle> {
         let table = self.reader.table(entry, &super::keys::CYCLE_KEYS)?;
         self.remember(entry);
-        let transient_turns = table
-            .get("transient_turns")
-            .and_then(|entry| self.reader.number(&entry, Rule::NonNegative))
-            .unwrap_or(TRANSIENT_TURNS);
-        let recorded_turns = table
-            .get("recorded_turns")
-            .and_then(|entry| self.reader.number(&entry, Rule::Positive))
-            .unwrap_or(RECORDED_TURNS);
-        let samples_per_turn = table
-            .get("samples_per_turn")
-            .and_then(|entry| self.reader.count(&entry, 1))
-            .and_then(|count| usize::try_from(count).ok())
-            .unwrap_or(SAMPLES_PER_TURN);
+        let transient_turns = self.reader.number(&table, "transient_turns").unwrap_or(TRANSIENT_TURNS);
+        let recorded_turns = self.reader.number(&table, "recorded_turns").unwrap_or(RECORDED_TURNS);
+        let samples_per_turn =
+            self.reader.count(&table, "samples_per_turn").map_or(SAMPLES_PER_TURN, |count| count as usize);
         let entry = table.get("drive")?;
         let name = self.reader.text(&entry)?;
         let drive = self.named(&entry, "drive", name, |file| &file.drive_names)?;

@@ -1,7 +1,7 @@
 //! The keys of a model file.
 
 use crate::contact::POINT_LAWS;
-use crate::document::{Keys, Kind, optional, quantity, required};
+use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
 const POINTS: Kind = Kind::Values(&Kind::Vector);
@@ -230,19 +230,28 @@ pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
     )],
 );
 
-/// Keys of `[cycle]` in a model file and, all optional, in a study file.
-pub(crate) static CYCLE_KEYS: Keys = Keys::new(
+/// Rows recorded in a turn, at most.
+const MOST_SAMPLES_PER_TURN: u64 = 1_000_000;
+
+/// Numbers of `[cycle]`, in model and study files alike.
+pub(crate) const CYCLE_NUMBERS: [Key; 3] = [
+    optional("transient_turns", Kind::Number { rule: Rule::Turns }, "2", "turns run before recording; 2 if left out"),
+    optional("recorded_turns", Kind::Number { rule: Rule::SomeTurns }, "1", "turns recorded; 1 if left out"),
+    optional(
+        "samples_per_turn",
+        Kind::Count { least: 1, most: MOST_SAMPLES_PER_TURN },
+        "500",
+        "rows recorded in a turn; 500 if left out",
+    ),
+];
+
+pub(super) static CYCLE_KEYS: Keys = Keys::new(
     "what is run and recorded; every number can be overridden",
     &[
         required("drive", Kind::Reference("drive"), "\"crank\"", "the revolute drive whose turns are counted"),
-        optional(
-            "transient_turns",
-            Kind::Number { rule: Rule::NonNegative },
-            "2",
-            "turns run before recording; 2 if left out",
-        ),
-        optional("recorded_turns", Kind::Number { rule: Rule::Positive }, "1", "turns recorded; 1 if left out"),
-        optional("samples_per_turn", Kind::Count { least: 1 }, "500", "rows recorded in a turn; 500 if left out"),
+        CYCLE_NUMBERS[0],
+        CYCLE_NUMBERS[1],
+        CYCLE_NUMBERS[2],
     ],
 );
 

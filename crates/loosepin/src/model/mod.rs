@@ -17,7 +17,7 @@ mod topology;
 
 pub use crate::units::Rule;
 pub use file::model_schema;
-pub(crate) use keys::CYCLE_KEYS;
+pub(crate) use keys::CYCLE_NUMBERS;
 pub use problem::ModelProblem;
 pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use setting::{PathError, Setting, SettingError};

@@ -1,5 +1,11 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
 
+mod file;
 pub mod files;
 pub mod result;
 pub mod runs;
+
+pub use file::{
+    Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
+    study_schema,
+};

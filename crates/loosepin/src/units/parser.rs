@@ -114,7 +114,7 @@ pub fn referenced_names(text: &str) -> Vec<String> {
 /// The first place where the text is no expression, or where dimensions do not agree.
 pub fn parse_expression(text: &str, names: &dyn Names) -> Result<Expression, ExpressionError> {
     let tokens = tokens(text)?;
-    let mut parser = Parser { tokens: &tokens, next: 0, ops: Vec::new(), reads: Vec::new(), names, depth: 0 };
+    let mut parser = Parser { text, tokens: &tokens, next: 0, ops: Vec::new(), reads: Vec::new(), names, depth: 0 };
     if tokens.len() == 1 {
         return Err(parser.error(ExpressionProblem::Empty, 0..text.len()));
     }
@@ -143,7 +143,8 @@ pub fn parse_quantity(text: &str) -> Result<Measured, ExpressionError> {
 /// Anything that is not a unit.
 pub fn parse_unit(text: &str) -> Result<Measured, ExpressionError> {
     let tokens = tokens(text)?;
-    let mut parser = Parser { tokens: &tokens, next: 0, ops: Vec::new(), reads: Vec::new(), names: &NoNames, depth: 0 };
+    let mut parser =
+        Parser { text, tokens: &tokens, next: 0, ops: Vec::new(), reads: Vec::new(), names: &NoNames, depth: 0 };
     let unit = parser.unit()?;
     parser.end()?;
     Ok(Measured { value_si: unit.numerator / unit.denominator, dimension: unit.dimension })
@@ -159,6 +160,23 @@ struct UnitProduct {
 
 impl UnitProduct {
     const ONE: UnitProduct = UnitProduct { numerator: 1.0, denominator: 1.0, dimension: Dimension::NUMBER };
+
+    /// `value`, written as `text`, in SI. Where the unit is a power of ten the point is moved before rounding, so that
+    /// `0.03 mm` and `3e-5 m` are the same number.
+    fn to_si(self, value: f64, text: &str) -> f64 {
+        let plain = value * self.numerator / self.denominator;
+        let Some((over, under)) = decimal_exponent(self.numerator).zip(decimal_exponent(self.denominator)) else {
+            return plain;
+        };
+        let (digits, exponent) = match text.split_once(['e', 'E']) {
+            Some((digits, exponent)) => (digits, exponent.parse::<i32>().ok()),
+            None => (text, Some(0)),
+        };
+        exponent
+            .and_then(|exponent| exponent.checked_add(over - under))
+            .and_then(|exponent| format!("{digits}e{exponent}").parse().ok())
+            .unwrap_or(plain)
+    }
 
     fn times(self, other: UnitProduct) -> UnitProduct {
         UnitProduct {
@@ -187,7 +205,14 @@ impl UnitProduct {
     }
 }
 
+/// k where `factor` is exactly 10^k, for the k whose powers a double holds exactly.
+fn decimal_exponent(factor: f64) -> Option<i32> {
+    const LARGEST_EXACT: i32 = 22;
+    (0..=LARGEST_EXACT).find(|exponent| 10_f64.powi(*exponent) == factor)
+}
+
 struct Parser<'a> {
+    text: &'a str,
     tokens: &'a [Token],
     next: usize,
     ops: Vec<Op>,
@@ -360,7 +385,7 @@ impl Parser<'_> {
             TokenKind::Number(value) => {
                 self.next += 1;
                 let unit = self.unit()?;
-                let value_si = value * unit.numerator / unit.denominator;
+                let value_si = unit.to_si(value, &self.text[span.clone()]);
                 if !value_si.is_finite() {
                     return Err(self.error(ExpressionProblem::NotFinite { value: value_si }, span));
                 }
@@ -477,9 +502,9 @@ impl Parser<'_> {
         loop {
             if self.unit_begins(0) || (self.is_sign('*') && self.unit_begins(1)) {
                 if divided {
-                    let unit = self.tokens[..=self.next].iter().filter(|token| token.span.start >= start);
-                    let unit = unit.map(word_of).collect::<Vec<_>>().join("");
-                    return Err(self.error(ExpressionProblem::AmbiguousUnit { unit }, start..self.span().end));
+                    let span = start..self.span().end;
+                    let unit = self.text.get(span.clone()).unwrap_or_default().to_owned();
+                    return Err(self.error(ExpressionProblem::AmbiguousUnit { unit }, span));
                 }
                 self.take_sign('*');
                 product = product.times(self.unit_factor()?);
@@ -568,16 +593,6 @@ impl Parser<'_> {
             }
         }
         Ok(if negative { -exponent } else { exponent })
-    }
-}
-
-fn word_of(token: &Token) -> String {
-    match &token.kind {
-        TokenKind::Word(word) => format!(" {word}"),
-        TokenKind::Sign(sign) => sign.to_string(),
-        TokenKind::Number(value) => super::format_number(*value),
-        TokenKind::Superscript(exponent) => format!("^{exponent}"),
-        TokenKind::End => String::new(),
     }
 }
 

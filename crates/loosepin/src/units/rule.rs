@@ -15,7 +15,18 @@ pub enum Rule {
     PoissonRatio,
     /// >= 1.
     AtLeastOne,
+    /// [0, 1e6], for turns run before recording.
+    Turns,
+    /// (0, 1e6], for turns recorded.
+    SomeTurns,
+    /// (0, 1).
+    Probability,
+    /// (0, 1].
+    RequiredProbability,
 }
+
+/// Turns in one run, at most: far more than anybody waits for, and few enough that counters hold them.
+const MOST_TURNS: f64 = 1e6;
 
 impl Rule {
     /// Whether a value keeps the rule. No value that is not finite keeps any.
@@ -28,6 +39,10 @@ impl Rule {
                 Rule::Restitution => value_si > 0.0 && value_si <= 1.0,
                 Rule::PoissonRatio => (0.0..=0.5).contains(&value_si),
                 Rule::AtLeastOne => value_si >= 1.0,
+                Rule::Turns => (0.0..=MOST_TURNS).contains(&value_si),
+                Rule::SomeTurns => value_si > 0.0 && value_si <= MOST_TURNS,
+                Rule::Probability => value_si > 0.0 && value_si < 1.0,
+                Rule::RequiredProbability => value_si > 0.0 && value_si <= 1.0,
             }
     }
 
@@ -40,6 +55,10 @@ impl Rule {
             Rule::Restitution => "in (0, 1]",
             Rule::PoissonRatio => "in [0, 0.5]",
             Rule::AtLeastOne => ">= 1",
+            Rule::Turns => "in [0, 1e6]",
+            Rule::SomeTurns => "in (0, 1e6]",
+            Rule::Probability => "in (0, 1)",
+            Rule::RequiredProbability => "in (0, 1]",
         }
     }
 }

@@ -1,0 +1,171 @@
+//! From the text of a study file to a study, with all its complaints at once.
+
+mod ask;
+mod check;
+mod description;
+mod input;
+mod keys;
+mod problem;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+pub use description::{Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, Where};
+use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
+pub use problem::StudyProblem;
+
+use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
+use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
+use crate::model::{Cycle, Model};
+use crate::units::{Dimension, Rule};
+
+/// Points in the box of the epistemic inputs, where the file does not say.
+const OUTER: usize = 64;
+/// Samples of the random inputs at each of them, where the file does not say.
+const INNER: usize = 256;
+/// Independent randomisations of the inner samples, where the file does not say.
+const REPLICATES: usize = 4;
+/// Accuracy of positions in a run, where the file does not say, m.
+const TOLERANCE_M: f64 = 1e-8;
+/// The seed, where the file does not say.
+const SEED: u64 = 1;
+
+/// The JSON Schema of a study file, for editors.
+pub fn study_schema() -> serde_json::Value {
+    json_schema("loosepin study", &STUDY_KEYS)
+}
+
+impl Study {
+    /// Reads a study file and the model file that it names, whose path is taken from the folder of the study file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with either file, each with its place.
+    pub fn from_path(path: &Path) -> Result<Study, Complaints> {
+        let source = read_source(path)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        read(&source, |written| {
+            let model_path = folder.join(written);
+            Ok((Model::from_path(&model_path)?, model_path))
+        })
+    }
+
+    /// Reads a study of `model` from text that is reported as `name`. The model that the text names is not opened.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, each with its place.
+    pub fn from_text(name: &str, text: &str, model: Model) -> Result<Study, Complaints> {
+        read(&Source::new(name, text), |written| Ok((model, PathBuf::from(written))))
+    }
+
+    /// The file that the study was read from.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+}
+
+fn read(
+    source: &Arc<Source>,
+    open_model: impl FnOnce(&str) -> Result<(Model, PathBuf), Complaints>,
+) -> Result<Study, Complaints> {
+    let toml = parse_toml(source)?;
+    let mut reader = Reader::new(source);
+    let root = reader.root(toml.get_ref(), &STUDY_KEYS);
+    let name = root.get("name").and_then(|entry| reader.text(&entry)).unwrap_or_default().to_owned();
+    let opened = root.get("model").and_then(|entry| {
+        let written = reader.text(&entry)?;
+        match open_model(written) {
+            Ok(opened) => Some(opened),
+            Err(complaints) => {
+                adopt(&mut reader, complaints, entry.span);
+                None
+            }
+        }
+    });
+    // Without the model no path, dimension or output of the study can be checked.
+    let Some((model, model_path)) = opened else { return Err(reader.complaints) };
+    let mut file = StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new() };
+    let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
+    let cycle = file.cycle(&root);
+    let sampling = file.sampling(&root);
+    if let Some(entry) = root.get("random") {
+        file.read_random(&entry);
+    }
+    if let Some(entry) = root.get("epistemic") {
+        file.read_epistemic(&entry);
+    }
+    let asks = file.read_asks(&root);
+    let requirements = file.read_requirements(&root);
+    file.check_whole(&root);
+    if file.reader.complaints.has_errors() {
+        return Err(file.reader.complaints);
+    }
+    let mut warnings: Vec<Complaint> = file.model.warnings.clone();
+    warnings.extend(file.reader.complaints.sorted().into_iter().cloned());
+    Ok(Study {
+        name,
+        model: file.model,
+        model_path,
+        seed,
+        cycle,
+        sampling,
+        random: file.random,
+        epistemic: file.epistemic,
+        asks,
+        requirements,
+        warnings,
+        source: file.reader.source,
+    })
+}
+
+/// Takes over the complaints about the model file; one that has no place, since the file could not be read, is placed
+/// where the study names it.
+fn adopt(reader: &mut Reader, complaints: Complaints, span: Span) {
+    for complaint in complaints.sorted() {
+        let place = complaint.place.clone().unwrap_or_else(|| Place::new(&reader.source, span));
+        reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
+    }
+}
+
+/// A study in the making.
+pub(super) struct StudyReader {
+    pub reader: Reader,
+    pub model: Model,
+    pub random: Vec<RandomInput>,
+    pub epistemic: Vec<EpistemicInput>,
+}
+
+impl StudyReader {
+    fn cycle(&mut self, root: &Table<'_>) -> Cycle {
+        let mut cycle = self.model.cycle.clone();
+        let Some(table) = root.get("cycle").and_then(|entry| self.reader.table(&entry, &STUDY_CYCLE_KEYS)) else {
+            return cycle;
+        };
+        cycle.transient_turns = self.reader.number(&table, "transient_turns").unwrap_or(cycle.transient_turns);
+        cycle.recorded_turns = self.reader.number(&table, "recorded_turns").unwrap_or(cycle.recorded_turns);
+        cycle.samples_per_turn =
+            self.reader.count(&table, "samples_per_turn").map_or(cycle.samples_per_turn, |count| count as usize);
+        cycle
+    }
+
+    fn sampling(&mut self, root: &Table<'_>) -> Sampling {
+        let mut sampling = Sampling { outer: OUTER, inner: INNER, replicates: REPLICATES, tolerance_m: TOLERANCE_M };
+        let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
+            return sampling;
+        };
+        for (key, count) in
+            [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
+        {
+            *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
+        }
+        if let Some(entry) = table.get("tolerance") {
+            sampling.tolerance_m =
+                self.reader.measured(&entry, Dimension::LENGTH, Rule::Positive).unwrap_or(sampling.tolerance_m);
+        }
+        sampling
+    }
+
+    /// Complains about an entry.
+    fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
+        self.reader.complain(problem, entry.span);
+    }
+}

@@ -1,0 +1,201 @@
+//! Questions and requirements.
+
+use super::StudyReader;
+use super::description::{Ask, Deviation, Reduction, Requirement, Where};
+use super::keys::{ASK_KEYS, DEVIATIONS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS};
+use super::problem::StudyProblem;
+use crate::bounds::Statistic;
+use crate::diagnostics::nearest_name;
+use crate::document::{Entry, Table};
+use crate::model::OutputKind;
+use crate::units::{Dimension, Rule, format_value};
+
+const DEVIATION_MEANINGS: [Deviation; 4] =
+    [Deviation::Value, Deviation::Dimensional, Deviation::Clearance, Deviation::Total];
+const REDUCTION_MEANINGS: [Reduction; 6] = [
+    Reduction::Maximum,
+    Reduction::Minimum,
+    Reduction::MaximumAbsolute,
+    Reduction::RootMeanSquare,
+    Reduction::Mean,
+    Reduction::Range,
+];
+const STATISTIC_MEANINGS: [Statistic; 3] = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Cdf];
+
+/// Words with what they mean.
+fn choices<T: Copy, const N: usize>(words: [&'static str; N], meanings: [T; N]) -> Vec<(&'static str, T)> {
+    words.into_iter().zip(meanings).collect()
+}
+
+impl StudyReader {
+    /// Reads the questions.
+    pub fn read_asks(&mut self, root: &Table<'_>) -> Vec<Ask> {
+        let entries = self.double_brackets(root, "ask");
+        entries
+            .iter()
+            .filter_map(|entry| {
+                let table = self.reader.table(entry, &ASK_KEYS)?;
+                self.ask(&table)
+            })
+            .collect()
+    }
+
+    /// The tables under `[[key]]`.
+    fn double_brackets<'t>(&mut self, root: &Table<'t>, key: &str) -> Vec<Entry<'t>> {
+        let Some(entry) = root.get(key) else { return Vec::new() };
+        if entry.is_table() {
+            self.reader.wrong_type::<()>(&entry, "a list of tables, each under a header in double brackets");
+            return Vec::new();
+        }
+        self.reader.list(&entry).unwrap_or_default()
+    }
+
+    fn ask(&mut self, table: &Table<'_>) -> Option<Ask> {
+        let output = self.output(table);
+        let deviation = self.deviation(table);
+        let location = self.location(table, "at", Some("reduce"));
+        // Without the output the dimension of limits is not known.
+        let output = output?;
+        let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
+        Some(Ask { output, deviation: deviation?, location: location?, statistics: statistics? })
+    }
+
+    /// Reads the requirements.
+    pub fn read_requirements(&mut self, root: &Table<'_>) -> Vec<Requirement> {
+        let entries = self.double_brackets(root, "require");
+        entries
+            .iter()
+            .filter_map(|entry| {
+                let table = self.reader.table(entry, &REQUIRE_KEYS)?;
+                self.requirement(&table)
+            })
+            .collect()
+    }
+
+    fn requirement(&mut self, table: &Table<'_>) -> Option<Requirement> {
+        let output = self.output(table);
+        let deviation = self.deviation(table);
+        let location = self.location(table, "over", None);
+        let probability_at_least = self.reader.number(table, "probability_at_least");
+        let output = output?;
+        let within = table.get("within").and_then(|entry| {
+            let dimension = self.model.outputs[output].kind.dimension();
+            let within = self.reader.measured(&entry, dimension, Rule::Finite)?;
+            self.limit(&entry, within, dimension, Rule::Positive)
+        });
+        Some(Requirement {
+            output,
+            deviation: deviation?,
+            within: within?,
+            location: location?,
+            probability_at_least: probability_at_least?,
+        })
+    }
+
+    fn output(&mut self, table: &Table<'_>) -> Option<usize> {
+        let entry = table.get("output")?;
+        let name = self.reader.text(&entry)?.to_owned();
+        let outputs = &self.model.outputs;
+        let Some(index) = outputs.iter().position(|output| output.name == name) else {
+            let known = outputs.iter().map(|output| format!("'{}'", output.name)).collect();
+            let nearest = nearest_name(&name, outputs.iter().map(|output| output.name.as_str())).map(str::to_owned);
+            let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
+            self.complain(&problem, &entry);
+            return None;
+        };
+        if matches!(outputs[index].kind, OutputKind::Path(_)) {
+            self.complain(&StudyProblem::PathOutput { entry: table.path.describe(), name }, &entry);
+            return None;
+        }
+        Some(index)
+    }
+
+    fn deviation(&mut self, table: &Table<'_>) -> Option<Deviation> {
+        let entry = table.get("of")?;
+        self.reader.choice(&entry, &choices(DEVIATIONS, DEVIATION_MEANINGS))
+    }
+
+    /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it.
+    fn location(&mut self, table: &Table<'_>, everywhere: &str, reduction: Option<&str>) -> Option<Where> {
+        if let Some(entry) = table.get(everywhere) {
+            return self.reader.choice(&entry, &[("cycle", ())]).map(|()| Where::Cycle);
+        }
+        if let Some(entry) = table.get("poses") {
+            return self.poses(&entry);
+        }
+        let entry = table.get(reduction?)?;
+        self.reader.choice(&entry, &choices(REDUCTIONS, REDUCTION_MEANINGS)).map(Where::Reduced)
+    }
+
+    fn poses(&mut self, entry: &Entry<'_>) -> Option<Where> {
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "a table such as { crank = [\"60 deg\"] }");
+        }
+        let drive = self.model.cycle.drive;
+        let due = self.model.drives[drive.0].name.clone();
+        let mut angles_rad = Vec::new();
+        for entry in self.reader.any_keys(entry) {
+            if entry.name != due {
+                let problem = StudyProblem::WrongDrive {
+                    entry: entry.path.describe(),
+                    name: entry.name.to_owned(),
+                    due: due.clone(),
+                };
+                self.complain(&problem, &entry.at_key());
+                return None;
+            }
+            for angle in self.reader.list(&entry)? {
+                angles_rad.extend(self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite));
+            }
+        }
+        if angles_rad.is_empty() {
+            if !self.reader.complaints.has_errors() {
+                self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
+            }
+            return None;
+        }
+        Some(Where::Poses { drive, angles_rad })
+    }
+
+    fn statistics(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<Statistic>> {
+        let entry = table.get("statistics")?;
+        let entries = self.reader.list(&entry)?;
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, &entry);
+            return None;
+        }
+        let statistics: Vec<Option<Statistic>> = entries.iter().map(|entry| self.statistic(entry, dimension)).collect();
+        statistics.into_iter().collect()
+    }
+
+    fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Statistic> {
+        if entry.is_text() {
+            return self.reader.choice(entry, &choices(PLAIN_STATISTICS, STATISTIC_MEANINGS));
+        }
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "the name of a statistic or a table such as { quantile = 0.975 }");
+        }
+        let table = self.reader.table(entry, &STATISTIC_KEYS)?;
+        let key = STATISTICS.into_iter().find(|key| table.has(key))?;
+        if key == "quantile" {
+            return self.reader.number(&table, key).map(Statistic::Quantile);
+        }
+        let entry = table.get(key)?;
+        let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
+        match key {
+            "probability_above" => Some(Statistic::ProbabilityAbove(limit)),
+            "probability_below" => Some(Statistic::ProbabilityBelow(limit)),
+            _ => self.limit(&entry, limit, dimension, Rule::NonNegative).map(Statistic::ProbabilityBeyond),
+        }
+    }
+
+    /// A limit of a magnitude.
+    fn limit(&mut self, entry: &Entry<'_>, limit: f64, dimension: Dimension, rule: Rule) -> Option<f64> {
+        if rule.allows(limit) {
+            return Some(limit);
+        }
+        let found = format_value(limit, dimension);
+        self.complain(&StudyProblem::Limit { entry: entry.path.describe(), found, rule: rule.words() }, entry);
+        None
+    }
+}

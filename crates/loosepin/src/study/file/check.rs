@@ -1,0 +1,140 @@
+//! Checks of the inputs together with the rules of the model.
+
+use super::StudyReader;
+use super::problem::StudyProblem;
+use crate::diagnostics::Complaint;
+use crate::diagnostics::Place;
+use crate::document::{Entry, Table};
+use crate::model::{JointKind, QuantityError, QuantityId};
+use crate::units::{format_number, format_value};
+
+/// Share of a distribution that may be impossible; what is drawn there is a failed run.
+const MOST_IMPOSSIBLE_SHARE: f64 = 0.01;
+/// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
+const QUANTILES: usize = 1000;
+/// Intervals whose corners are all tried; more would be too many corners.
+const MOST_INTERVALS_WITH_CORNERS: usize = 10;
+
+impl StudyReader {
+    /// Checks one end of an interval against the rules of the model, all other values being those of the file; says
+    /// whether it is possible.
+    pub fn check_end(&mut self, quantity: QuantityId, path: &str, value_si: f64, entry: &Entry<'_>) -> bool {
+        let problem = self.problem_at_end(quantity, path, value_si);
+        if let Some(problem) = &problem {
+            self.complain(problem, entry);
+        }
+        problem.is_none()
+    }
+
+    fn problem_at_end(&self, quantity: QuantityId, path: &str, value_si: f64) -> Option<StudyProblem> {
+        let quantities = &self.model.quantities;
+        let end = format_value(value_si, quantities[quantity].dimension);
+        let path = path.to_owned();
+        let values = match quantities.evaluate(&[(quantity, value_si)]) {
+            Ok(values) => values,
+            Err(error) => return Some(StudyProblem::ImpossibleEnd { path, end, error }),
+        };
+        let lost = self.model.joints.iter().find_map(|joint| match &joint.kind {
+            JointKind::Revolute { clearance: Some(clearance), .. } => {
+                let id = clearance.radial_clearance_m;
+                (values[id] == 0.0 && self.model.roots(id).contains(&quantity)).then_some(id)
+            }
+            _ => None,
+        });
+        lost.map(|id| StudyProblem::ClearanceTouchesZero { path, end, clearance: quantities[id].path.clone() })
+    }
+
+    /// Checks what only the whole study shows.
+    pub fn check_whole(&mut self, root: &Table<'_>) {
+        let is_empty = |reader: &mut Self, keys: [&str; 2]| {
+            keys.into_iter().all(|key| {
+                root.get(key).is_none_or(|entry| {
+                    if entry.is_table() { reader.reader.any_keys(&entry).is_empty() } else { entry.is_empty_list() }
+                })
+            })
+        };
+        if is_empty(self, ["random", "epistemic"]) {
+            self.reader.complain(&StudyProblem::NothingUncertain, root.span);
+        }
+        if is_empty(self, ["ask", "require"]) {
+            self.reader.complain(&StudyProblem::NothingAsked, root.span);
+        }
+        if self.reader.complaints.has_errors() {
+            return;
+        }
+        let place_of = |key: &str| root.get(key).map(|entry| entry.key_span).unwrap_or_default();
+        if let Err(error) = self.check_corners() {
+            let problem = StudyProblem::ImpossibleTogether { error };
+            self.reader.complain(&problem, place_of("epistemic"));
+            return;
+        }
+        for index in 0..self.random.len() {
+            if let Some(problem) = self.impossible_share(index) {
+                let span = root
+                    .get("random")
+                    .and_then(|table| {
+                        let entries = self.reader.any_keys(&table);
+                        entries.into_iter().find(|entry| entry.name == self.random[index].path)
+                    })
+                    .map_or(root.span, |entry| entry.span);
+                let place = Place::new(&self.reader.source, span);
+                self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+            }
+        }
+    }
+
+    /// Evaluates every corner of the box of intervals.
+    fn check_corners(&self) -> Result<(), QuantityError> {
+        if self.epistemic.len() > MOST_INTERVALS_WITH_CORNERS {
+            return Ok(());
+        }
+        let mut values = self.model.quantities.nominal();
+        for corner in 0..1_usize << self.epistemic.len() {
+            let set: Vec<(QuantityId, f64)> = self
+                .epistemic
+                .iter()
+                .enumerate()
+                .map(|(index, input)| {
+                    let is_upper = corner >> index & 1 == 1;
+                    (input.quantity, if is_upper { input.interval.upper() } else { input.interval.lower() })
+                })
+                .collect();
+            self.model.quantities.evaluate_into(&set, &mut values)?;
+        }
+        Ok(())
+    }
+
+    /// The share of a random input that is impossible, where it is too large; the intervals stand at their lower ends,
+    /// middles and upper ends in turn.
+    fn impossible_share(&self, index: usize) -> Option<StudyProblem> {
+        let input = &self.random[index];
+        let mut values = self.model.quantities.nominal();
+        for fraction in [0.0, 0.5, 1.0] {
+            let mut set: Vec<(QuantityId, f64)> =
+                self.epistemic.iter().map(|input| (input.quantity, input.interval.at(fraction))).collect();
+            set.push((input.quantity, f64::NAN));
+            let mut impossible = 0;
+            let mut first = None;
+            for quantile in 0..QUANTILES {
+                let probability = (quantile as f64 + 0.5) / QUANTILES as f64;
+                if let Some(last) = set.last_mut() {
+                    last.1 = input.variable.quantile(probability);
+                }
+                if let Err(error) = self.model.quantities.evaluate_into(&set, &mut values) {
+                    impossible += 1;
+                    first.get_or_insert(error);
+                }
+            }
+            let share = f64::from(impossible) / QUANTILES as f64;
+            if share > MOST_IMPOSSIBLE_SHARE {
+                return first.map(|error| StudyProblem::ImpossibleShare {
+                    path: input.path.clone(),
+                    share_percent: format_number(100.0 * share),
+                    most_percent: 100.0 * MOST_IMPOSSIBLE_SHARE,
+                    error,
+                });
+            }
+        }
+        None
+    }
+}

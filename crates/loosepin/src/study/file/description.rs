@@ -1,0 +1,146 @@
+//! What a study file says, checked and in SI.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::bounds::Statistic;
+use crate::diagnostics::{Complaint, Source};
+use crate::model::{Cycle, DriveId, Model, QuantityId};
+use crate::uncertainty::{Interval, RandomVariable};
+
+/// A study: what is uncertain in a model, and what is asked.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// Name of the study.
+    pub name: String,
+    /// The model with its nominal values.
+    pub model: Model,
+    /// Where the model was read from.
+    pub model_path: PathBuf,
+    /// Seed of the random numbers; the same seed gives the same results.
+    pub seed: u64,
+    /// What is run and recorded: that of the model with the numbers that the study overrides.
+    pub cycle: Cycle,
+    /// How many runs, and how accurate.
+    pub sampling: Sampling,
+    /// Random inputs in file order.
+    pub random: Vec<RandomInput>,
+    /// Epistemic inputs in file order.
+    pub epistemic: Vec<EpistemicInput>,
+    /// What is asked, in file order.
+    pub asks: Vec<Ask>,
+    /// What is required, in file order.
+    pub requirements: Vec<Requirement>,
+    /// What is allowed in model and study and yet looks like an oversight.
+    pub warnings: Vec<Complaint>,
+    pub(super) source: Arc<Source>,
+}
+
+/// How many runs, and how accurate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Points in the box of the epistemic inputs (default: 64).
+    pub outer: usize,
+    /// Samples of the random inputs at each of them (default: 256).
+    pub inner: usize,
+    /// Independent randomisations of the inner samples, for the sampling error (default: 4).
+    pub replicates: usize,
+    /// Accuracy of positions in a run, m (default: 1e-8).
+    pub tolerance_m: f64,
+}
+
+/// A quantity that scatters with a known distribution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RandomInput {
+    /// Path in the model.
+    pub path: String,
+    /// The quantity.
+    pub quantity: QuantityId,
+    /// Its distribution, SI.
+    pub variable: RandomVariable,
+}
+
+/// A quantity known only to lie in an interval.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EpistemicInput {
+    /// Path in the model.
+    pub path: String,
+    /// The quantity.
+    pub quantity: QuantityId,
+    /// The interval, SI; its ends differ.
+    pub interval: Interval,
+}
+
+/// Which deviation of an output (method, section 1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Deviation {
+    /// The output itself.
+    Value,
+    /// Sampled dimensions without clearance, minus nominal dimensions without clearance.
+    Dimensional,
+    /// Sampled dimensions with clearance, minus sampled dimensions without.
+    Clearance,
+    /// Sampled dimensions with clearance, minus nominal dimensions without.
+    Total,
+}
+
+/// How a curve over the recorded turns becomes one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Reduction {
+    /// The largest value, located between the samples.
+    Maximum,
+    /// The smallest value, located between the samples.
+    Minimum,
+    /// The largest magnitude, located between the samples.
+    MaximumAbsolute,
+    /// The root of the mean square.
+    RootMeanSquare,
+    /// The mean over time.
+    Mean,
+    /// Maximum minus minimum.
+    Range,
+}
+
+/// Where in the cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Where {
+    /// Everywhere: the curve over the cycle.
+    Cycle,
+    /// At angles of the drive that the cycle counts.
+    Poses {
+        /// The drive.
+        drive: DriveId,
+        /// Its angles, rad, in file order.
+        angles_rad: Vec<f64>,
+    },
+    /// One number of the whole curve.
+    Reduced(Reduction),
+}
+
+/// A question.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ask {
+    /// Index in [`Model::outputs`].
+    pub output: usize,
+    /// Which deviation of it.
+    pub deviation: Deviation,
+    /// Where in the cycle.
+    pub location: Where,
+    /// Which statistics; limits in the SI unit of the output. At least one.
+    pub statistics: Vec<Statistic>,
+}
+
+/// A requirement: P(|deviation| <= within) >= probability for every value of the epistemic inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Requirement {
+    /// Index in [`Model::outputs`].
+    pub output: usize,
+    /// Which deviation of it.
+    pub deviation: Deviation,
+    /// The limit, in the SI unit of the output, > 0.
+    pub within: f64,
+    /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
+    pub location: Where,
+    /// The least probability, in (0, 1].
+    pub probability_at_least: f64,
+}

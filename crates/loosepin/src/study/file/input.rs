@@ -1,0 +1,204 @@
+//! Random and epistemic inputs.
+
+use super::StudyReader;
+use super::description::{EpistemicInput, RandomInput};
+use super::keys::{
+    BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
+    TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
+};
+use super::problem::StudyProblem;
+use crate::document::{DocumentProblem, Entry, Keys, Table};
+use crate::model::QuantityId;
+use crate::uncertainty::{Distribution, Interval, RandomVariable};
+use crate::units::{Dimension, Rule, format_value};
+
+/// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
+const FIRST_WORDS: [&str; 6] = ["parameter", "body", "joint", "contact", "drive", "assembly"];
+
+const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
+const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
+
+impl StudyReader {
+    /// Reads the table of random inputs.
+    pub fn read_random(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.any_keys(entry) {
+            let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
+            let dimension = self.model.quantities[quantity].dimension;
+            let distribution =
+                self.reader.table(&entry, &RANDOM_KEYS).and_then(|table| self.distribution(&table, dimension));
+            let Some(distribution) = distribution else { continue };
+            match RandomVariable::try_new(distribution) {
+                Ok(variable) => {
+                    self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable });
+                }
+                Err(error) => self
+                    .complain(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, &entry),
+            }
+        }
+    }
+
+    /// Reads the table of epistemic inputs.
+    pub fn read_epistemic(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.any_keys(entry) {
+            let Some(quantity) = self.input(&entry, EPISTEMIC_EXAMPLE) else { continue };
+            if self.random.iter().any(|input| input.quantity == quantity) {
+                self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
+            }
+            let Some(table) = self.reader.table(&entry, &EPISTEMIC_KEYS) else { continue };
+            let Some(written) = table.get("interval") else { continue };
+            if let Some(interval) = self.interval(&written, quantity, entry.name) {
+                self.epistemic.push(EpistemicInput { path: entry.name.to_owned(), quantity, interval });
+            }
+        }
+    }
+
+    /// The quantity that a key names, where a table stands behind it.
+    fn input(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<QuantityId> {
+        if FIRST_WORDS.contains(&entry.name) && entry.is_table() {
+            let next = self.reader.any_keys(entry).first().map_or("name", |next| next.name);
+            let problem = StudyProblem::UnquotedPath { path: format!("{}.{next}", entry.name) };
+            self.complain(&problem, &entry.at_key());
+            return None;
+        }
+        if entry.name.starts_with("contact.") && entry.name.ends_with(".law") {
+            let instead = "run one study for each law".to_owned();
+            self.reader
+                .complain(&DocumentProblem::NotYetSupported { entry: entry.path.describe(), instead }, entry.key_span);
+            return None;
+        }
+        match self.model.find(entry.name) {
+            Ok(_) if !entry.is_table() => self.reader.wrong_type(entry, due),
+            Ok(quantity) => Some(quantity),
+            Err(error) => {
+                self.complain(&error.into(), &entry.at_key());
+                None
+            }
+        }
+    }
+
+    fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
+        let dimension = self.model.quantities[quantity].dimension;
+        let pair = self.reader.pair(entry)?;
+        let [lower, upper] = [0, 1].map(|index: usize| self.reader.measured(&pair[index], dimension, Rule::Finite));
+        let (lower, upper) = lower.zip(upper)?;
+        let words = entry.path.describe();
+        let text = |value_si| format_value(value_si, dimension);
+        if lower > upper {
+            let problem = StudyProblem::IntervalTurnedRound { entry: words, lower: text(lower), upper: text(upper) };
+            self.complain(&problem, entry);
+            return None;
+        }
+        if lower == upper {
+            self.complain(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry);
+            return None;
+        }
+        let [first, second] = &pair;
+        let lower_is_possible = self.check_end(quantity, path, lower, first);
+        let upper_is_possible = self.check_end(quantity, path, upper, second);
+        if !lower_is_possible || !upper_is_possible {
+            return None;
+        }
+        Interval::try_new(lower, upper).ok()
+    }
+
+    fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
+        let family = FAMILIES.into_iter().find(|family| table.has(family))?;
+        let entry = table.get(family)?;
+        let keys: &'static Keys = match family {
+            "normal" => &NORMAL_KEYS,
+            "truncated_normal" => &TRUNCATED_NORMAL_KEYS,
+            "uniform" => &UNIFORM_KEYS,
+            "lognormal" => &LOGNORMAL_KEYS,
+            "triangular" => &TRIANGULAR_KEYS,
+            _ => &BETA_KEYS,
+        };
+        let table = self.reader.table(&entry, keys)?;
+        let positive_mean = family == "lognormal";
+        match family {
+            "normal" | "lognormal" => {
+                let (mean, standard_deviation) = self.moments(&table, dimension, positive_mean)?;
+                Some(if positive_mean {
+                    Distribution::Lognormal { mean, standard_deviation }
+                } else {
+                    Distribution::Normal { mean, standard_deviation }
+                })
+            }
+            "truncated_normal" => {
+                let moments = self.moments(&table, dimension, positive_mean);
+                let (lower, upper) = self.ends(&table, dimension)?;
+                let (mean, standard_deviation) = moments?;
+                Some(Distribution::TruncatedNormal { mean, standard_deviation, lower, upper })
+            }
+            "uniform" => self.ends(&table, dimension).map(|(lower, upper)| Distribution::Uniform { lower, upper }),
+            "triangular" => {
+                let mode = self.value(&table, "mode", dimension);
+                let (lower, upper) = self.ends(&table, dimension)?;
+                let mode = mode?;
+                if mode < lower || mode > upper {
+                    let rule = format!(
+                        "from the lower end {} to the upper end {}",
+                        format_value(lower, dimension),
+                        format_value(upper, dimension)
+                    );
+                    self.refuse(&table, "mode", mode, dimension, rule);
+                    return None;
+                }
+                Some(Distribution::Triangular { lower, mode, upper })
+            }
+            _ => {
+                let [alpha, beta] = ["alpha", "beta"].map(|key| {
+                    self.reader
+                        .number(&table, key)
+                        .filter(|value| self.positive(&table, key, *value, Dimension::NUMBER))
+                });
+                let (lower, upper) = self.ends(&table, dimension)?;
+                Some(Distribution::Beta { alpha: alpha?, beta: beta?, lower, upper })
+            }
+        }
+    }
+
+    fn moments(&mut self, table: &Table<'_>, dimension: Dimension, positive_mean: bool) -> Option<(f64, f64)> {
+        let mean = self.value(table, "mean", dimension);
+        let deviation = self.value(table, "standard_deviation", dimension);
+        let (mean, deviation) = (mean?, deviation?);
+        let mean_is_possible = !positive_mean || self.positive(table, "mean", mean, dimension);
+        (self.positive(table, "standard_deviation", deviation, dimension) && mean_is_possible)
+            .then_some((mean, deviation))
+    }
+
+    fn ends(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<(f64, f64)> {
+        let [lower, upper] = ["lower", "upper"].map(|key| self.value(table, key, dimension));
+        let (lower, upper) = lower.zip(upper)?;
+        if lower < upper {
+            return Some((lower, upper));
+        }
+        let rule = format!("below the upper end {}", format_value(upper, dimension));
+        self.refuse(table, "lower", lower, dimension, rule);
+        None
+    }
+
+    /// A number of a distribution, in the dimension of its quantity.
+    fn value(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
+        let entry = table.get(key)?;
+        if entry.is_table() {
+            self.complain(&StudyProblem::UncertainParameter { entry: entry.path.describe() }, &entry);
+            return None;
+        }
+        self.reader.measured(&entry, dimension, Rule::Finite)
+    }
+
+    fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
+        if value > 0.0 {
+            return true;
+        }
+        self.refuse(table, key, value, dimension, "> 0".to_owned());
+        false
+    }
+
+    fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
+        if let Some(entry) = table.get(key) {
+            let found = format_value(value, dimension);
+            self.complain(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, &entry);
+        }
+    }
+}

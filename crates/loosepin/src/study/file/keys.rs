@@ -1,0 +1,258 @@
+//! The keys of a study file.
+
+use crate::document::{Keys, Kind, optional, required};
+use crate::model::CYCLE_NUMBERS;
+use crate::units::Rule;
+
+/// What a double holds exactly, so that a seed survives every file format.
+const LARGEST_SEED: u64 = (1 << 53) - 1;
+/// Points in the box of the epistemic inputs, at most.
+const MOST_OUTER: u64 = 1 << 20;
+/// Samples of the random inputs, at most: that many Sobol' points are distinct.
+const MOST_INNER: u64 = 1 << 24;
+/// Randomisations, at most.
+const MOST_REPLICATES: u64 = 1024;
+
+pub(super) static STUDY_CYCLE_KEYS: Keys =
+    Keys::new("what is run and recorded, where it differs from the model", &CYCLE_NUMBERS);
+
+pub(super) static SAMPLING_KEYS: Keys = Keys::new(
+    "how many runs, and how accurate",
+    &[
+        optional(
+            "outer",
+            Kind::Count { least: 1, most: MOST_OUTER },
+            "64",
+            "points in the box of the intervals; 64 if left out",
+        ),
+        optional(
+            "inner",
+            Kind::Count { least: 2, most: MOST_INNER },
+            "256",
+            "samples of the random inputs at each of them; 256 if left out",
+        ),
+        optional(
+            "replicates",
+            Kind::Count { least: 2, most: MOST_REPLICATES },
+            "4",
+            "independent randomisations, which tell the sampling error; 4 if left out",
+        ),
+        optional("tolerance", Kind::AnyQuantity, "\"1e-8 m\"", "accuracy of positions in a run; 1e-8 m if left out"),
+    ],
+)
+.with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
+
+/// The ends that most distributions have.
+macro_rules! ends {
+    () => {
+        [
+            required("lower", Kind::AnyQuantity, "\"49.9 mm\"", "lower end"),
+            required("upper", Kind::AnyQuantity, "\"50.1 mm\"", "upper end"),
+        ]
+    };
+}
+
+macro_rules! moments {
+    () => {
+        [
+            required("mean", Kind::AnyQuantity, "\"50 mm\"", "mean"),
+            required("standard_deviation", Kind::AnyQuantity, "\"0.02 mm\"", "standard deviation"),
+        ]
+    };
+}
+
+pub(super) static NORMAL_KEYS: Keys = Keys::new("a normal distribution", &moments!());
+pub(super) static LOGNORMAL_KEYS: Keys =
+    Keys::new("a lognormal distribution, by mean and standard deviation of the variable itself", &moments!());
+pub(super) static TRUNCATED_NORMAL_KEYS: Keys = Keys::new(
+    "a normal distribution cut to an interval; mean and standard deviation are those before the cut",
+    &[moments!()[0], moments!()[1], ends!()[0], ends!()[1]],
+);
+pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!());
+pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
+    "a triangular distribution",
+    &[ends!()[0], required("mode", Kind::AnyQuantity, "\"50 mm\"", "most likely value"), ends!()[1]],
+);
+pub(super) static BETA_KEYS: Keys = Keys::new(
+    "a beta distribution between two ends",
+    &[
+        required("alpha", Kind::Number { rule: Rule::Finite }, "2", "first shape"),
+        required("beta", Kind::Number { rule: Rule::Finite }, "3", "second shape"),
+        ends!()[0],
+        ends!()[1],
+    ],
+);
+
+/// The families of distributions, in the order of the documentation.
+pub(super) const FAMILIES: [&str; 6] = ["normal", "truncated_normal", "uniform", "lognormal", "triangular", "beta"];
+
+const LATER_FAMILY: &str = "use normal, truncated_normal, uniform, lognormal, triangular or beta";
+const LATER_TOLERANCE: &str = "write the distribution that the tolerance stands for, for example a normal one";
+
+pub(super) static RANDOM_KEYS: Keys = Keys::new(
+    "the distribution of a quantity",
+    &[
+        optional(
+            FAMILIES[0],
+            Kind::Table(&NORMAL_KEYS),
+            "{ mean = \"50 mm\", standard_deviation = \"0.02 mm\" }",
+            "normal",
+        ),
+        optional(
+            FAMILIES[1],
+            Kind::Table(&TRUNCATED_NORMAL_KEYS),
+            "{ mean = \"50 mm\", standard_deviation = \"0.02 mm\", lower = \"49.9 mm\", upper = \"50.1 mm\" }",
+            "truncated normal",
+        ),
+        optional(FAMILIES[2], Kind::Table(&UNIFORM_KEYS), "{ lower = \"49.9 mm\", upper = \"50.1 mm\" }", "uniform"),
+        optional(
+            FAMILIES[3],
+            Kind::Table(&LOGNORMAL_KEYS),
+            "{ mean = \"0.3 mm\", standard_deviation = \"0.05 mm\" }",
+            "lognormal",
+        ),
+        optional(
+            FAMILIES[4],
+            Kind::Table(&TRIANGULAR_KEYS),
+            "{ lower = \"49.9 mm\", mode = \"50 mm\", upper = \"50.1 mm\" }",
+            "triangular",
+        ),
+        optional(
+            FAMILIES[5],
+            Kind::Table(&BETA_KEYS),
+            "{ alpha = 2, beta = 3, lower = \"49.9 mm\", upper = \"50.1 mm\" }",
+            "beta",
+        ),
+    ],
+)
+.with_exactly_one(&[&FAMILIES])
+.with_planned(&[
+    ("weibull", LATER_FAMILY),
+    ("gamma", LATER_FAMILY),
+    ("gumbel", LATER_FAMILY),
+    ("exponential", LATER_FAMILY),
+    ("discrete", LATER_FAMILY),
+    ("empirical", LATER_FAMILY),
+    ("tolerance", LATER_TOLERANCE),
+    ("cpk", LATER_TOLERANCE),
+    ("cp", LATER_TOLERANCE),
+    ("fit", LATER_TOLERANCE),
+]);
+
+const LATER_EPISTEMIC: &str = "use an interval";
+
+pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
+    "what is known of a quantity",
+    &[required(
+        "interval",
+        Kind::List(&Kind::AnyQuantity),
+        "[\"0.1 mm\", \"0.5 mm\"]",
+        "lower and upper end; every value between is possible, and nothing else is known",
+    )],
+)
+.with_planned(&[
+    ("any_of", "run one study for each choice"),
+    ("evidence", LATER_EPISTEMIC),
+    ("fuzzy", LATER_EPISTEMIC),
+    ("triangular", LATER_EPISTEMIC),
+    ("trapezoidal", LATER_EPISTEMIC),
+]);
+
+pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
+pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
+pub(super) const PLAIN_STATISTICS: [&str; 3] = ["mean", "standard_deviation", "cdf"];
+pub(super) const STATISTICS: [&str; 4] = ["quantile", "probability_above", "probability_below", "probability_beyond"];
+
+pub(super) static STATISTIC_KEYS: Keys = Keys::new(
+    "a statistic with a number",
+    &[
+        optional(
+            STATISTICS[0],
+            Kind::Number { rule: Rule::Probability },
+            "0.975",
+            "the value that is not exceeded with this probability",
+        ),
+        optional(STATISTICS[1], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
+        optional(STATISTICS[2], Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
+        optional(STATISTICS[3], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
+    ],
+)
+.with_exactly_one(&[&STATISTICS]);
+
+const DEVIATION_DOC: &str =
+    "value: the output itself; dimensional: from lengths alone; clearance: from play alone; total: both";
+const POSES: Kind = Kind::Values(&Kind::List(&Kind::AnyQuantity));
+const POSES_EXAMPLE: &str = "{ crank = [\"60 deg\"] }";
+const POSES_DOC: &str = "angles of the drive that the cycle counts";
+
+pub(super) static ASK_KEYS: Keys = Keys::new(
+    "a question: statistics of an output",
+    &[
+        required("output", Kind::Reference("output"), "\"slider\"", "an output of the model"),
+        required("of", Kind::Choice(&DEVIATIONS), "\"total\"", DEVIATION_DOC),
+        optional("at", Kind::Choice(&["cycle"]), "\"cycle\"", "the whole curve over the cycle"),
+        optional("poses", POSES, POSES_EXAMPLE, POSES_DOC),
+        optional("reduce", Kind::Choice(&REDUCTIONS), "\"maximum_absolute\"", "one number of the whole curve"),
+        required(
+            "statistics",
+            Kind::List(&Kind::AnyOf(&[Kind::Choice(&PLAIN_STATISTICS), Kind::Table(&STATISTIC_KEYS)])),
+            "[\"mean\", { quantile = 0.975 }]",
+            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond",
+        ),
+    ],
+)
+.with_exactly_one(&[&["at", "poses", "reduce"]]);
+
+pub(super) static REQUIRE_KEYS: Keys = Keys::new(
+    "a requirement that must hold for every value of the epistemic inputs",
+    &[
+        required("output", Kind::Reference("output"), "\"slider\"", "an output of the model"),
+        required("of", Kind::Choice(&DEVIATIONS), "\"total\"", DEVIATION_DOC),
+        required("within", Kind::AnyQuantity, "\"0.6 mm\"", "limit of the magnitude"),
+        optional("over", Kind::Choice(&["cycle"]), "\"cycle\"", "nowhere in the cycle may the limit be exceeded"),
+        optional("poses", POSES, POSES_EXAMPLE, POSES_DOC),
+        required(
+            "probability_at_least",
+            Kind::Number { rule: Rule::RequiredProbability },
+            "0.9973",
+            "the least probability of staying within the limit",
+        ),
+    ],
+)
+.with_exactly_one(&[&["over", "poses"]]);
+
+pub(super) static STUDY_KEYS: Keys = Keys::new(
+    "what is uncertain in a model, and what is asked",
+    &[
+        required("name", Kind::Text, "\"worn pin at 5000 rpm\"", "name of the study"),
+        required("model", Kind::Text, "\"model.toml\"", "the model file, from the folder of this file"),
+        optional(
+            "seed",
+            Kind::Count { least: 0, most: LARGEST_SEED },
+            "1",
+            "the same seed gives the same results; 1 if left out",
+        ),
+        optional(
+            "cycle",
+            Kind::Table(&STUDY_CYCLE_KEYS),
+            "",
+            "what is run and recorded, where it differs from the model",
+        ),
+        optional("sampling", Kind::Table(&SAMPLING_KEYS), "", "how many runs, and how accurate"),
+        optional(
+            "random",
+            Kind::Tables { keys: &RANDOM_KEYS, except: &[] },
+            "",
+            "quantities with known distributions, by their paths in the model",
+        ),
+        optional(
+            "epistemic",
+            Kind::Tables { keys: &EPISTEMIC_KEYS, except: &[] },
+            "",
+            "quantities known only as intervals, by their paths in the model",
+        ),
+        optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
+        optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),
+    ],
+)
+.with_planned(&[("correlation", "leave it out; the random inputs are then independent")]);

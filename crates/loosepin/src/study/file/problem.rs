@@ -1,0 +1,240 @@
+//! What can be wrong with a study beyond its single entries.
+
+use thiserror::Error;
+
+use crate::diagnostics::{Code, Problem};
+use crate::document::{describe_path, listed};
+use crate::model::{PathError, QuantityError};
+use crate::uncertainty::DistributionError;
+use crate::units::{Dimension, format_value};
+
+/// What can be wrong with a study file. `entry` is a path in words.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum StudyProblem {
+    /// A path that names no quantity that can be uncertain.
+    #[error(transparent)]
+    Path(#[from] PathError),
+    /// A path written without quotes, which TOML takes apart.
+    #[error("'{path}' is not in quotes; TOML takes it for tables within tables")]
+    UnquotedPath {
+        /// The path, as far as it can be told.
+        path: String,
+    },
+    /// A quantity both random and epistemic.
+    #[error("'{path}' is both random and epistemic")]
+    InputTwice {
+        /// The path.
+        path: String,
+    },
+    /// A parameter of a distribution that is itself uncertain.
+    #[error("{entry} is itself uncertain; this is not yet supported by this version")]
+    UncertainParameter {
+        /// The entry.
+        entry: String,
+    },
+    /// A number of a distribution that breaks its rule.
+    #[error("{entry} {found}; must be {rule}")]
+    DistributionRule {
+        /// The entry.
+        entry: String,
+        /// The value with its unit.
+        found: String,
+        /// The rule, with the other value where there is one.
+        rule: String,
+    },
+    /// A distribution whose numbers are right one by one and still describe none.
+    #[error("{entry}: {}", without_hint(.error, *.dimension))]
+    Distribution {
+        /// The entry.
+        entry: String,
+        /// Why.
+        error: DistributionError,
+        /// What the numbers measure.
+        dimension: Dimension,
+    },
+    /// An interval whose lower end lies above its upper end.
+    #[error("{entry} begins at {lower} and ends at {upper}; the lower end stands first")]
+    IntervalTurnedRound {
+        /// The entry.
+        entry: String,
+        /// First number with its unit.
+        lower: String,
+        /// Second number with its unit.
+        upper: String,
+    },
+    /// An interval with equal ends.
+    #[error("{entry} begins and ends at {value}; nothing is uncertain")]
+    IntervalWithoutWidth {
+        /// The entry.
+        entry: String,
+        /// Both ends, with their unit.
+        value: String,
+    },
+    /// An interval at whose end a joint loses its clearance.
+    #[error(
+        "'{path}' reaches {end}, where {} becomes 0: a joint without play is another mechanism, and one study cannot mix both",
+        describe_path(.clearance)
+    )]
+    ClearanceTouchesZero {
+        /// The input.
+        path: String,
+        /// The end with its unit.
+        end: String,
+        /// Path of the clearance.
+        clearance: String,
+    },
+    /// A value within the inputs that is impossible.
+    #[error("'{path}' reaches {end}, which is impossible: {error}")]
+    ImpossibleEnd {
+        /// The input.
+        path: String,
+        /// The end with its unit.
+        end: String,
+        /// Why.
+        error: QuantityError,
+    },
+    /// Intervals that are possible one by one and impossible together.
+    #[error("the intervals together allow what is impossible: {error}")]
+    ImpossibleTogether {
+        /// Why.
+        error: QuantityError,
+    },
+    /// A distribution too much of which is impossible.
+    #[error(
+        "'{path}' is impossible with a probability of {share_percent} %; at most {most_percent} % are accepted: {error}"
+    )]
+    ImpossibleShare {
+        /// The input.
+        path: String,
+        /// The share, per cent.
+        share_percent: String,
+        /// The most that is accepted, per cent.
+        most_percent: f64,
+        /// The first impossible value.
+        error: QuantityError,
+    },
+    /// An output that the model does not have.
+    #[error("{entry}: the model has no output '{name}'")]
+    UnknownOutput {
+        /// The entry.
+        entry: String,
+        /// The name.
+        name: String,
+        /// The nearest output.
+        nearest: Option<String>,
+        /// All outputs.
+        known: Vec<String>,
+    },
+    /// A question about a path of a point.
+    #[error("{entry}: output '{name}' is a path of two columns and has no single deviation")]
+    PathOutput {
+        /// The entry.
+        entry: String,
+        /// The output.
+        name: String,
+    },
+    /// Poses of a drive that the cycle does not count.
+    #[error("{entry}: '{name}' is not the drive that the cycle counts; must be '{due}'")]
+    WrongDrive {
+        /// The entry.
+        entry: String,
+        /// The name.
+        name: String,
+        /// The drive of the cycle.
+        due: String,
+    },
+    /// An empty list.
+    #[error("{entry} is empty; at least one is due")]
+    Empty {
+        /// The entry.
+        entry: String,
+    },
+    /// A limit of a magnitude that is negative or zero.
+    #[error("{entry} {found}; must be {rule}")]
+    Limit {
+        /// The entry.
+        entry: String,
+        /// The value with its unit.
+        found: String,
+        /// The rule.
+        rule: &'static str,
+    },
+    /// No random and no epistemic input.
+    #[error("the study has no uncertain input")]
+    NothingUncertain,
+    /// No question and no requirement.
+    #[error("the study asks nothing")]
+    NothingAsked,
+}
+
+/// The text of a distribution error, with units where it says more than the rules checked before.
+fn without_hint(error: &DistributionError, dimension: Dimension) -> String {
+    let text = |value_si: f64| format_value(value_si, dimension);
+    match *error {
+        DistributionError::NothingKept { mean, standard_deviation, lower, upper, .. } => format!(
+            "next to nothing of a normal distribution with mean {} and standard deviation {} lies between {} and {}",
+            text(mean),
+            text(standard_deviation),
+            text(lower),
+            text(upper)
+        ),
+        _ => error.to_string(),
+    }
+}
+
+impl Problem for StudyProblem {
+    fn code(&self) -> Code {
+        match self {
+            Self::Path(error) => error.code(),
+            Self::UnquotedPath { .. } => Code::UnknownPath,
+            Self::InputTwice { .. } => Code::InputTwice,
+            Self::UncertainParameter { .. } => Code::NotYetSupported,
+            Self::DistributionRule { .. } | Self::Distribution { .. } => Code::BadDistribution,
+            Self::IntervalTurnedRound { .. } => Code::IntervalTurnedRound,
+            Self::IntervalWithoutWidth { .. } => Code::IntervalWithoutWidth,
+            Self::ClearanceTouchesZero { .. } => Code::ClearanceTouchesZero,
+            Self::ImpossibleEnd { error, .. } | Self::ImpossibleTogether { error } => error.code(),
+            Self::ImpossibleShare { .. } => Code::ImpossibleShare,
+            Self::UnknownOutput { .. } => Code::UnknownReference,
+            Self::PathOutput { .. } | Self::WrongDrive { .. } | Self::Empty { .. } | Self::Limit { .. } => {
+                Code::AskNotPossible
+            }
+            Self::NothingUncertain => Code::NothingUncertain,
+            Self::NothingAsked => Code::NothingAsked,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Path(error) => error.hint(),
+            Self::UnquotedPath { path } => Some(format!("write \"{path}\" = {{ ... }}")),
+            Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
+            Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
+            Self::Distribution { error: DistributionError::NothingKept { .. }, .. } => {
+                Some("cut nearer to the mean, or state a uniform distribution".to_owned())
+            }
+            Self::IntervalTurnedRound { lower, upper, .. } => Some(format!("write [\"{upper}\", \"{lower}\"]")),
+            Self::IntervalWithoutWidth { .. } => {
+                Some("write the value in the model file, or widen the interval".to_owned())
+            }
+            Self::ClearanceTouchesZero { .. } => {
+                Some("begin the interval above zero, and run the ideal joint as a study of its own".to_owned())
+            }
+            Self::ImpossibleEnd { error, .. } | Self::ImpossibleTogether { error } => error.hint(),
+            Self::ImpossibleShare { .. } => {
+                Some("choose a distribution that stays in the range: truncated_normal, lognormal or beta".to_owned())
+            }
+            Self::UnknownOutput { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownOutput { known, .. } if known.is_empty() => Some("the model has no outputs".to_owned()),
+            Self::UnknownOutput { known, .. } => Some(format!("there is {}", listed(known, "and"))),
+            Self::PathOutput { .. } => {
+                Some("give the model an output position_of the point along x or y, and ask for that".to_owned())
+            }
+            Self::NothingUncertain => {
+                Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())
+            }
+            Self::NothingAsked => Some("add [[ask]] or [[require]]".to_owned()),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Files that are wrong, and what is said about them, word for word.
+//!
+//! Each `bad/model/NAME.toml` and `bad/study/NAME.toml` has the expected text beside it in `NAME.expected`. With
+//! `LOOSEPIN_BLESS=1` in the environment the expected texts are written anew, to be read before they are committed.
+//! Studies are read beside the model of the slider-crank template.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use loosepin::diagnostics::{CODES, Colour, Complaints};
+use loosepin::model::Model;
+use loosepin::study::Study;
+use loosepin::templates::find_template;
+
+fn folder(kind: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad").join(kind)
+}
+
+fn template_model() -> Model {
+    let text = find_template("slider-crank").expect("template").model;
+    Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
+fn files(kind: &str) -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder(kind))
+        .expect("the folder of bad files")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    paths.sort();
+    assert!(!paths.is_empty());
+    paths
+}
+
+fn check(kind: &str, read: impl Fn(&str, String) -> Option<Complaints>) {
+    let mut differences = Vec::new();
+    for path in files(kind) {
+        let name = path.file_name().and_then(|name| name.to_str()).expect("a name").to_owned();
+        let text = fs::read_to_string(&path).expect("UTF-8");
+        let Some(complaints) = read(&name, text) else {
+            differences.push(format!("{name}: read without complaint"));
+            continue;
+        };
+        let said = format!("{complaints}\n");
+        let expected_path = path.with_extension("expected");
+        if std::env::var_os("LOOSEPIN_BLESS").is_some() {
+            fs::write(&expected_path, &said).expect("the expected text can be written");
+        }
+        let expected = fs::read_to_string(&expected_path).unwrap_or_default();
+        if said != expected {
+            differences.push(format!("{name}: expected\n{expected}\nbut said\n{said}"));
+        }
+        // The rendering for people must show each message and hint too, whatever the place.
+        let rendered = complaints.render(Colour::Never);
+        for complaint in complaints.sorted().into_iter().take(50) {
+            assert!(rendered.contains(complaint.code.as_str()), "{name}: {rendered}");
+        }
+        assert!(!complaints.render(Colour::Always).is_empty());
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
+
+#[test]
+fn bad_models_are_complained_about_word_for_word() {
+    check("model", |name, text| Model::from_text(name, &text).err());
+}
+
+#[test]
+fn bad_studies_are_complained_about_word_for_word() {
+    check("study", |name, text| Study::from_text(name, &text, template_model()).err());
+}
+
+/// Codes of complaints that need no bad file: about the file system and about settings (in `model_file.rs`).
+const TESTED_ELSEWHERE: [&str; 6] = ["E0101", "E0102", "E0103", "E0406", "E0407", "E0408"];
+
+#[test]
+fn every_code_is_used() {
+    let mut used: BTreeSet<String> = TESTED_ELSEWHERE.iter().map(|code| (*code).to_owned()).collect();
+    for kind in ["model", "study"] {
+        for path in files(kind) {
+            let expected = fs::read_to_string(path.with_extension("expected")).unwrap_or_default();
+            used.extend(expected.lines().filter_map(|line| {
+                let (_, rest) = line.split_once("error[").or_else(|| line.split_once("warning["))?;
+                rest.split_once(']').map(|(code, _)| code.to_owned())
+            }));
+        }
+    }
+    let unused: Vec<&str> = CODES.iter().map(|entry| entry.text).filter(|code| !used.contains(*code)).collect();
+    assert!(unused.is_empty(), "codes in the table that no test provokes: {unused:?}");
+}
+
+#[test]
+fn files_that_cannot_be_read_are_named() {
+    let missing = Model::from_path(Path::new("nowhere/model.toml")).expect_err("no such file");
+    assert_eq!(missing.to_string(), "error[E0101]: cannot read nowhere/model.toml: there is no such file");
+    let a_folder = Model::from_path(&folder("model")).expect_err("a folder").to_string();
+    assert!(a_folder.starts_with("error[E0101]: cannot read ") && a_folder.ends_with("it is a folder"), "{a_folder}");
+    let bytes = b"name = \"Gel\xe4nk\"\n".to_vec();
+    let latin = Model::from_bytes("latin.toml", bytes).expect_err("not UTF-8");
+    assert_eq!(
+        latin.to_string(),
+        "latin.toml:1:12: error[E0102]: the file is not UTF-8 text from here on\nhint: save the file as UTF-8"
+    );
+    let large = Model::from_text("large.toml", &"#".repeat(2 << 20)).expect_err("too large");
+    assert_eq!(large.to_string(), "error[E0103]: large.toml has 2097152 bytes; a file of at most 1048576 is read");
+}
+
+#[test]
+fn a_study_without_its_model_points_at_the_name() {
+    let folder = std::env::temp_dir().join(format!("loosepin-bad-files-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder for the test");
+    let path = folder.join("study.toml");
+    fs::write(&path, "name = \"x\"\nmodel = \"modle.toml\"\nsede = 1\n").expect("a file for the test");
+    let said = Study::from_path(&path).expect_err("no such model").to_string();
+    fs::remove_dir_all(&folder).expect("the folder of the test goes");
+    let said = said.replace(&format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR), "");
+    assert_eq!(
+        said,
+        "study.toml:2:9: error[E0101]: cannot read modle.toml: there is no such file\n\
+         study.toml:3:1: error[E0201]: the file has no key 'sede'\nhint: did you mean 'seed'?"
+    );
+}
+
+#[test]
+fn people_see_the_line() {
+    let text = fs::read_to_string(folder("model").join("clearance_negative.toml")).expect("the file");
+    let complaints = Model::from_text("model.toml", &text).expect_err("a negative clearance");
+    assert_eq!(
+        complaints.render(Colour::Never),
+        "\
+error[E0501]: joint 'pin': radial clearance -0.05 mm; must be >= 0
+  --> model.toml:30:20
+   |
+30 | radial_clearance = \"-0.05 mm\"
+   |                    ^^^^^^^^^^
+   |
+   = hint: clearance is bearing radius minus journal radius
+
+"
+    );
+}
