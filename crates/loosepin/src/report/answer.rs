@@ -1,7 +1,7 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::wording::{counted, listed, output_words, place_words, verdict_words};
+use super::wording::{counted, listed, output_words, place_words};
 use crate::study::result::{
     BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, ResponsePoint, StatisticKind,
     StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
@@ -107,7 +107,7 @@ fn bound_sentence(
     format!(
         "{conditions} the {} stays within ±{} of its ideal motion over the whole cycle in at least {} of mechanisms.",
         output_words(&bound.output, &result.outputs),
-        writer.rounded(bound.upper.widened_si, &bound.unit, SENTENCE_DIGITS, Rounding::Up),
+        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
         writer.percent(probability, Rounding::Down)
     )
 }
@@ -142,8 +142,9 @@ fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<Str
     let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
     is_worth_saying.then(|| {
         format!(
-            "With the unknown values in the middle of their ranges, the same share would stay within ±{}; the rest, up to \
-             ±{} at the worst angle, is owed to not knowing them.",
+            "If the unknown values were in the middle of their ranges, {} of mechanisms would stay within ±{} at each \
+             angle; not knowing them widens this to ±{}.",
+            writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest),
             writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
             writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
         )
@@ -167,14 +168,13 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 Verdict::Undecided => "is undecided, because the numerical error reaches over it",
             };
             format!(
-                "The requirement that {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true share \
-                 lies between {} and {}.",
+                "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
+                 share is {}.",
                 super::wording::deviation_words(requirement.of),
                 requirement.output,
                 place_words(requirement.at, writer),
                 writer.percent(requirement.probability_at_least, Rounding::Nearest),
-                writer.percent(requirement.probability[0], Rounding::Down),
-                writer.percent(requirement.probability[1], Rounding::Up),
+                writer.percent_range(requirement.probability[0], requirement.probability[1]),
             )
         })
         .collect()
@@ -263,7 +263,9 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
                 }
                 TreatmentKind::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
             };
-            let kept = if keeps {
+            let kept = if band.coverage_minimum >= 1.0 {
+                "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
+            } else if keeps {
                 format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
             } else {
                 format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
@@ -284,11 +286,6 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             format!("{start} {kept}{width}")
         })
         .collect()
-}
-
-/// One line of verdict per requirement, for the terminal.
-pub(super) fn verdict_line(verdict: Verdict) -> String {
-    format!("requirement {}", verdict_words(verdict))
 }
 
 fn smallest(values: &[f64]) -> f64 {

@@ -114,6 +114,13 @@ pub(super) struct Entry {
     pub values: EntryValues,
 }
 
+/// An upright line with a name.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Mark {
+    pub at: Option<f64>,
+    pub label: String,
+}
+
 /// One chart.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Chart {
@@ -129,6 +136,8 @@ pub(super) struct Chart {
     /// Fixed ends of the vertical axis, where it has any.
     pub y_range: Option<[f64; 2]>,
     pub entries: Vec<Entry>,
+    /// Upright lines.
+    pub marks: Vec<Mark>,
     pub height: u32,
     /// One sentence on what is to be seen, for the caption.
     #[serde(skip)]
@@ -286,6 +295,7 @@ mod tests {
                 dashed: false,
                 values: EntryValues::line(&values),
             }],
+            marks: Vec::new(),
             height: 1,
             caption: html! {},
             alternative: String::new(),

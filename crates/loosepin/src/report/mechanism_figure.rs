@@ -93,7 +93,16 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
                             g.body data-body=(index) transform=(transform(&motion.bodies[index], magnification)) {
                                 title { (body.name) }
                                 (outline(drawing, index, reference, pin))
-                                (pins(drawing, index, pin, magnification))
+                            }
+                        }
+                    }
+                    // Above all shapes, bearings below journals, so that no body hides a joint of another.
+                    @for layer in [PinLayer::Bearings, PinLayer::Journals] {
+                        @for (index, body) in drawing.bodies.iter().enumerate() {
+                            @if !body.is_ground {
+                                g data-body=(index) transform=(transform(&motion.bodies[index], magnification)) {
+                                    (pins(drawing, index, pin, magnification, layer))
+                                }
                             }
                         }
                     }
@@ -340,15 +349,22 @@ fn convex_hull(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     hull
 }
 
-/// Pins and bearings that belong to one body.
-fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64) -> Markup {
+/// What is drawn of the joints in which order.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum PinLayer {
+    Bearings,
+    Journals,
+}
+
+/// Bearings, or pins and journals, that belong to one body.
+fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64, layer: PinLayer) -> Markup {
     let at = |point: usize| {
         drawing.bodies[index].points.get(point).map(|point| (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
     };
     html! {
         @for joint in &drawing.joints {
             @if joint.kind == DrawnJointKind::RevoluteWithClearance {
-                @if joint.first.body == index {
+                @if layer == PinLayer::Bearings && joint.first.body == index {
                     @if let Some((x, y)) = at(joint.first.point) {
                         @let clearance_mm = joint.radial_clearance_m * MM_PER_M;
                         circle.bearing cx=(format!("{x:.3}")) cy=(format!("{y:.3}"))
@@ -358,14 +374,17 @@ fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64) -> Markup
                         }
                     }
                 }
-                @if joint.second.body == index {
+                @if layer == PinLayer::Journals && joint.second.body == index {
                     @if let Some((x, y)) = at(joint.second.point) {
                         circle.journal cx=(format!("{x:.3}")) cy=(format!("{y:.3}")) r=(format!("{:.4}", 1.3 * pin)) {
                             title { "journal of " (joint.name) }
                         }
                     }
                 }
-            } @else if joint.kind == DrawnJointKind::Revolute && joint.second.body == index {
+            } @else if layer == PinLayer::Journals
+                && joint.kind == DrawnJointKind::Revolute
+                && joint.second.body == index
+            {
                 @if let Some((x, y)) = at(joint.second.point) {
                     circle.pin cx=(format!("{x:.3}")) cy=(format!("{y:.3}")) r=(format!("{pin:.4}")) {
                         title { (joint.name) }

@@ -5,11 +5,17 @@ mod answer;
 mod chart;
 mod glossary;
 mod mechanism_figure;
+mod motion_page;
 mod number;
 mod page;
 mod script_data;
+mod simulation_page;
 mod still_figures;
 mod study_page;
+mod terminal;
 mod wording;
 
+pub use motion_page::motion_page;
+pub use simulation_page::simulation_page;
 pub use study_page::study_page;
+pub use terminal::{TERMINAL_COLUMNS, motion_text, simulation_text, study_text};

@@ -11,8 +11,10 @@ const ERROR_DIGITS: usize = 1;
 const MOST_DIGITS: usize = 7;
 /// Digits of what a person wrote, before zeros at the end are dropped.
 const INPUT_DIGITS: usize = 8;
-/// Below this and from its inverse up, powers of ten are used.
-const SMALLEST_PLAIN: f64 = 1e-3;
+/// Below this, powers of ten are used.
+const SMALLEST_PLAIN: f64 = 1e-5;
+/// From this up, powers of ten are used.
+const LARGEST_PLAIN: f64 = 1e7;
 /// A scaled value this close to a whole number (relative) is that number: decimal fractions have no exact binary form.
 const REPRESENTATION_NOISE: f64 = 1e-12;
 
@@ -29,7 +31,7 @@ pub(super) enum Rounding {
 /// Where the text goes, which decides on its characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Medium {
-    /// Typographic minus, no-break spaces, superscripts.
+    /// Typographic minus, superscripts, thousands apart.
     Page,
     /// Characters that can be copied back into a program.
     Terminal,
@@ -61,14 +63,15 @@ impl<'a> NumberWriter<'a> {
         self.units.of(unit).from_si(value_si)
     }
 
-    /// Number without unit.
-    pub fn bare(&self, value_si: f64, unit: &SiUnit, digits: usize) -> String {
-        self.dress(significant(self.scaled(value_si, unit), digits, Rounding::Nearest))
-    }
-
     /// Number with unit.
     pub fn value(&self, value_si: f64, unit: &SiUnit) -> String {
         self.rounded(value_si, unit, PLAIN_DIGITS, Rounding::Nearest)
+    }
+
+    /// Number with unit to four digits, without zeros at its end: for values that are exact or nearly so.
+    pub fn value_trimmed(&self, value_si: f64, unit: &SiUnit) -> String {
+        let text = significant(self.scaled(value_si, unit), PLAIN_DIGITS, Rounding::Nearest);
+        self.with_symbol(self.dress(without_trailing_zeros(text)), unit)
     }
 
     /// An input number without unit, in the fewest digits that tell it.
@@ -95,9 +98,20 @@ impl<'a> NumberWriter<'a> {
         self.with_symbol(self.dress(text), unit)
     }
 
+    /// Like [`Self::to_error`], but to three digits at most: for sentences.
+    pub fn for_sentence(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
+        let least_error_si = 1e-3 * value_si.abs();
+        self.to_error(value_si, error_si.max(least_error_si), unit, rounding)
+    }
+
     /// An error: one digit, rounded up, with unit.
     pub fn error(&self, error_si: f64, unit: &SiUnit) -> String {
         self.rounded(error_si, unit, ERROR_DIGITS, Rounding::Up)
+    }
+
+    /// A count.
+    pub fn count(&self, value: u64) -> String {
+        self.dress(value.to_string())
     }
 
     /// A share from 0 to 1 in percent.
@@ -106,21 +120,23 @@ impl<'a> NumberWriter<'a> {
         format!("{}{}%", self.dress(text), self.space())
     }
 
-    /// The epistemic inputs of a witness in plain words.
+    /// Two shares, the lower rounded down and the upper up; one where they are the same.
+    pub fn percent_range(&self, least: f64, most: f64) -> String {
+        let (least, most) = (self.percent(least, Rounding::Down), self.percent(most, Rounding::Up));
+        if least == most { least } else { format!("{least} to {most}") }
+    }
+
+    /// The epistemic inputs of a witness in plain words, in the order of the study file.
     pub fn witness(&self, witness: &Witness, inputs: &[InputDescription]) -> String {
-        let parts: Vec<String> = witness
-            .iter()
+        let place = |path: &str| inputs.iter().position(|input| input.path == path).unwrap_or(usize::MAX);
+        let mut ordered: Vec<(&String, &WitnessValue)> = witness.iter().collect();
+        ordered.sort_by_key(|(path, _)| place(path));
+        let parts: Vec<String> = ordered
+            .into_iter()
             .map(|(path, value)| {
-                let unit = inputs.iter().find(|input| &input.path == path).map_or(&SiUnit::NONE, |input| &input.unit);
+                let unit = inputs.get(place(path)).map_or(&SiUnit::NONE, |input| &input.unit);
                 let shown = match value {
-                    WitnessValue::Number(value_si) => self.with_symbol(
-                        self.dress(without_trailing_zeros(significant(
-                            self.scaled(*value_si, unit),
-                            PLAIN_DIGITS,
-                            Rounding::Nearest,
-                        ))),
-                        unit,
-                    ),
+                    WitnessValue::Number(value_si) => self.value_trimmed(*value_si, unit),
                     WitnessValue::Choice(choice) => choice.clone(),
                 };
                 format!("{} {shown}", plain_name(path, inputs))
@@ -138,11 +154,9 @@ impl<'a> NumberWriter<'a> {
         }
     }
 
+    /// Between a number and its unit: a line must not end there. Terminal text turns it into a space once it is wrapped.
     pub fn space(&self) -> char {
-        match self.medium {
-            Medium::Page => '\u{a0}',
-            Medium::Terminal => ' ',
-        }
+        '\u{a0}'
     }
 
     /// Typographic minus and powers of ten where the medium has them.
@@ -155,7 +169,7 @@ impl<'a> NumberWriter<'a> {
                 let raised: String = exponent.chars().map(superscript).collect();
                 format!("{}\u{a0}·\u{a0}10{raised}", mantissa.replace('-', "−"))
             }
-            None => text.replace('-', "−"),
+            None => grouped(&text).replace('-', "−"),
         }
     }
 }
@@ -183,7 +197,7 @@ pub(super) fn significant(value: f64, digits: usize, rounding: Rounding) -> Stri
     }
     let magnitude = decimal_magnitude(value);
     let last_place = magnitude - digits as i32 + 1;
-    if value.abs() < SMALLEST_PLAIN || value.abs() >= 1e7 {
+    if value.abs() < SMALLEST_PLAIN || value.abs() >= LARGEST_PLAIN {
         let mantissa_places = digits.saturating_sub(1);
         let mantissa = round_to_place(value / 10f64.powi(magnitude), -(mantissa_places as i32), rounding);
         if mantissa.abs() >= 10.0 {
@@ -191,7 +205,10 @@ pub(super) fn significant(value: f64, digits: usize, rounding: Rounding) -> Stri
         }
         return format!("{mantissa:.mantissa_places$}e{magnitude}");
     }
-    fixed(round_to_place(value, last_place, rounding), last_place)
+    let rounded = round_to_place(value, last_place, rounding);
+    // 0.999 to two digits is 1.0, not 1.00.
+    let carried = i32::from(decimal_magnitude(rounded) > magnitude);
+    fixed(rounded, last_place + carried)
 }
 
 /// A value to the place of the first digit of its error (the second, where the first is a 1).
@@ -223,7 +240,7 @@ fn percent(share: f64, rounding: Rounding) -> String {
     } else {
         -1
     };
-    fixed(round_to_place(percent, last_place, rounding), last_place)
+    without_trailing_zeros(fixed(round_to_place(percent, last_place, rounding), last_place))
 }
 
 fn not_finite(value: f64) -> String {
@@ -267,6 +284,26 @@ fn fixed(value: f64, last_place: i32) -> String {
     }
 }
 
+/// Thousands apart from five digits on, with a narrow space that does not break.
+fn grouped(text: &str) -> String {
+    let whole = text.find('.').unwrap_or(text.len());
+    let digits = text[..whole].trim_start_matches('-').len();
+    if digits < 5 || !text[..whole].trim_start_matches('-').chars().all(|c| c.is_ascii_digit()) {
+        return text.to_owned();
+    }
+    let mut result = String::new();
+    for (index, character) in text.char_indices() {
+        if index > 0 && index < whole && character.is_ascii_digit() && (whole - index).is_multiple_of(3) {
+            let after_sign = text.starts_with('-') && index == 1;
+            if !after_sign {
+                result.push('\u{202f}');
+            }
+        }
+        result.push(character);
+    }
+    result
+}
+
 fn without_trailing_zeros(text: String) -> String {
     let (mantissa, exponent) = match text.split_once('e') {
         Some((mantissa, exponent)) => (mantissa.to_owned(), format!("e{exponent}")),
@@ -307,6 +344,7 @@ mod tests {
         assert_eq!(significant(0.53, 2, Rounding::Up), "0.53", "0.53 has no exact binary form, and is still 0.53");
         assert_eq!(significant(0.999, 2, Rounding::Up), "1.0");
         assert_eq!(percent(0.97449, Rounding::Down), "97.4");
+        assert_eq!(percent(0.95, Rounding::Nearest), "95");
         assert_eq!(percent(0.99731, Rounding::Down), "99.73");
         assert_eq!(percent(1.0, Rounding::Down), "100");
         assert_eq!(percent(0.0, Rounding::Up), "0");
@@ -318,7 +356,7 @@ mod tests {
         assert_eq!(to_error(0.53467, 0.0012, Rounding::Nearest), "0.5347");
         assert_eq!(to_error(123.4, 30.0, Rounding::Nearest), "120");
         assert_eq!(to_error(0.5, f64::INFINITY, Rounding::Nearest), "0.5000");
-        assert_eq!(significant(1.2345e-9, 3, Rounding::Nearest), "1.23e-9");
+        assert_eq!(significant(1.2346e-9, 3, Rounding::Nearest), "1.23e-9");
         assert_eq!(significant(9.999e-9, 2, Rounding::Nearest), "1.0e-8");
         assert_eq!(significant(327334.2, 4, Rounding::Nearest), "327300");
         assert_eq!(significant(f64::NAN, 4, Rounding::Nearest), "not known");
@@ -330,9 +368,11 @@ mod tests {
         let page = NumberWriter::for_page(&units);
         let terminal = NumberWriter::for_terminal(&units);
         assert_eq!(page.value(-0.0005347, &SiUnit::LENGTH), "−0.5347\u{a0}mm");
-        assert_eq!(terminal.value(-0.0005347, &SiUnit::LENGTH), "-0.5347 mm");
-        assert_eq!(page.value(1.2345e-9, &SiUnit::NONE), "1.234\u{a0}·\u{a0}10⁻⁹");
+        assert_eq!(terminal.value(-0.0005347, &SiUnit::LENGTH), "-0.5347\u{a0}mm");
+        assert_eq!(page.value(1.2346e-9, &SiUnit::NONE), "1.235\u{a0}·\u{a0}10⁻⁹");
         assert_eq!(page.value(std::f64::consts::FRAC_PI_3, &SiUnit::ANGLE), "60.00°");
+        assert_eq!(page.value(-327_334.2, &SiUnit::FORCE), "−327\u{202f}300\u{a0}N");
+        assert_eq!(page.value(45_870.0, &SiUnit::FORCE), "45\u{202f}870\u{a0}N");
         assert_eq!(plain_name("joint.gudgeon.radial_clearance", &[]), "gudgeon radial clearance");
     }
 }

@@ -16,13 +16,13 @@ const ORBIT_POINTS: usize = 3000;
 
 /// Path of a journal inside the circle of its clearance.
 pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Markup {
-    let clearance = writer.value(orbit.radial_clearance_m, &SiUnit::LENGTH);
+    let clearance = writer.value_trimmed(orbit.radial_clearance_m, &SiUnit::LENGTH);
     let scale = if orbit.radial_clearance_m > 0.0 { ORBIT_RADIUS / orbit.radial_clearance_m } else { 0.0 };
     let radii = || orbit.x_m.iter().zip(&orbit.y_m).map(|(x_m, y_m)| x_m.hypot(*y_m));
     let farthest_m = radii().fold(0.0, f64::max);
     let on_rim = radii().filter(|radius_m| *radius_m >= 0.999 * orbit.radial_clearance_m).count();
     let rim_share = on_rim as f64 / orbit.x_m.len().max(1) as f64;
-    let farthest = writer.value(farthest_m, &SiUnit::LENGTH);
+    let farthest = writer.value_trimmed(farthest_m, &SiUnit::LENGTH);
     let rim = writer.percent(rim_share, Rounding::Nearest);
     let step = orbit.x_m.len().div_ceil(ORBIT_POINTS).max(1);
     let mut path = String::new();
@@ -55,11 +55,18 @@ pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
 /// Where `value` lies between `from` and `to`, in percent of the width.
 pub(super) fn percent_of(value: f64, from: f64, to: f64) -> String {
     let share = if to > from { (value - from) / (to - from) } else { 0.5 };
-    format!("{:.3}%", 100.0 * share.clamp(0.0, 1.0))
+    // The ends may be infinite where a bound does not exist.
+    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    format!("{:.3}%", 100.0 * share)
 }
 
 /// Bars over a logarithmic axis.
 pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup, alternative: &str) -> Markup {
+    // A logarithmic axis has no place for anything else, and its decades are counted below.
+    let bins: Vec<&HistogramBin> = bins
+        .iter()
+        .filter(|bin| bin.from.is_normal() && bin.from > 0.0 && bin.to > bin.from && bin.to.is_finite())
+        .collect();
     let most = bins.iter().map(|bin| bin.count).max().unwrap_or(0).max(1) as f64;
     let (Some(first), Some(last)) = (bins.first(), bins.last()) else { return html! {} };
     let (from, to) = (first.from.log10(), last.to.log10());
@@ -68,7 +75,7 @@ pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup,
     html! {
         figure.histogram id=(id) {
             svg width="100%" height="170" role="img" aria-label=(alternative) {
-                @for bin in bins {
+                @for bin in &bins {
                     @let share = bin.count as f64 / most;
                     @let left = (bin.from.log10() - from) / (to - from) * 94.0 + 3.0;
                     @let width = (bin.to.log10() - bin.from.log10()) / (to - from) * 94.0;

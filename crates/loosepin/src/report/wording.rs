@@ -20,7 +20,7 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
     match at {
         ResponsePoint::Whole => "over the whole cycle".to_owned(),
         ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
-            format!("at {}", writer.value(pose_rad, &SiUnit::ANGLE))
+            format!("at {}", writer.value_trimmed(pose_rad, &SiUnit::ANGLE))
         }
         ResponsePoint::Reduced { reduction } => match reduction {
             Reduction::Maximum => "largest in the cycle",
@@ -42,13 +42,13 @@ pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &
             format!("{} quantile", writer.percent(probability, Rounding::Nearest))
         }
         StatisticKind::ProbabilityAbove { limit_si } => {
-            format!("probability above {}", writer.value(limit_si, unit))
+            format!("probability above {}", writer.value_trimmed(limit_si, unit))
         }
         StatisticKind::ProbabilityBelow { limit_si } => {
-            format!("probability below {}", writer.value(limit_si, unit))
+            format!("probability below {}", writer.value_trimmed(limit_si, unit))
         }
         StatisticKind::ProbabilityBeyond { limit_si } => {
-            format!("probability beyond ±{}", writer.value(limit_si, unit))
+            format!("probability beyond ±{}", writer.value_trimmed(limit_si, unit))
         }
     }
 }
@@ -98,17 +98,9 @@ pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String 
     }
 }
 
-/// A count with thousands apart: `16 384`.
+/// A count, on a page with thousands apart: `16 384`.
 pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
-    let digits = value.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) && digits.len() > 4 {
-            text.push(writer.space());
-        }
-        text.push(digit);
-    }
-    text
+    writer.count(value)
 }
 
 /// `1 run`, `2 runs`.

@@ -3,9 +3,7 @@
 use maud::{Markup, html};
 
 use crate::report::number::{NumberWriter, Rounding};
-use crate::report::wording::{
-    deviation_words, guarantee_words, output_words, place_words, statistic_words, treatment_words,
-};
+use crate::report::wording::{deviation_words, guarantee_words, output_words, place_words, statistic_words};
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 use crate::units::SiUnit;
 
@@ -16,8 +14,8 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
     let shown = |bound: &&BoundRecord| {
         bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. })
     };
-    let total = result.bounds.iter().filter(shown).count();
-    let others = result.bounds.len() - total.min(MOST_ROWS);
+    let rows: Vec<&BoundRecord> = result.bounds.iter().filter(shown).take(MOST_ROWS).collect();
+    let others = result.bounds.len() - rows.len();
     html! {
         p {
             "Each statistic lies between its two bounds, wherever in their ranges the interval inputs are. The bounds are \
@@ -26,17 +24,22 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
         table.cards {
             thead {
                 tr {
-                    th scope="col" { "Of what" }
                     th scope="col" { "Statistic" }
-                    th.number scope="col" { "Lower bound" }
-                    th.number scope="col" { "Upper bound" }
+                    th.number scope="col" { "Lower bound, attained at" }
+                    th.number scope="col" { "Upper bound, attained at" }
                     th.number scope="col" { "± numerical error" }
-                    th scope="col" { "Upper bound attained at" }
+                    th scope="col" { "What stands behind it" }
                 }
             }
-            tbody {
-                @for bound in result.bounds.iter().filter(shown).take(MOST_ROWS) {
-                    (row(bound, result, writer))
+            @for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
+                tbody.group {
+                    tr {
+                        th scope="rowgroup" colspan="5" {
+                            (output_words(&group[0].output, &result.outputs)) ": "
+                            (deviation_words(group[0].of)) ", " (place_words(group[0].at, writer))
+                        }
+                    }
+                    @for bound in group { (row(bound, result, writer)) }
                 }
             }
         }
@@ -54,41 +57,23 @@ fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Mark
         .iter()
         .find(|output| output.name == bound.output)
         .map_or(SiUnit::NONE, |output| output.unit.clone());
+    let witness = |end: &BoundEnd| writer.witness(&end.witness, &result.inputs);
     html! {
         tr {
-            th scope="row" {
-                (output_words(&bound.output, &result.outputs)) br;
-                span.quiet { (deviation_words(bound.of)) ", " (place_words(bound.at, writer)) }
-            }
             td data-label="Statistic" { (statistic_words(bound.statistic, &output_unit, writer)) }
-            td.number data-label="Lower bound" { (end_value(&bound.lower, bound, Rounding::Down, writer)) }
-            td.number data-label="Upper bound" { strong { (end_value(&bound.upper, bound, Rounding::Up, writer)) } }
-            td.number data-label="± numerical error" { (error(bound, writer)) }
-            td data-label="Upper bound attained at" {
-                @if bound.upper.witness.is_empty() { "–" }
-                @else { (writer.witness(&bound.upper.witness, &result.inputs)) }
-                details.more {
-                    summary { "more" }
-                    dl {
-                        dt { "Lower bound attained at" }
-                        dd { (writer.witness(&bound.lower.witness, &result.inputs)) }
-                        dt { "Before widening" }
-                        dd {
-                            (plain(bound.lower.value_si, bound, writer)) " to " (plain(bound.upper.value_si, bound, writer))
-                        }
-                        dt { "Error of the upper bound: sampling, search, surrogate" }
-                        dd {
-                            (part(bound.upper.error.sampling_si, bound, writer)) ", "
-                            (part(bound.upper.error.optimisation_si, bound, writer)) ", "
-                            (part(bound.upper.error.surrogate_si, bound, writer))
-                        }
-                        dt { "Kind of guarantee" }
-                        dd { (guarantee_words(bound.guarantee, writer)) }
-                        dt { "Treatment" }
-                        dd { (treatment_words(bound.treatment)) }
-                    }
-                }
+            td.number data-label="Lower bound" {
+                (end_value(&bound.lower, bound, Rounding::Down, writer)) " "
+                span.quiet { (witness(&bound.lower)) }
             }
+            td.number data-label="Upper bound" {
+                strong { (end_value(&bound.upper, bound, Rounding::Up, writer)) } " "
+                span.quiet { (witness(&bound.upper)) }
+            }
+            td.number data-label="± numerical error" {
+                (error(bound, writer)) " "
+                span.quiet { (error_parts(bound, writer)) }
+            }
+            td data-label="What stands behind it" { span.quiet { (guarantee_words(bound.guarantee, writer)) } }
         }
     }
 }
@@ -120,10 +105,18 @@ fn part(error_si: f64, bound: &BoundRecord, writer: &NumberWriter) -> String {
     }
 }
 
-fn plain(value_si: f64, bound: &BoundRecord, writer: &NumberWriter) -> String {
-    if bound.statistic.is_probability() {
-        writer.percent(value_si, Rounding::Nearest)
+/// Which parts of the error are not zero, at the end where it is larger.
+fn error_parts(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error = if bound.upper.error.total_si() >= bound.lower.error.total_si() {
+        bound.upper.error
     } else {
-        writer.value(value_si, &bound.unit)
-    }
+        bound.lower.error
+    };
+    let parts = [("sampling", error.sampling_si), ("search", error.optimisation_si), ("surrogate", error.surrogate_si)];
+    let words: Vec<String> = parts
+        .into_iter()
+        .filter(|(_, value_si)| *value_si != 0.0)
+        .map(|(name, value_si)| format!("{name} {}", part(value_si, bound, writer)))
+        .collect();
+    words.join(", ")
 }

@@ -2,11 +2,14 @@
 
 use maud::{Markup, html};
 
-use crate::report::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use crate::report::answer::limits_words;
+use crate::report::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled};
 use crate::report::number::{NumberWriter, Rounding, significant};
-use crate::report::script_data::rounded;
+use crate::report::script_data::{round_to_digits, rounded};
 use crate::report::wording::{deviation_words, output_words, place_words};
-use crate::study::result::{CurveRange, DeviationCurve, ProbabilityBox, StudyResult};
+use crate::study::result::{
+    CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, StudyResult,
+};
 use crate::units::SiUnit;
 
 pub(super) fn deviation_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
@@ -47,6 +50,10 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         let (lower, upper) = range(&curve.worst_case);
         add("worst case, quasi-static".to_owned(), Role::Worst, true, EntryValues::pair(&lower, &upper));
     }
+    for (label, lower_si, upper_si) in limits(result, curve, writer) {
+        let constant = |value_si: f64| vec![writer.scaled(value_si, &curve.unit); curve.pose_rad.len()];
+        add(label, Role::Limit, true, EntryValues::pair(&constant(lower_si), &constant(upper_si)));
+    }
     let (worst_angle, worst) = worst_pose(curve);
     let subject = output_words(&curve.output, &result.outputs);
     let centre = writer.witness(&curve.centre, &result.inputs);
@@ -65,6 +72,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         y_symbol: writer.symbol(&curve.unit),
         y_range: None,
         entries,
+        marks: Vec::new(),
         height: 380,
         caption: html! {
             strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
@@ -82,6 +90,22 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             result.cycle.drive
         ),
     }
+}
+
+/// The limits that a requirement puts on this deviation over the cycle.
+fn limits(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Vec<(String, f64, f64)> {
+    let concerns = |requirement: &&RequirementOutcome| {
+        requirement.output == curve.output && requirement.of == curve.of && requirement.at == ResponsePoint::Whole
+    };
+    result
+        .requirements
+        .iter()
+        .filter(concerns)
+        .map(|requirement| {
+            let words = limits_words(requirement.lower_si, requirement.upper_si, &curve.unit, writer);
+            (format!("required: {words}"), requirement.lower_si, requirement.upper_si)
+        })
+        .collect()
 }
 
 fn worst_pose(curve: &DeviationCurve) -> (f64, f64) {
@@ -129,6 +153,15 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
             values: EntryValues::line(&percent(&pbox.probability_only)),
         });
     }
+    let marks: Vec<Mark> = pbox
+        .limit_si
+        .iter()
+        .map(|limit_si| Mark {
+            at: round_to_digits(writer.scaled(*limit_si, &pbox.unit), 6),
+            label: writer.value_trimmed(*limit_si, &pbox.unit),
+        })
+        .collect();
+    let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(pbox, limit_si, writer)).unwrap_or_default();
     let crossing = |list: &[f64]| {
         let position = list.iter().position(|share| *share >= 0.5);
         position.and_then(|position| pbox.value_si.get(position)).copied()
@@ -151,12 +184,28 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         y_symbol: "%".to_owned(),
         y_range: Some([0.0, 100.0]),
         entries,
+        marks,
         height: 320,
         caption: html! {
-            strong { (capitalised(&response)) ". " } (median)
+            strong { (capitalised(&response)) ". " } (median) " " (limit_words)
             " Numerical error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
+    }
+}
+
+/// The share below the limit that was asked about, read off the box outwards.
+fn limit_sentence(pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -> String {
+    let above = pbox.value_si.partition_point(|value_si| *value_si < limit_si);
+    let at = |list: &[f64], index: usize| list.get(index).copied();
+    match (at(&pbox.lower, above.saturating_sub(1)), at(&pbox.upper, above)) {
+        (Some(least), Some(most)) => format!(
+            "Below {}: between {} and {} of mechanisms.",
+            writer.value_trimmed(limit_si, &pbox.unit),
+            writer.percent(least, Rounding::Down),
+            writer.percent(most, Rounding::Up)
+        ),
+        _ => String::new(),
     }
 }
 

@@ -7,6 +7,8 @@ mod treatments;
 
 use maud::{Markup, html};
 
+pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
+
 use super::answer::{Answer, answer, limits_words};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
@@ -126,8 +128,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
                             "≥ " (writer.percent(requirement.probability_at_least, Rounding::Nearest))
                         }
                         td.number data-label="True share" {
-                            (writer.percent(requirement.probability[0], Rounding::Down)) " to "
-                            (writer.percent(requirement.probability[1], Rounding::Up))
+                            (writer.percent_range(requirement.probability[0], requirement.probability[1]))
                         }
                         td data-label="Smallest at" { (writer.witness(&requirement.witness, &result.inputs)) }
                         td data-label="Verdict" {

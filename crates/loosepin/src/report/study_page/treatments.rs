@@ -98,8 +98,7 @@ fn band_bar(
 ) -> Markup {
     let lower = writer.rounded(band.lower_si, &comparison.unit, BAND_DIGITS, Rounding::Down);
     let upper = writer.rounded(band.upper_si, &comparison.unit, BAND_DIGITS, Rounding::Up);
-    let width =
-        format!("{:.3}%", 100.0 * (band.upper_si - band.lower_si).max(0.0) / (to - from).max(f64::MIN_POSITIVE));
+    let width = percent_of(band.upper_si - band.lower_si, 0.0, to - from);
     html! {
         svg.bar width="100%" height="20" role="img" aria-label=(format!("Band from {lower} to {upper}")) {
             line.axis x1="0%" x2="100%" y1="10" y2="10" {}
@@ -115,16 +114,15 @@ fn band_bar(
 }
 
 fn coverage_strip(band: &TreatmentBand, promised: f64, share_from: f64, writer: &NumberWriter) -> Markup {
-    let least = writer.percent(band.coverage_minimum, Rounding::Down);
-    let most = writer.percent(band.coverage_maximum, Rounding::Up);
+    let range = writer.percent_range(band.coverage_minimum, band.coverage_maximum);
     let place = |share: f64| percent_of(share, share_from - 0.02 * (1.0 - share_from), 1.0 + 0.02 * (1.0 - share_from));
     html! {
-        svg.strip width="100%" height="20" role="img" aria-label=(format!("Share inside from {least} to {most}")) {
+        svg.strip width="100%" height="20" role="img" aria-label=(format!("Share inside: {range}")) {
             line.axis x1="0%" x2="100%" y1="10" y2="10" {}
             line.range x1=(place(band.coverage_minimum)) x2=(place(band.coverage_maximum)) y1="10" y2="10" {}
             @for point in &band.coverage_at { circle cx=(place(point.coverage)) cy="10" r="2.5" {} }
             line.promise x1=(place(promised)) x2=(place(promised)) y1="1" y2="19" {}
         }
-        span.range { (least) " to " (most) }
+        span.range { (range) }
     }
 }

@@ -1,0 +1,259 @@
+//! The tables that the command prints: plain text, aligned, with units, at most 100 columns, readable without colour.
+
+use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
+
+use super::answer::{answer, treatment_sentences};
+use super::number::{NumberWriter, Rounding};
+use super::study_page::{bound_error, bound_value};
+use super::wording::{count, counted, deviation_words, output_words, place_words, statistic_words, treatment_words};
+use super::{motion_page, simulation_page};
+use crate::accuracy::record::MotionRecord;
+use crate::simulate::record::{SimulationRecord, StopReason};
+use crate::study::result::{BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use crate::units::SiUnit;
+
+/// Columns that a terminal is taken to have.
+pub const TERMINAL_COLUMNS: u16 = 100;
+/// Rows of a table; the others stand in the files.
+const MOST_ROWS: usize = 24;
+
+/// The result of a study as text for a terminal: the answer, the bounds, the treatments, what failed.
+pub fn study_text(result: &StudyResult) -> String {
+    let writer = NumberWriter::for_terminal(&result.display_units);
+    let answer = answer(result, &writer);
+    let mut text = format!("{}\n\n{}\n", result.name, wrapped(&answer.headline, ""));
+    for detail in &answer.details {
+        text.push_str(&format!("{}\n", wrapped(detail, "- ")));
+    }
+    let shown: Vec<&BoundRecord> = result
+        .bounds
+        .iter()
+        .filter(|bound| bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
+        .collect();
+    if !shown.is_empty() {
+        text.push_str("\nBounds over the interval inputs, widened by their numerical error\n");
+        let rows = &shown[..shown.len().min(MOST_ROWS)];
+        for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
+            text.push_str(&format!(
+                "\n{}: {}, {}\n\n{}\n",
+                output_words(&group[0].output, &result.outputs),
+                deviation_words(group[0].of),
+                place_words(group[0].at, &writer),
+                bounds_table(result, group, &writer)
+            ));
+        }
+        if shown.len() > MOST_ROWS {
+            text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
+        }
+    }
+    for comparison in &result.treatments {
+        text.push_str(&format!(
+            "\nThree ways to treat what is not known: {} {}, {}\n\n{}\n",
+            comparison.output,
+            deviation_words(comparison.of),
+            place_words(comparison.at, &writer),
+            treatments_table(comparison, &writer)
+        ));
+        for sentence in treatment_sentences(comparison, &writer) {
+            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+        }
+    }
+    for failure in &result.failures {
+        text.push_str(&format!(
+            "\n{}\n  again: {}\n",
+            wrapped(&format!("{} failed: {}", counted(failure.count, "run", &writer), failure.words), ""),
+            failure.example.command
+        ));
+    }
+    with_plain_spaces(text)
+}
+
+/// One run as text for a terminal: the answer, extremes, joints, counters.
+pub fn simulation_text(record: &SimulationRecord) -> String {
+    let writer = NumberWriter::for_terminal(&record.display_units);
+    let mut text = format!("{}\n\n", record.model);
+    if let StopReason::Failed { words, .. } = &record.stop {
+        text.push_str(&format!("{}\n", wrapped(&format!("the run failed: {words}"), "")));
+    }
+    for sentence in simulation_page::headline_sentences(record, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    let at = |point: &crate::simulate::record::ExtremePoint| {
+        format!(
+            "{}, {}",
+            writer.value(point.time_s, &SiUnit::TIME),
+            writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)
+        )
+    };
+    let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
+    for extreme in &record.extremes {
+        extremes.add_row([
+            extreme.name.clone(),
+            writer.value(extreme.minimum.value_si, &extreme.unit),
+            at(&extreme.minimum),
+            writer.value(extreme.maximum.value_si, &extreme.unit),
+            at(&extreme.maximum),
+        ]);
+    }
+    push_table(&mut text, &extremes);
+    let mut joints = table(
+        &["joint", "impacts", "contacts", "fastest", "peak force", "penetration", "clearance", "restitution"],
+        &[1, 2, 3, 4, 5, 6, 7],
+    );
+    for joint in &record.joints {
+        let share =
+            |value: Option<f64>| value.map_or("-".to_owned(), |value| writer.value_trimmed(value, &SiUnit::NONE));
+        joints.add_row([
+            joint.joint.clone(),
+            count(joint.impacts, &writer),
+            count(joint.contacts, &writer),
+            writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            writer.value(joint.peak_force_n, &SiUnit::FORCE),
+            writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+            format!("{} ({})", share(joint.delivered_restitution), share(joint.nominal_restitution)),
+        ]);
+    }
+    push_table(&mut text, &joints);
+    if !record.joints.is_empty() {
+        text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
+    }
+    let counters = &record.counters;
+    text.push_str(&format!(
+        "\n{} steps, {} rejected, {} evaluations, {} beginnings and ends of contact\n",
+        count(counters.steps, &writer),
+        count(counters.rejections, &writer),
+        count(counters.evaluations, &writer),
+        count(counters.contact_changes, &writer)
+    ));
+    with_plain_spaces(text)
+}
+
+/// The ideal motion and the quasi-static answer as text for a terminal.
+pub fn motion_text(record: &MotionRecord) -> String {
+    let writer = NumberWriter::for_terminal(&record.display_units);
+    let mut text = format!("{}\n{}\n\n", record.model, record.mobility);
+    for sentence in motion_page::headline_sentences(record, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    let mut ranges =
+        table(&["output", "smallest", "largest", "worst case of play", "at", "deviation on rims"], &[1, 2, 3, 4, 5]);
+    for output in &record.outputs {
+        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
+        let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
+        let smallest = output.value_si.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        ranges.add_row([
+            output_words_of(&output.name, &output.words),
+            writer.value(smallest, &output.unit),
+            writer.value(largest, &output.unit),
+            format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up)),
+            writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest),
+            writer.rounded(rim_si, &output.unit, 4, Rounding::Up),
+        ]);
+    }
+    push_table(&mut text, &ranges);
+    let mut contributors = table(&["output", "joint", "clearance", "part of the worst case", "share"], &[2, 3, 4]);
+    for output in &record.outputs {
+        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
+        let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
+        for joint in &output.clearance.contributors {
+            let part_si = joint.worst_case_si.get(pose).copied().unwrap_or(f64::NAN);
+            contributors.add_row([
+                output.name.clone(),
+                joint.joint.clone(),
+                writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+                writer.value(part_si, &output.unit),
+                writer.percent(part_si / worst_si, Rounding::Nearest),
+            ]);
+        }
+    }
+    push_table(&mut text, &contributors);
+    with_plain_spaces(text)
+}
+
+fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
+    let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
+    for bound in group {
+        let output_unit = result
+            .outputs
+            .iter()
+            .find(|output| output.name == bound.output)
+            .map_or(SiUnit::NONE, |output| output.unit.clone());
+        bounds.add_row([
+            statistic_words(bound.statistic, &output_unit, writer),
+            bound_value(&bound.lower, bound, Rounding::Down, writer),
+            bound_value(&bound.upper, bound, Rounding::Up, writer),
+            bound_error(bound, writer),
+            writer.witness(&bound.upper.witness, &result.inputs),
+        ]);
+    }
+    trimmed(&bounds)
+}
+
+fn treatments_table(comparison: &crate::study::result::TreatmentComparison, writer: &NumberWriter) -> String {
+    let mut treatments = table(&["treatment", "band", "width", "share really inside", "promise"], &[2]);
+    for band in &comparison.bands {
+        treatments.add_row([
+            treatment_words(band.treatment).to_owned(),
+            format!(
+                "{} to {}",
+                writer.rounded(band.lower_si, &comparison.unit, 3, Rounding::Down),
+                writer.rounded(band.upper_si, &comparison.unit, 3, Rounding::Up)
+            ),
+            writer.rounded(band.width_si(), &comparison.unit, 3, Rounding::Nearest),
+            writer.percent_range(band.coverage_minimum, band.coverage_maximum),
+            if band.keeps_promise(comparison.promised_coverage) { "kept" } else { "broken" }.to_owned(),
+        ]);
+    }
+    trimmed(&treatments)
+}
+
+/// `slider (x of slider.pin)`.
+fn output_words_of(name: &str, words: &str) -> String {
+    let output =
+        crate::study::result::OutputDescription { name: name.to_owned(), words: words.to_owned(), unit: SiUnit::NONE };
+    output_words(name, &[output])
+}
+
+/// A table with a rule under its head, numbers to the right, wrapped to the width of the terminal.
+fn table(head: &[&str], numbers: &[usize]) -> Table {
+    let mut table = Table::new();
+    // Only the rule under the head and the gap between columns.
+    table
+        .load_style(TableStyle::new().header_separator(LineStyle::none().fill('-').junction('-')))
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(TERMINAL_COLUMNS)
+        .set_header(head.iter().copied());
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 1));
+        if numbers.contains(&index) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table
+}
+
+fn push_table(text: &mut String, table: &Table) {
+    if table.row_count() > 0 {
+        text.push_str(&format!("\n{}\n", trimmed(table)));
+    }
+}
+
+/// The lines of a table without blanks at their ends.
+fn trimmed(table: &Table) -> String {
+    let lines: Vec<String> = table.lines().map(|line| line.trim_end().to_owned()).collect();
+    lines.join("\n")
+}
+
+/// Wrapping is done: a space is a space.
+fn with_plain_spaces(text: String) -> String {
+    text.replace('\u{a0}', " ")
+}
+
+fn wrapped(sentence: &str, bullet: &str) -> String {
+    let indent = " ".repeat(bullet.len());
+    let options =
+        textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent(bullet).subsequent_indent(&indent);
+    textwrap::fill(sentence, options)
+}

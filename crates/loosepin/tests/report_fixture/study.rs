@@ -1,0 +1,422 @@
+//! A study: small direct double loop over the closed form.
+
+use std::collections::BTreeMap;
+
+use loosepin::study::result::*;
+use loosepin::study::runs::{RunColumn, RunData, RunsTable};
+use loosepin::units::{DisplayUnits, SiUnit};
+
+use super::kinematics::{CRANK_M, Numbers, ROD_M, SPEED_RAD_S, Sample, angles_rad, drawing, orbit};
+
+const CLEARANCE: &str = "joint.gudgeon.radial_clearance";
+const RESTITUTION: &str = "contact.steel_pin.restitution";
+const CLEARANCE_M: [f64; 2] = [1e-4, 5e-4];
+const RESTITUTION_RANGE: [f64; 2] = [0.7, 0.9];
+const INNER: usize = 256;
+const POSES: usize = 181;
+
+/// Deviations of all inner samples at one value of the epistemic inputs: `curves[pose]` sorted, `largest` sorted.
+struct Outer {
+    at: Witness,
+    curves: Vec<Vec<f64>>,
+    largest: Vec<f64>,
+}
+
+fn witness(clearance_m: f64, restitution: f64) -> Witness {
+    BTreeMap::from([
+        (CLEARANCE.to_owned(), WitnessValue::Number(clearance_m)),
+        (RESTITUTION.to_owned(), WitnessValue::Number(restitution)),
+    ])
+}
+
+fn outer(clearance_m: f64, restitution: f64, poses: &[f64]) -> Outer {
+    let mut numbers = Numbers::new(1);
+    let samples: Vec<Sample> = (0..INNER)
+        .map(|_| Sample {
+            crank_m: CRANK_M + 2e-5 * numbers.normal(),
+            rod_m: ROD_M + 3e-5 * numbers.normal(),
+            clearance_m,
+            restitution,
+            phase: numbers.normal(),
+        })
+        .collect();
+    let nominal = Sample::nominal(0.0);
+    let deviation = |sample: &Sample, angle: f64| sample.slider(angle).0 - nominal.ideal_slider(angle).0;
+    let sorted = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values
+    };
+    let curves =
+        poses.iter().map(|angle| sorted(samples.iter().map(|sample| deviation(sample, *angle)).collect())).collect();
+    let largest = sorted(
+        samples
+            .iter()
+            .map(|sample| poses.iter().map(|angle| deviation(sample, *angle).abs()).fold(0.0, f64::max))
+            .collect(),
+    );
+    Outer { at: witness(clearance_m, restitution), curves, largest }
+}
+
+fn quantile(sorted: &[f64], probability: f64) -> f64 {
+    sorted[((probability * sorted.len() as f64) as usize).min(sorted.len() - 1)]
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn standard_deviation(values: &[f64]) -> f64 {
+    let centre = mean(values);
+    (values.iter().map(|value| (value - centre).powi(2)).sum::<f64>() / (values.len() - 1) as f64).sqrt()
+}
+
+fn share_below(sorted: &[f64], limit: f64) -> f64 {
+    sorted.partition_point(|value| *value <= limit) as f64 / sorted.len() as f64
+}
+
+/// The study of the worn pin.
+pub fn worn_pin() -> StudyResult {
+    let poses = angles_rad(1.0, POSES);
+    let steps = [0.0, 0.25, 0.5, 0.75, 1.0];
+    let within = |range: [f64; 2], share: f64| range[0] + share * (range[1] - range[0]);
+    let outers: Vec<Outer> = steps
+        .iter()
+        .flat_map(|c| [0.0, 0.5, 1.0].map(|e| (within(CLEARANCE_M, *c), within(RESTITUTION_RANGE, e))))
+        .map(|(clearance_m, restitution)| outer(clearance_m, restitution, &poses))
+        .collect();
+    let centre = outer(within(CLEARANCE_M, 0.5), within(RESTITUTION_RANGE, 0.5), &poses);
+    let pooled_largest = pooled(outers.iter().map(|outer| &outer.largest));
+    StudyResult {
+        format: FORMAT,
+        name: "worn pin at 5000 rpm".to_owned(),
+        model: "slider-crank with a worn pin".to_owned(),
+        version: loosepin::VERSION.to_owned(),
+        input_hash: "3f9a1c5e0b7d24686e0f1a2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e6f".to_owned(),
+        seed: 1,
+        inputs: inputs(),
+        correlations: vec![CorrelationDescription {
+            of: vec!["parameter.crank_length".to_owned(), "parameter.rod_length".to_owned()],
+            rank: 0.6,
+        }],
+        cycle: CycleDescription {
+            drive: "crank".to_owned(),
+            drive_speed_rad_s: Some(SPEED_RAD_S),
+            transient_turns: 2.0,
+            recorded_turns: 1.0,
+            tolerance_m: 1e-8,
+            method: "DOP853 with located contacts".to_owned(),
+        },
+        outputs: vec![OutputDescription {
+            name: "slider".to_owned(),
+            words: "x of slider.pin".to_owned(),
+            unit: SiUnit::LENGTH,
+        }],
+        counts: RunCounts { runs: 16_384, failed: 3, outer: 64, inner: 256, replicates: 8, rounds: 1 },
+        failures: vec![FailureGroup {
+            code: "step_below_minimum".to_owned(),
+            words: "step 8.1e-15 s is under the minimum of 1e-14 s at t = 0.0213 s: grazing contact in gudgeon"
+                .to_owned(),
+            count: 3,
+            example: ExampleRun {
+                index: 4711,
+                command: "loosepin simulate model.toml --set parameter.crank_length=50.0213mm --set \
+                          joint.gudgeon.radial_clearance=0.1014mm --transient 2 --turns 1"
+                    .to_owned(),
+            },
+        }],
+        settled_share: Some(0.874),
+        requirements: requirements(&outers),
+        bounds: bounds(&outers, &poses),
+        treatments: vec![treatments(&outers, &pooled_largest)],
+        energy: Some(energy()),
+        impacts: vec![JointImpacts {
+            joint: "gudgeon".to_owned(),
+            impacts_per_turn: [9.0, 13.0, 21.0],
+            nominal_restitution: Some(RESTITUTION_RANGE),
+            delivered_restitution: Some([0.7960, 0.9132]),
+            share_outside_validity: Some(0.981),
+            peak_force_n: 45_870.0,
+            floored_contacts: 112,
+        }],
+        display_units: DisplayUnits::default(),
+        curves: vec![curve(&outers, &centre, &poses)],
+        boxes: vec![probability_box(&outers, &pooled_largest)],
+        orbits: vec![
+            orbit(&Sample::nominal(CLEARANCE_M[1]), "at the upper bound", 1.0),
+            orbit(&Sample::nominal(CLEARANCE_M[0]), "at the lower bound", 1.0),
+        ],
+        drawing: drawing(&Sample::nominal(CLEARANCE_M[1]), true),
+    }
+}
+
+fn pooled<'a>(lists: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
+    let mut all: Vec<f64> = lists.flatten().copied().collect();
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+fn inputs() -> Vec<InputDescription> {
+    let input = |path: &str, kind: InputKind, unit: SiUnit, words: &str| InputDescription {
+        path: path.to_owned(),
+        kind,
+        unit,
+        words: words.to_owned(),
+    };
+    let interval = |[lower_si, upper_si]: [f64; 2]| InputKind::Interval { lower_si, upper_si };
+    vec![
+        input(
+            "parameter.crank_length",
+            InputKind::Random,
+            SiUnit::LENGTH,
+            "normal, mean 50 mm, standard deviation 0.02 mm",
+        ),
+        input(
+            "parameter.rod_length",
+            InputKind::Random,
+            SiUnit::LENGTH,
+            "normal, mean 120 mm, standard deviation 0.03 mm",
+        ),
+        input(CLEARANCE, interval(CLEARANCE_M), SiUnit::LENGTH, "anywhere between 0.1 mm and 0.5 mm"),
+        input(RESTITUTION, interval(RESTITUTION_RANGE), SiUnit::NONE, "anywhere between 0.7 and 0.9"),
+    ]
+}
+
+fn end(value_si: f64, error_si: f64, outwards: f64, [least, most]: [f64; 2], at: &Witness) -> BoundEnd {
+    BoundEnd {
+        value_si,
+        widened_si: (value_si + outwards * error_si).clamp(least, most),
+        witness: at.clone(),
+        error: NumericalError { sampling_si: 0.8 * error_si, optimisation_si: 0.2 * error_si, surrogate_si: 0.0 },
+    }
+}
+
+fn bound(
+    at: ResponsePoint,
+    statistic: StatisticKind,
+    unit: SiUnit,
+    error_si: f64,
+    values: &[(f64, &Witness)],
+) -> BoundRecord {
+    let widest = if statistic.is_probability() { [0.0, 1.0] } else { [f64::NEG_INFINITY, f64::INFINITY] };
+    let by_value = |a: &&(f64, &Witness), b: &&(f64, &Witness)| a.0.total_cmp(&b.0);
+    let lower = values.iter().min_by(by_value).expect("the fixture has outer points");
+    let upper = values.iter().max_by(by_value).expect("the fixture has outer points");
+    BoundRecord {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        at,
+        statistic,
+        treatment: TreatmentKind::Mixed,
+        reading: IntervalReading::Fixed,
+        unit,
+        lower: end(lower.0, error_si, -1.0, widest, lower.1),
+        upper: end(upper.0, error_si, 1.0, widest, upper.1),
+        guarantee: GuaranteeKind::Sampled { confidence: 0.95 },
+    }
+}
+
+fn bounds(outers: &[Outer], poses: &[f64]) -> Vec<BoundRecord> {
+    let largest = ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude };
+    let of_largest = |statistic: &dyn Fn(&[f64]) -> f64| -> Vec<(f64, &Witness)> {
+        outers.iter().map(|outer| (statistic(&outer.largest), &outer.at)).collect()
+    };
+    let pose = poses.len() / 6;
+    let at_pose = |statistic: &dyn Fn(&[f64]) -> f64| -> Vec<(f64, &Witness)> {
+        outers.iter().map(|outer| (statistic(&outer.curves[pose]), &outer.at)).collect()
+    };
+    let limit_si = 4e-4;
+    let pose_point = ResponsePoint::Pose { pose_rad: poses[pose] };
+    let mut list = vec![
+        bound(
+            largest,
+            StatisticKind::Quantile { probability: 0.975 },
+            SiUnit::LENGTH,
+            4.2e-6,
+            &of_largest(&|values| quantile(values, 0.975)),
+        ),
+        bound(largest, StatisticKind::Mean, SiUnit::LENGTH, 1.1e-6, &of_largest(&mean)),
+        bound(largest, StatisticKind::StandardDeviation, SiUnit::LENGTH, 7e-7, &of_largest(&standard_deviation)),
+        bound(
+            largest,
+            StatisticKind::ProbabilityAbove { limit_si },
+            SiUnit::NONE,
+            0.004,
+            &of_largest(&|values| 1.0 - share_below(values, limit_si)),
+        ),
+        bound(pose_point, StatisticKind::Mean, SiUnit::LENGTH, 9e-7, &at_pose(&mean)),
+        bound(pose_point, StatisticKind::StandardDeviation, SiUnit::LENGTH, 6e-7, &at_pose(&standard_deviation)),
+    ];
+    for (index, pose_rad) in poses.iter().enumerate() {
+        let values: Vec<(f64, &Witness)> = outers.iter().map(|outer| (mean(&outer.curves[index]), &outer.at)).collect();
+        let at = ResponsePoint::Curve { pose_rad: *pose_rad };
+        list.push(bound(at, StatisticKind::Mean, SiUnit::LENGTH, 1e-6, &values));
+    }
+    list
+}
+
+fn requirements(outers: &[Outer]) -> Vec<RequirementOutcome> {
+    let one = |limit_si: f64, probability_at_least: f64| {
+        let shares = || outers.iter().map(|outer| share_below(&outer.largest, limit_si));
+        let least = shares().fold(1.0, f64::min);
+        let at = outers
+            .iter()
+            .min_by(|a, b| share_below(&a.largest, limit_si).total_cmp(&share_below(&b.largest, limit_si)))
+            .expect("the fixture has outer points");
+        RequirementOutcome {
+            output: "slider".to_owned(),
+            of: DeviationKind::Total,
+            at: ResponsePoint::Whole,
+            lower_si: -limit_si,
+            upper_si: limit_si,
+            probability_at_least,
+            probability: [(least - 0.0004).max(0.0), shares().fold(0.0, f64::max)],
+            witness: at.at.clone(),
+            verdict: if least >= probability_at_least { Verdict::Met } else { Verdict::NotMet },
+        }
+    };
+    vec![one(7e-4, 0.9973), one(5e-4, 0.99)]
+}
+
+fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
+    let nominal = Sample::nominal(3e-4);
+    let over = |statistic: &dyn Fn(&[f64]) -> f64, lowest: bool| -> Vec<f64> {
+        (0..poses.len())
+            .map(|pose| {
+                let values = outers.iter().map(|outer| statistic(&outer.curves[pose]));
+                if lowest { values.fold(f64::INFINITY, f64::min) } else { values.fold(f64::NEG_INFINITY, f64::max) }
+            })
+            .collect()
+    };
+    let low = |values: &[f64]| quantile(values, 0.025);
+    let high = |values: &[f64]| quantile(values, 0.975);
+    let at_centre = |statistic: &dyn Fn(&[f64]) -> f64| -> Vec<f64> {
+        centre.curves.iter().map(|values| statistic(values)).collect()
+    };
+    // Worst case of a gudgeon with play: the eccentricity moves the slider by c / cos(rod angle).
+    let worst: Vec<f64> = poses.iter().map(|angle| 5e-4 / nominal.ideal_slider(*angle).1.cos() + 6e-5).collect();
+    DeviationCurve {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        unit: SiUnit::LENGTH,
+        probabilities: [0.025, 0.975],
+        centre: centre.at.clone(),
+        numerical_error_si: 4.2e-6,
+        pose_rad: poses.to_vec(),
+        ideal_si: poses.iter().map(|angle| nominal.ideal_slider(*angle).0).collect(),
+        nominal_si: poses.iter().map(|angle| nominal.slider(*angle).0 - nominal.ideal_slider(*angle).0).collect(),
+        random: CurveRange { lower_si: at_centre(&low), upper_si: at_centre(&high) },
+        mixed: CurveRange { lower_si: over(&low, true), upper_si: over(&high, false) },
+        mean: CurveRange { lower_si: over(&mean, true), upper_si: over(&mean, false) },
+        worst_case: CurveRange { lower_si: worst.iter().map(|value| -value).collect(), upper_si: worst },
+    }
+}
+
+fn probability_box(outers: &[Outer], pooled: &[f64]) -> ProbabilityBox {
+    let value_si: Vec<f64> = (0..=160).map(|step| 7e-4 * f64::from(step) / 160.0).collect();
+    let shares = |value: f64| outers.iter().map(move |outer| share_below(&outer.largest, value));
+    ProbabilityBox {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        unit: SiUnit::LENGTH,
+        lower: value_si.iter().map(|value| shares(*value).fold(1.0, f64::min)).collect(),
+        upper: value_si.iter().map(|value| shares(*value).fold(0.0, f64::max)).collect(),
+        probability_only: value_si.iter().map(|value| share_below(pooled, *value)).collect(),
+        limit_si: Some(4e-4),
+        numerical_error: 0.004,
+        value_si,
+    }
+}
+
+fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
+    let ends = |probability: f64, lowest: bool| {
+        let values = outers.iter().map(|outer| quantile(&outer.largest, probability));
+        if lowest { values.fold(f64::INFINITY, f64::min) } else { values.fold(f64::NEG_INFINITY, f64::max) }
+    };
+    let range = |lower_si: f64, upper_si: f64, treatment: TreatmentKind| {
+        let coverage_at: Vec<CoveragePoint> = outers
+            .iter()
+            .map(|outer| CoveragePoint {
+                at: outer.at.clone(),
+                coverage: share_below(&outer.largest, upper_si) - share_below(&outer.largest, lower_si - 1e-12),
+            })
+            .collect();
+        TreatmentBand {
+            treatment,
+            lower_si,
+            upper_si,
+            coverage_minimum: coverage_at.iter().map(|point| point.coverage).fold(1.0, f64::min),
+            coverage_maximum: coverage_at.iter().map(|point| point.coverage).fold(0.0, f64::max),
+            coverage_error: 0.003,
+            coverage_at,
+        }
+    };
+    TreatmentComparison {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        unit: SiUnit::LENGTH,
+        promised_coverage: 0.95,
+        bands: vec![
+            range(quantile(pooled, 0.025), quantile(pooled, 0.975), TreatmentKind::ProbabilityOnly),
+            range(5e-5, 7.3e-4, TreatmentKind::IntervalOnly),
+            range(ends(0.025, true), ends(0.975, false), TreatmentKind::Mixed),
+        ],
+    }
+}
+
+fn energy() -> EnergyResiduals {
+    let counts = [3, 21, 160, 922, 3105, 5210, 4180, 1900, 640, 190, 42, 8];
+    EnergyResiduals {
+        median: 2.1e-11,
+        quantile_90: 1.7e-10,
+        quantile_99: 8.8e-10,
+        maximum: 6.4e-9,
+        histogram: counts
+            .iter()
+            .enumerate()
+            .map(|(index, count)| HistogramBin {
+                from: 10f64.powf(-13.0 + 0.4 * index as f64),
+                to: 10f64.powf(-12.6 + 0.4 * index as f64),
+                count: *count,
+            })
+            .collect(),
+    }
+}
+
+/// A few runs as a table; the last of them failed.
+pub fn runs_table() -> RunsTable {
+    const RUNS: usize = 500;
+    let mut numbers = Numbers::new(7);
+    let last = |row: usize| row == RUNS - 1;
+    let mut column = |name: &str, unit: SiUnit, centre: f64, spread: f64, is_output: bool| RunColumn {
+        name: name.to_owned(),
+        unit,
+        data: RunData::F64(
+            (0..RUNS)
+                .map(|row| {
+                    let value = centre + spread * numbers.normal();
+                    if is_output && last(row) { f64::NAN } else { value }
+                })
+                .collect(),
+        ),
+    };
+    let crank = column("parameter.crank_length", SiUnit::LENGTH, CRANK_M, 2e-5, false);
+    let rod = column("parameter.rod_length", SiUnit::LENGTH, ROD_M, 3e-5, false);
+    let largest = column("slider.total.maximum_magnitude", SiUnit::LENGTH, 4e-4, 5e-5, true);
+    let words =
+        |value: &dyn Fn(usize) -> &'static str| RunData::Text((0..RUNS).map(|row| value(row).to_owned()).collect());
+    let plain = |name: &str, data: RunData| RunColumn { name: name.to_owned(), unit: SiUnit::NONE, data };
+    RunsTable {
+        columns: vec![
+            plain("index", RunData::U64((0..RUNS as u64).collect())),
+            crank,
+            rod,
+            plain("contact.steel_pin.law", words(&|row| if row % 2 == 0 { "lankarani-nikravesh" } else { "flores" })),
+            largest,
+            plain("status", words(&|row| if last(row) { "failed" } else { "finished" })),
+            plain("reason", words(&|row| if last(row) { "step_below_minimum" } else { "" })),
+            plain("steps", RunData::U64((0..RUNS as u64).map(|row| 3000 + row % 97).collect())),
+        ],
+    }
+}

@@ -1,0 +1,173 @@
+"""A small client of headless Chromium over its DevTools pipe: standard library only."""
+
+import base64
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+
+
+class BrowserError(Exception):
+    """The browser is not there, ended, did not answer in time, or answered with an error."""
+
+
+def find_browser():
+    """Path of the browser, or None."""
+    chosen = os.environ.get("CHROMIUM")
+    if chosen:
+        return shutil.which(chosen)
+    return next((path for path in map(shutil.which, NAMES) if path), None)
+
+
+class Chromium:
+    """One browser with one tab; use as a context manager."""
+
+    def __init__(self, timeout_s=60.0):
+        path = find_browser()
+        if path is None:
+            raise BrowserError("no Chromium found\nhint: apt-get install chromium, or set CHROMIUM to its path")
+        self.timeout_s = timeout_s
+        self.profile = tempfile.mkdtemp(prefix="loosepin-browser-")
+        command_read, self.command_write = os.pipe()
+        self.answer_read, answer_write = os.pipe()
+        # Chromium reads commands from descriptor 3 and answers on 4.
+        flags = [
+            "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars",
+            "--no-first-run", "--disable-background-networking", "--remote-debugging-pipe",
+            f"--user-data-dir={self.profile}", "about:blank",
+        ]
+        script = f'exec "$0" "$@" 3<&{command_read} 4>&{answer_write}'
+        self.process = subprocess.Popen(
+            ["/bin/bash", "-c", script, path, *flags],
+            pass_fds=(command_read, answer_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )
+        os.close(command_read)
+        os.close(answer_write)
+        self.buffer = b""
+        self.next_id = 1
+        self.events = []
+        target = next(t for t in self._until(self._page_targets))
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self.process.terminate()
+        try:
+            self.process.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+        os.close(self.command_write)
+        os.close(self.answer_read)
+        shutil.rmtree(self.profile, ignore_errors=True)
+
+    def _page_targets(self):
+        infos = self.call("Target.getTargets")["targetInfos"]
+        return [info["targetId"] for info in infos if info["type"] == "page"]
+
+    def _until(self, condition):
+        """What `condition` returns as soon as it is true."""
+        deadline = time.monotonic() + self.timeout_s
+        while time.monotonic() < deadline:
+            value = condition()
+            if value:
+                return value
+            time.sleep(0.05)
+        raise BrowserError(f"no answer within {self.timeout_s} s")
+
+    def call(self, method, **parameters):
+        """Sends one command and returns its answer; events that come meanwhile are kept in `events`."""
+        message = {"id": self.next_id, "method": method, "params": parameters}
+        if getattr(self, "session", None) and not method.startswith("Target."):
+            message["sessionId"] = self.session
+        self.next_id += 1
+        os.write(self.command_write, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self._message()
+            if answer.get("id") == message["id"]:
+                if "error" in answer:
+                    raise BrowserError(f"{method}: {answer['error']['message']}")
+                return answer["result"]
+            if "method" in answer:
+                self.events.append(answer)
+
+    def _message(self):
+        while b"\0" not in self.buffer:
+            chunk = os.read(self.answer_read, 1 << 16)
+            if not chunk:
+                raise BrowserError("the browser has ended")
+            self.buffer += chunk
+        text, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(text)
+
+    def evaluate(self, expression):
+        """The value of a JavaScript expression in the page; promises are awaited."""
+        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
+        if "exceptionDetails" in answer:
+            raise BrowserError(f"{expression}: {answer['exceptionDetails']['text']}")
+        return answer["result"].get("value")
+
+    def view(self, width, height=900, dark=False, media="screen", reduced_motion=False):
+        """Sets the size of the window, its colour scheme and medium."""
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                  mobile=False)
+        self.call("Emulation.setEmulatedMedia", media=media, features=[
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
+            {"name": "prefers-reduced-motion", "value": "reduce" if reduced_motion else "no-preference"},
+        ])
+
+    def open(self, path):
+        """Loads a page from a file and waits until it has drawn itself."""
+        self.events.clear()
+        self.call("Page.navigate", url="file://" + os.path.abspath(path))
+        self._until(lambda: self.evaluate("document.readyState === 'complete' && location.protocol === 'file:'"))
+        self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+
+    def complaints(self):
+        """Errors and warnings that the page or the browser reported since it was opened."""
+        self.evaluate("true")
+        found = []
+        for event in self.events:
+            parameters = event["params"]
+            if event["method"] == "Runtime.exceptionThrown":
+                details = parameters["exceptionDetails"]
+                found.append(details.get("exception", {}).get("description", details["text"]))
+            elif event["method"] == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning", "assert"):
+                found.append(" ".join(str(a.get("value", a.get("description"))) for a in parameters["args"]))
+            elif event["method"] == "Log.entryAdded" and parameters["entry"]["level"] in ("error", "warning"):
+                found.append(parameters["entry"]["text"])
+        return found
+
+    def requests(self):
+        """Addresses that were asked for since the page was opened, but for the page itself and data in it."""
+        sent = (e["params"]["request"]["url"] for e in self.events if e["method"] == "Network.requestWillBeSent")
+        return [url for url in sent if not url.startswith(("file:", "data:"))]
+
+    def screenshot(self, path, whole=True):
+        """Saves a picture of the page (PNG)."""
+        parameters = {"format": "png"}
+        if whole:
+            size = self.call("Page.getLayoutMetrics")["cssContentSize"]
+            parameters["captureBeyondViewport"] = True
+            parameters["clip"] = {"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}
+        data = self.call("Page.captureScreenshot", **parameters)["data"]
+        with open(path, "wb") as file:
+            file.write(base64.b64decode(data))
+
+    def pdf(self, path):
+        """Prints the page to a file (A4, margins of the page's own style)."""
+        data = self.call("Page.printToPDF", preferCSSPageSize=False, printBackground=False, paperWidth=8.27,
+                         paperHeight=11.69)["data"]
+        with open(path, "wb") as file:
+            file.write(base64.b64decode(data))
