@@ -2,6 +2,7 @@
 
 mod file;
 pub mod files;
+mod input_file;
 pub mod result;
 pub mod runs;
 
@@ -9,3 +10,4 @@ pub use file::{
     Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
     study_schema,
 };
+pub use input_file::InputFile;
