@@ -292,13 +292,10 @@ holds; this one has none, or the run that filled it did not finish."
     FolderNotUsable "E0903" "a folder or file cannot be written or read"
 "The file system refused, for the reason that the complaint gives: rights, a full disk, or a file where a folder is due."
 
-    UnknownTemplate "E0904" "there is no such template"
-"`loosepin new --list` shows the templates."
-
-    FileExists "E0905" "a file is there already"
+    FileExists "E0904" "a file is there already"
 "`loosepin new` writes model.toml and study.toml and does not overwrite files of yours. Give another folder, or move them."
 
-    WrongKindOfFile "E0906" "a study stands where a model is due, or the other way round"
+    WrongKindOfFile "E0905" "a study stands where a model is due, or the other way round"
 "Some commands take a model (a mechanism with its nominal values), some a study (what is uncertain in it, and what is asked). \
 A file with a key `model` at its top is a study."
 }
@@ -322,6 +319,6 @@ mod tests {
     #[test]
     fn an_unknown_code_is_refused() {
         let error = "E9999".parse::<Code>().expect_err("no such code");
-        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0906");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0905");
     }
 }

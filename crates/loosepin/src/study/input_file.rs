@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use crate::diagnostics::Complaints;
+use thiserror::Error;
+
+use crate::diagnostics::{Code, Complaints, Problem};
 use crate::document::{parse_toml, read_source};
 use crate::model::Model;
 
@@ -45,5 +47,34 @@ impl InputFile {
             InputFile::Model(model) => model,
             InputFile::Study(study) => &study.model,
         }
+    }
+}
+
+/// A file of the wrong kind.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum InputFileProblem {
+    /// A study where a model is due.
+    #[error("this is a study; a model is due")]
+    StudyForModel {
+        /// The model that the study names.
+        model: String,
+    },
+    /// A model where a study is due.
+    #[error("this is a model; a study is due")]
+    ModelForStudy,
+}
+
+impl Problem for InputFileProblem {
+    fn code(&self) -> Code {
+        Code::WrongKindOfFile
+    }
+
+    fn hint(&self) -> Option<String> {
+        Some(match self {
+            Self::StudyForModel { model } => format!("its model is {model}"),
+            Self::ModelForStudy => {
+                "a study names its model by the key `model`; for a single run use `loosepin simulate`".to_owned()
+            }
+        })
     }
 }

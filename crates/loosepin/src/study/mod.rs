@@ -10,4 +10,4 @@ pub use file::{
     Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
     study_schema,
 };
-pub use input_file::InputFile;
+pub use input_file::{InputFile, InputFileProblem};

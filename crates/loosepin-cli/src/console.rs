@@ -1,0 +1,47 @@
+//! Standard output for data, standard error for messages.
+
+use std::env;
+use std::io::{self, IsTerminal, Write};
+
+use loosepin::diagnostics::{Colour, Complaints};
+use loosepin::report::TERMINAL_COLUMNS;
+
+use crate::ending::Failure;
+
+/// Writes data.
+///
+/// # Errors
+/// Standard output is closed or full.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut output = io::stdout().lock();
+    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(Failure::Output)
+}
+
+/// Writes a line for people. Where nobody can be told, nothing is lost that matters.
+pub fn message(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Says what is wrong: with the lines of the files on a terminal, otherwise one line each for programs.
+pub fn complain(complaints: &Complaints) {
+    if !io::stderr().is_terminal() {
+        message(&complaints.to_string());
+        return;
+    }
+    message(complaints.render(colour()).trim_end());
+    if let Some(complaint) = complaints.sorted().first() {
+        message(&format!("\n`loosepin explain {}` says more", complaint.code));
+    }
+}
+
+/// Colours on a terminal that has them, unless NO_COLOR is set.
+fn colour() -> Colour {
+    let is_plain = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+        || env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
+    if is_plain { Colour::Never } else { Colour::Always }
+}
+
+/// A paragraph in lines that a terminal holds.
+pub fn wrapped(paragraph: &str) -> String {
+    textwrap::fill(paragraph, usize::from(TERMINAL_COLUMNS))
+}
