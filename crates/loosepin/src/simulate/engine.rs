@@ -1,7 +1,7 @@
 //! One run from the start to the end of its window: steps, events, contact states, energy account.
 
 use super::failure::RunFailure;
-use super::gap::{Crossing, GapJet, first_crossing, largest_gap_m2};
+use super::gap::{Crossing, GapJet, first_crossing, largest_force_n, largest_gap_m2, penetration_m};
 use super::motion::{ACCOUNT, Motion, Projection, tolerances};
 use super::observer::{Observer, Onset, Separation, Source, Step};
 use super::settings::{STEP_SHARE, Settings, Window};
@@ -40,6 +40,8 @@ pub struct PlaySummary {
     pub impacts_beyond_validity: u64,
     /// Largest penetration, m.
     pub largest_penetration_m: f64,
+    /// Largest normal force, N, looked for at a few points of each step: within a thousandth.
+    pub peak_force_n: f64,
 }
 
 /// Energy over a run, J.
@@ -363,11 +365,13 @@ impl<'a> Engine<'a> {
     fn note_penetrations(&mut self, step_s: f64) {
         for (play, state) in self.motion.states.iter().enumerate() {
             if state.contact > 0.0 {
-                let clearance_m = self.sample.plays[play].clearance_m;
-                let gap_m2 = largest_gap_m2(&self.start_jets[play], &self.end_jets[play], step_s);
-                let depth_m = gap_m2 / ((gap_m2 + clearance_m * clearance_m).sqrt() + clearance_m);
-                let largest_m = &mut self.plays[play].largest_penetration_m;
-                *largest_m = largest_m.max(depth_m);
+                let numbers = &self.sample.plays[play];
+                let (start, end) = (&self.start_jets[play], &self.end_jets[play]);
+                let depth_m = penetration_m(largest_gap_m2(start, end, step_s), numbers.clearance_m);
+                let summary = &mut self.plays[play];
+                summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
+                let force_n = largest_force_n(start, end, step_s, numbers, state);
+                summary.peak_force_n = summary.peak_force_n.max(force_n);
             }
         }
     }
@@ -379,6 +383,7 @@ impl<'a> Engine<'a> {
                 stepper: &mut self.stepper,
                 projection: self.projection.as_mut(),
                 state: &mut self.scratch,
+                is_at_end: true,
             };
             observer.step(&mut Step { source, start_s: self.time_s, end_s });
         }

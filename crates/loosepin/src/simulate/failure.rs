@@ -47,19 +47,41 @@ pub enum RunFailure {
     },
 }
 
+/// Short names of all reasons, in the order of [`RunFailure::number`].
+const CODES: [&str; 8] = [
+    "impossible_value",
+    "clearance_changes_topology",
+    "cannot_close",
+    "singular_position",
+    "step_too_small",
+    "not_finite",
+    "drive_stands_still",
+    "too_many_evaluations",
+];
+
 impl RunFailure {
     /// A short name for tables.
     pub fn code(&self) -> &'static str {
+        Self::code_of(self.number())
+    }
+
+    /// A number for tables.
+    pub fn number(&self) -> u16 {
         match self {
-            Self::Sample(SampleError::Quantity(_)) => "impossible_value",
-            Self::Sample(SampleError::ClearanceChangesTopology { .. }) => "clearance_changes_topology",
-            Self::Sample(SampleError::CannotClose { .. }) => "cannot_close",
-            Self::Sample(SampleError::Singular { .. }) => "singular_position",
-            Self::StepTooSmall { .. } => "step_too_small",
-            Self::NotFinite { .. } => "not_finite",
-            Self::StandsStill { .. } => "drive_stands_still",
-            Self::TooManyEvaluations { .. } => "too_many_evaluations",
+            Self::Sample(SampleError::Quantity(_)) => 0,
+            Self::Sample(SampleError::ClearanceChangesTopology { .. }) => 1,
+            Self::Sample(SampleError::CannotClose { .. }) => 2,
+            Self::Sample(SampleError::Singular { .. }) => 3,
+            Self::StepTooSmall { .. } => 4,
+            Self::NotFinite { .. } => 5,
+            Self::StandsStill { .. } => 6,
+            Self::TooManyEvaluations { .. } => 7,
         }
+    }
+
+    /// The short name of a number that [`Self::number`] gave.
+    pub fn code_of(number: u16) -> &'static str {
+        CODES.get(usize::from(number)).copied().unwrap_or("unknown")
     }
 }
 

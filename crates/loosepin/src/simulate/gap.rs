@@ -1,7 +1,8 @@
 //! Where within a step pin and hole meet or part.
 
-use crate::dynamics::PlayMotion;
+use crate::dynamics::{PlayMotion, PlayState};
 use crate::math::{Quintic, Vec2};
+use crate::mechanism::PlayGeometry;
 
 /// g = |e|² - c² and its first two time derivatives: positive in contact, smooth everywhere.
 #[derive(Debug, Clone, Copy, Default)]
@@ -93,6 +94,32 @@ pub fn largest_gap_m2(start: &GapJet, end: &GapJet, step_s: f64) -> f64 {
     } else {
         ends
     }
+}
+
+/// δ, m, from g = |e|² - c².
+pub fn penetration_m(gap_m2: f64, clearance_m: f64) -> f64 {
+    gap_m2 / ((gap_m2 + clearance_m * clearance_m).sqrt() + clearance_m)
+}
+
+/// Largest normal force within a step in contact, N, at the ends and three points between.
+pub fn largest_force_n(
+    start: &GapJet,
+    end: &GapJet,
+    step_s: f64,
+    play: &PlayGeometry<f64>,
+    state: &PlayState<f64>,
+) -> f64 {
+    let quintic = Quintic::new(start.jet, end.jet, step_s);
+    (0..=4)
+        .map(|k| {
+            let tau = f64::from(k) / 4.0;
+            let gap_m2 = quintic.value(tau);
+            let distance_m = (gap_m2 + play.clearance_m * play.clearance_m).max(0.0).sqrt();
+            let rate_m_s = quintic.slope(tau) / (2.0 * distance_m * step_s);
+            let depth_m = penetration_m(gap_m2, play.clearance_m);
+            play.normal.force(depth_m, rate_m_s, state.inverse_impact_speed_s_m).total_n
+        })
+        .fold(0.0, f64::max)
 }
 
 /// Bisections that leave a share of 1e-15 of a step.

@@ -9,7 +9,7 @@ use super::record::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
     OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
 };
-use super::reference::{IdealReference, Twin};
+use super::reference::IdealReference;
 use super::search::{Peak, maximum_within};
 use super::settings::{Settings, Window};
 use crate::dynamics::Dynamics;
@@ -85,8 +85,9 @@ pub struct BodyStates {
 pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
     let window = plan.window(mechanism, values)?;
     let sample = Sample::new(mechanism, values)?;
-    let twin = Twin::new(mechanism, values)?;
-    let mut recorder = Recorder::new(mechanism, values, &twin, plan, &window)?;
+    let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
+    let reference = IdealReference::new(&ideal, &ideal_sample)?;
+    let mut recorder = Recorder::new(mechanism, values, reference, plan, &window);
     let report = run(mechanism, &sample, &window, &plan.settings, &mut recorder)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
@@ -132,10 +133,10 @@ impl<'a> Recorder<'a> {
     fn new(
         mechanism: &'a Mechanism,
         values: &'a Values,
-        twin: &'a Twin,
+        reference: IdealReference<'a>,
         plan: &Plan,
         window: &Window,
-    ) -> Result<Self, RunFailure> {
+    ) -> Self {
         let columns = columns(mechanism);
         let rows = (plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64).round().max(1.0) as usize;
         let span_s = window.end_s - window.start_s;
@@ -144,11 +145,11 @@ impl<'a> Recorder<'a> {
         let drive = &mechanism.model.drives[plan.cycle.drive.0];
         let plays = mechanism.plays.len();
         let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
-        Ok(Self {
+        Self {
             mechanism,
             values,
             arms: Arms::new(mechanism, values),
-            reference: twin.motion()?,
+            reference,
             failure: None,
             sample_times_s: (0..=rows).map(at).collect(),
             next_sample: 0,
@@ -179,7 +180,7 @@ impl<'a> Recorder<'a> {
             states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
             columns,
-        })
+        }
     }
 
     fn drive_angle_rad(&self, time_s: f64) -> f64 {
@@ -349,7 +350,7 @@ impl<'a> Recorder<'a> {
             },
             extremes,
             joints,
-            display_units: DisplayUnits::default(),
+            display_units: DisplayUnits::for_duration_s(self.window.end_s),
             drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
             outputs,
             contact_forces: (0..self.contact_forces.len())

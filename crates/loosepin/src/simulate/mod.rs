@@ -20,7 +20,7 @@ pub use engine::{Counters, EnergyAccount, PlaySummary, RunReport, run};
 pub use failure::RunFailure;
 pub use history::{BodyStates, Plan, Simulation, simulate};
 pub use observer::{Observer, Onset, Separation, Step};
-pub use reference::{IdealReference, Twin};
+pub use reference::IdealReference;
 pub use search::{Peak, maximum_within};
 pub use settings::{STEP_SHARE, Settings, Window};
 pub use tables::{history_csv, impacts_csv};

@@ -56,6 +56,8 @@ pub(super) enum Source<'s, 'a> {
         stepper: &'s mut Stepper,
         projection: Option<&'s mut Projection>,
         state: &'s mut Vec<f64>,
+        /// Whether the equations of motion were evaluated last at the end of the step.
+        is_at_end: bool,
     },
     /// The motion of a mechanism without play, solved afresh at each instant.
     Kinematic { motion: &'s mut Motion<'a>, ideal: &'s mut IdealMotion<'a>, failure: &'s mut Option<SampleError> },
@@ -70,6 +72,16 @@ impl<'a> Step<'_, 'a> {
     /// Sets positions and velocities at `time_s` within the step and evaluates forces and accelerations.
     pub fn evaluate(&mut self, time_s: f64) -> &Dynamics<'a, f64> {
         self.look(time_s, true)
+    }
+
+    /// The end of the step with forces and accelerations; free of cost before anything else was looked at.
+    pub fn end(&mut self) -> &Dynamics<'a, f64> {
+        if !matches!(&self.source, Source::Integrated { is_at_end: true, .. }) {
+            self.look(self.end_s, true);
+        }
+        match &self.source {
+            Source::Integrated { motion, .. } | Source::Kinematic { motion, .. } => &motion.dynamics,
+        }
     }
 
     /// Whether the joint with play `play` is in contact during this step.
@@ -101,7 +113,8 @@ impl<'a> Step<'_, 'a> {
 
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {
         match &mut self.source {
-            Source::Integrated { motion, stepper, projection, state } => {
+            Source::Integrated { motion, stepper, projection, state, is_at_end } => {
+                *is_at_end = false;
                 let share = ((time_s - stepper.time_s()) / stepper.step_s()).clamp(0.0, 1.0);
                 if share == 0.0 {
                     state.copy_from_slice(stepper.start());

@@ -3,49 +3,23 @@
 use super::motion::Motion;
 use crate::dynamics::Dynamics;
 use crate::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
-use crate::model::Values;
 
-/// A mechanism with every clearance at zero and one sample of it.
-#[derive(Debug, Clone)]
-pub struct Twin {
-    mechanism: Mechanism,
-    sample: Sample<f64>,
-}
-
-impl Twin {
-    /// The twin of `mechanism` with the dimensions of `values`.
-    ///
-    /// # Errors
-    /// The sample does not fit the mechanism.
-    pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
-        let sample = Sample::new(mechanism, values)?.without_play();
-        Ok(Self { mechanism: mechanism.without_play(), sample })
-    }
-
-    /// Its motion, to be asked at any time.
-    ///
-    /// # Errors
-    /// The loops cannot close at time zero.
-    pub fn motion(&self) -> Result<IdealReference<'_>, SampleError> {
-        Ok(IdealReference {
-            mechanism: &self.mechanism,
-            ideal: IdealMotion::new(&self.mechanism, &self.sample.ideal, &self.sample.drives)?,
-            motion: Motion::new(&self.mechanism, &self.sample),
-        })
-    }
-}
-
-/// The motion of a [`Twin`].
+/// The motion of a mechanism with every clearance at zero, to be asked at any time.
 pub struct IdealReference<'a> {
-    mechanism: &'a Mechanism,
     ideal: IdealMotion<'a>,
     motion: Motion<'a>,
 }
 
 impl<'a> IdealReference<'a> {
-    /// The mechanism without play.
-    pub fn mechanism(&self) -> &'a Mechanism {
-        self.mechanism
+    /// From [`Mechanism::without_play`] and [`Sample::without_play`].
+    ///
+    /// # Errors
+    /// The loops cannot close at time zero.
+    pub fn new(mechanism: &'a Mechanism, sample: &'a Sample<f64>) -> Result<Self, SampleError> {
+        Ok(Self {
+            ideal: IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?,
+            motion: Motion::new(mechanism, sample),
+        })
     }
 
     /// Positions and velocities at `time_s`, and forces and accelerations where asked for.

@@ -1,11 +1,18 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
 
+mod assemble;
+mod columns;
+mod conduct;
 mod file;
 pub mod files;
+mod ideal_curve;
 mod input_file;
+mod recorder;
+mod response;
 pub mod result;
 pub mod runs;
 
+pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs};
 pub use file::{
     Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
     study_schema,

@@ -1,0 +1,350 @@
+//! From the runs and bounds of a study to its result: names, units, curves, boxes, pictures.
+
+mod curves;
+mod describe;
+mod drawing;
+mod runs_table;
+mod summary;
+
+pub use runs_table::runs_table;
+
+use super::columns::{ColumnPlan, Spot};
+use super::file::{Deviation, Reduction, Study, Where};
+use super::response::StudyResponse;
+use super::result::{
+    BoundEnd, BoundRecord, CoveragePoint, DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError,
+    ProbabilityBox, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison,
+    TreatmentKind, Verdict, Witness, WitnessValue,
+};
+use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
+use crate::simulate::RunFailure;
+use crate::units::{DisplayUnits, SiUnit};
+
+/// Everything that a result is made from.
+pub(super) struct Material<'m> {
+    pub study: &'m Study,
+    pub response: &'m StudyResponse,
+    pub table: &'m SampleTable,
+    pub bounds: &'m Bounds,
+}
+
+/// Puts the result together.
+///
+/// # Errors
+/// A run that the report draws failed.
+pub fn assemble(
+    study: &Study,
+    input_hash: &str,
+    response: &StudyResponse,
+    table: &SampleTable,
+    bounds: &Bounds,
+) -> Result<StudyResult, RunFailure> {
+    let material = Material { study, response, table, bounds };
+    let pictures = drawing::pictures(&material)?;
+    Ok(StudyResult {
+        format: FORMAT,
+        name: study.name.clone(),
+        model: study.model.name.clone(),
+        version: crate::VERSION.to_owned(),
+        input_hash: input_hash.to_owned(),
+        seed: study.seed,
+        inputs: describe::inputs(study),
+        correlations: Vec::new(),
+        cycle: describe::cycle(&material),
+        outputs: describe::outputs(&material),
+        counts: summary::counts(&material),
+        failures: summary::failures(&material),
+        settled_share: summary::settled_share(&material),
+        requirements: requirements(&material),
+        bounds: asked_bounds(&material),
+        treatments: treatments(&material),
+        energy: summary::energy(&material),
+        impacts: summary::impacts(&material),
+        display_units: DisplayUnits::default(),
+        curves: curves::curves(&material, &pictures),
+        boxes: boxes(&material),
+        orbits: pictures.orbits,
+        drawing: pictures.drawing,
+    })
+}
+
+impl Material<'_> {
+    fn plan(&self) -> &ColumnPlan {
+        &self.response.shared.plan
+    }
+
+    /// The epistemic inputs by path.
+    fn witness(&self, epistemic: &[f64]) -> Witness {
+        let named = self.study.epistemic.iter().zip(epistemic);
+        named.map(|(input, &value)| (input.path.clone(), WitnessValue::Number(value))).collect()
+    }
+
+    fn end(&self, bound: &Bound) -> BoundEnd {
+        BoundEnd {
+            value_si: bound.value,
+            widened_si: bound.widened,
+            witness: bound.witness.as_ref().map(|w| self.witness(&w.epistemic)).unwrap_or_default(),
+            error: NumericalError {
+                sampling_si: bound.error.sampling,
+                optimisation_si: bound.error.optimisation,
+                surrogate_si: bound.error.surrogate,
+            },
+        }
+    }
+
+    /// The bounds of `statistic` of `column`.
+    fn pair(&self, column: usize, statistic: Statistic) -> Option<&BoundPair> {
+        self.bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic)
+    }
+
+    fn unit_of(&self, column: usize) -> SiUnit {
+        self.plan().outputs[self.plan().columns[column].output].unit.clone()
+    }
+
+    fn name_of(&self, column: usize) -> String {
+        self.plan().outputs[self.plan().columns[column].output].name.clone()
+    }
+
+    /// Where a column is taken; `in_curve` tells that it is a point of a curve.
+    fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
+        match self.plan().columns[column].spot {
+            Spot::Pose { angle_rad, turns } => {
+                // People count the recorded turns, not those before them.
+                let pose_rad = angle_rad - recorded_offset_rad(self.study, self.response);
+                let _ = turns;
+                if in_curve { ResponsePoint::Curve { pose_rad } } else { ResponsePoint::Pose { pose_rad } }
+            }
+            Spot::Reduced(reduction) => ResponsePoint::Reduced { reduction: reduction_kind(reduction) },
+        }
+    }
+}
+
+/// Angle that the drive turned through before the recorded part in whole turns, rad: poses are shown without it.
+pub(super) fn recorded_offset_rad(study: &Study, response: &StudyResponse) -> f64 {
+    let drive = &study.model.drives[study.cycle.drive.0];
+    let sign = response.nominal[drive.speed].signum();
+    sign * std::f64::consts::TAU * study.cycle.transient_turns.floor()
+}
+
+pub(super) fn deviation_kind(deviation: Deviation) -> DeviationKind {
+    match deviation {
+        Deviation::Value => DeviationKind::Value,
+        Deviation::Total => DeviationKind::Total,
+        Deviation::Dimensional => DeviationKind::Dimensional,
+        Deviation::Clearance => DeviationKind::Clearance,
+    }
+}
+
+fn reduction_kind(reduction: Reduction) -> super::result::Reduction {
+    use super::result::Reduction as Kind;
+    match reduction {
+        Reduction::Maximum => Kind::Maximum,
+        Reduction::Minimum => Kind::Minimum,
+        Reduction::MaximumAbsolute => Kind::MaximumMagnitude,
+        Reduction::RootMeanSquare => Kind::Rms,
+        Reduction::Mean => Kind::Mean,
+        Reduction::Range => Kind::PeakToPeak,
+    }
+}
+
+fn reading(bounds: &Bounds) -> IntervalReading {
+    match bounds.reading {
+        Reading::FixedButUnknown => IntervalReading::Fixed,
+        Reading::UnknownDistribution => IntervalReading::UnknownDistribution,
+        Reading::RandomSet => IntervalReading::RandomSet,
+    }
+}
+
+fn guarantee(guarantee: Guarantee) -> GuaranteeKind {
+    match guarantee {
+        Guarantee::Enclosure => GuaranteeKind::Enclosure,
+        Guarantee::Optimised => GuaranteeKind::Optimised,
+        Guarantee::Sampled { confidence } => GuaranteeKind::Sampled { confidence },
+    }
+}
+
+/// The statistic for the record; the whole distribution function has its own place.
+fn statistic_kind(statistic: Statistic) -> Option<StatisticKind> {
+    Some(match statistic {
+        Statistic::Mean => StatisticKind::Mean,
+        Statistic::StandardDeviation => StatisticKind::StandardDeviation,
+        Statistic::Cdf => return None,
+        Statistic::Quantile(probability) => StatisticKind::Quantile { probability },
+        Statistic::ProbabilityAbove(limit_si) => StatisticKind::ProbabilityAbove { limit_si },
+        Statistic::ProbabilityBelow(limit_si) => StatisticKind::ProbabilityBelow { limit_si },
+        Statistic::ProbabilityBeyond(limit_si) => StatisticKind::ProbabilityBeyond { limit_si },
+    })
+}
+
+/// Every bound that was asked for, in the order of the asks; within a curve pose by pose.
+fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
+    let mut records = Vec::new();
+    for planned in &material.plan().asks {
+        let in_curve = planned.ask.location == Where::Cycle;
+        for &column in &planned.columns {
+            for &asked in &planned.ask.statistics {
+                let (Some(statistic), Some(pair)) = (statistic_kind(asked), material.pair(column, asked)) else {
+                    continue;
+                };
+                let unit = if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
+                records.push(BoundRecord {
+                    output: material.name_of(column),
+                    of: deviation_kind(planned.ask.deviation),
+                    at: material.point_of(column, in_curve),
+                    statistic,
+                    treatment: TreatmentKind::Mixed,
+                    reading: reading(material.bounds),
+                    unit,
+                    lower: material.end(&pair.lower),
+                    upper: material.end(&pair.upper),
+                    guarantee: guarantee(pair.lower.guarantee),
+                });
+            }
+        }
+    }
+    records
+}
+
+fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
+    material
+        .bounds
+        .comparisons
+        .iter()
+        .map(|comparison| {
+            let column = comparison.column;
+            let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
+            TreatmentComparison {
+                output: material.name_of(column),
+                of: deviation_kind(material.plan().columns[column].deviation),
+                at: material.point_of(column, false),
+                unit: material.unit_of(column),
+                promised_coverage: comparison.probability,
+                bands: bands.map(|band| treatment_band(material, band)).to_vec(),
+            }
+        })
+        .collect()
+}
+
+fn treatment_band(material: &Material<'_>, band: &Band) -> TreatmentBand {
+    let treatment = match band.treatment {
+        crate::bounds::Treatment::ProbabilityOnly => TreatmentKind::ProbabilityOnly,
+        crate::bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
+        crate::bounds::Treatment::Mixed => TreatmentKind::Mixed,
+    };
+    let coverage_error = band
+        .coverage
+        .points
+        .iter()
+        .min_by(|a, b| a.lower.total_cmp(&b.lower))
+        .map_or(0.0, |point| point.sampling_error[1]);
+    TreatmentBand {
+        treatment,
+        lower_si: band.lower.value,
+        upper_si: band.upper.value,
+        coverage_minimum: band.coverage.minimum,
+        coverage_maximum: band.coverage.maximum,
+        coverage_error,
+        coverage_at: band
+            .coverage
+            .points
+            .iter()
+            .map(|point| CoveragePoint {
+                at: material.witness(&material.bounds.outer_points[point.point as usize]),
+                coverage: point.lower,
+            })
+            .collect(),
+    }
+}
+
+fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
+    let asked = |column: usize| {
+        material.plan().asks.iter().any(|planned| {
+            planned.columns.contains(&column) && planned.ask.statistics.contains(&Statistic::Cdf)
+                || planned.ask.location != Where::Cycle && planned.columns.contains(&column)
+        })
+    };
+    material
+        .bounds
+        .boxes
+        .iter()
+        .filter(|found| asked(found.column))
+        .map(|found| {
+            let column = found.column;
+            let mut mixture: Vec<f64> = material
+                .table
+                .inputs()
+                .iter()
+                .enumerate()
+                .filter(|(_, inputs)| inputs.purpose == mixture_purpose(material))
+                .map(|(run, _)| material.table.values(run)[column])
+                .filter(|value| value.is_finite())
+                .collect();
+            mixture.sort_by(f64::total_cmp);
+            let share_below =
+                |value: f64| mixture.partition_point(|&seen| seen <= value) as f64 / mixture.len().max(1) as f64;
+            let limits = material.plan().asks.iter().filter(|planned| planned.columns.contains(&column));
+            let limit_si = limits.flat_map(|planned| &planned.ask.statistics).find_map(|statistic| match statistic {
+                Statistic::ProbabilityAbove(limit)
+                | Statistic::ProbabilityBelow(limit)
+                | Statistic::ProbabilityBeyond(limit) => Some(*limit),
+                _ => None,
+            });
+            let error = |bound: &Bound| bound.error.sampling + bound.error.optimisation;
+            ProbabilityBox {
+                output: material.name_of(column),
+                of: deviation_kind(material.plan().columns[column].deviation),
+                at: material.point_of(column, false),
+                unit: material.unit_of(column),
+                probability_only: found.values.iter().map(|&value| share_below(value)).collect(),
+                value_si: found.values.clone(),
+                lower: found.lower.iter().map(|bound| bound.value).collect(),
+                upper: found.upper.iter().map(|bound| bound.value).collect(),
+                limit_si,
+                numerical_error: found.lower.iter().chain(&found.upper).map(error).fold(0.0, f64::max),
+            }
+        })
+        .collect()
+}
+
+/// Runs in which everything was random: without epistemic inputs those of the double loop.
+fn mixture_purpose(material: &Material<'_>) -> Purpose {
+    if material.study.epistemic.is_empty() { Purpose::DoubleLoop } else { Purpose::Mixture }
+}
+
+fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
+    let mut outcomes = Vec::new();
+    for planned in &material.plan().requirements {
+        let requirement = &planned.requirement;
+        for &column in &planned.columns {
+            let Some(pair) = material.pair(column, Statistic::ProbabilityBeyond(requirement.within)) else {
+                continue;
+            };
+            // The share inside is one minus the share beyond, so the ends change places.
+            let least = 1.0 - pair.upper.widened;
+            let attained = 1.0 - (pair.upper.value - pair.upper.error.sampling);
+            let verdict = if least >= requirement.probability_at_least {
+                Verdict::Met
+            } else if attained < requirement.probability_at_least {
+                Verdict::NotMet
+            } else {
+                Verdict::Undecided
+            };
+            let at = match requirement.location {
+                Where::Cycle => ResponsePoint::Whole,
+                _ => material.point_of(column, false),
+            };
+            outcomes.push(RequirementOutcome {
+                output: material.name_of(column),
+                of: deviation_kind(requirement.deviation),
+                at,
+                lower_si: -requirement.within,
+                upper_si: requirement.within,
+                probability_at_least: requirement.probability_at_least,
+                probability: [least.max(0.0), (1.0 - pair.lower.widened).min(1.0)],
+                witness: material.end(&pair.upper).witness,
+                verdict,
+            });
+        }
+    }
+    outcomes
+}

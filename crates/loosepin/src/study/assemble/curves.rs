@@ -1,0 +1,82 @@
+//! Deviation curves over the cycle with their bands.
+
+use super::drawing::Pictures;
+use super::summary::centre_point;
+use super::{Material, deviation_kind};
+use crate::bounds::{Purpose, Statistic};
+use crate::study::columns::{BAND, PlannedAsk};
+use crate::study::file::{Deviation, Where};
+use crate::study::result::{CurveRange, DeviationCurve};
+
+/// One curve for each ask for the whole cycle.
+pub fn curves(material: &Material<'_>, pictures: &Pictures) -> Vec<DeviationCurve> {
+    let asks = material.plan().asks.iter();
+    asks.filter(|planned| planned.ask.location == Where::Cycle)
+        .map(|planned| curve(material, pictures, planned))
+        .collect()
+}
+
+fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> DeviationCurve {
+    let output = &material.plan().outputs[planned.output];
+    let centre = centre_point(material);
+    let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.interval.at(0.5)).collect();
+    let mut curve = DeviationCurve {
+        output: output.name.clone(),
+        of: deviation_kind(planned.ask.deviation),
+        unit: output.unit.clone(),
+        probabilities: BAND,
+        centre: material.witness(&centre_inputs),
+        numerical_error_si: 0.0,
+        pose_rad: Vec::new(),
+        ideal_si: Vec::new(),
+        nominal_si: Vec::new(),
+        random: CurveRange::default(),
+        mixed: CurveRange::default(),
+        mean: CurveRange::default(),
+        worst_case: CurveRange::default(),
+    };
+    for &column in &planned.columns {
+        curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
+        curve.ideal_si.push(material.response.shared.nominal_at_pose[column]);
+        curve.nominal_si.push(match planned.ask.deviation {
+            Deviation::Dimensional => 0.0,
+            _ => pictures.nominal_row[column],
+        });
+        let [lower, upper] = centre.map_or([f64::NAN; 2], |point| random_band(material, column, point));
+        curve.random.lower_si.push(lower);
+        curve.random.upper_si.push(upper);
+        let mixed = [0, 1].map(|end| material.pair(column, Statistic::Quantile(BAND[end])));
+        if let [Some(low), Some(high)] = mixed {
+            curve.mixed.lower_si.push(low.lower.widened);
+            curve.mixed.upper_si.push(high.upper.widened);
+            let error = low.lower.error.total().max(high.upper.error.total());
+            curve.numerical_error_si = curve.numerical_error_si.max(error);
+        }
+        if let Some(mean) = material.pair(column, Statistic::Mean) {
+            curve.mean.lower_si.push(mean.lower.widened);
+            curve.mean.upper_si.push(mean.upper.widened);
+        }
+    }
+    curve
+}
+
+/// Quantiles of the scatter at one value of the epistemic inputs.
+fn random_band(material: &Material<'_>, column: usize, point: u32) -> [f64; 2] {
+    let table = material.table;
+    let mut values: Vec<f64> = table
+        .inputs()
+        .iter()
+        .enumerate()
+        .filter(|(_, inputs)| inputs.purpose == Purpose::DoubleLoop && inputs.point == point)
+        .map(|(run, _)| table.values(run)[column])
+        .filter(|value| value.is_finite())
+        .collect();
+    values.sort_by(f64::total_cmp);
+    if values.is_empty() {
+        return [f64::NAN; 2];
+    }
+    BAND.map(|probability| {
+        let rank = (probability * values.len() as f64).ceil() as usize;
+        values[rank.clamp(1, values.len()) - 1]
+    })
+}

@@ -1,0 +1,100 @@
+//! What was uncertain and what was run, in words.
+
+use super::Material;
+use crate::model::{QuantityId, QuantityTable};
+use crate::study::file::Study;
+use crate::study::result::{CycleDescription, InputDescription, InputKind, OutputDescription};
+use crate::uncertainty::Distribution;
+use crate::units::{Dimension, SiUnit, format_value};
+
+/// The uncertain inputs, random ones first, each kind in file order.
+pub fn inputs(study: &Study) -> Vec<InputDescription> {
+    let table = &study.model.quantities;
+    let random = study.random.iter().map(|input| InputDescription {
+        path: input.path.clone(),
+        kind: InputKind::Random,
+        unit: unit(table, input.quantity),
+        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity)),
+    });
+    let epistemic = study.epistemic.iter().map(|input| {
+        let dimension = dimension(table, input.quantity);
+        let (lower_si, upper_si) = (input.interval.lower(), input.interval.upper());
+        InputDescription {
+            path: input.path.clone(),
+            kind: InputKind::Interval { lower_si, upper_si },
+            unit: unit(table, input.quantity),
+            words: format!(
+                "somewhere between {} and {}",
+                format_value(lower_si, dimension),
+                format_value(upper_si, dimension)
+            ),
+        }
+    });
+    random.chain(epistemic).collect()
+}
+
+fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
+    table[id].dimension
+}
+
+/// The SI unit of a quantity, `1` for a pure number.
+pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
+    let symbol = table[id].dimension.si_unit();
+    if symbol.is_empty() { SiUnit::NONE } else { SiUnit::from_symbol(symbol) }
+}
+
+fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
+    let show = |value_si: f64| format_value(value_si, dimension);
+    let family = distribution.family();
+    match *distribution {
+        Distribution::Normal { mean, standard_deviation } | Distribution::Lognormal { mean, standard_deviation } => {
+            format!("{family}, mean {}, standard deviation {}", show(mean), show(standard_deviation))
+        }
+        Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => format!(
+            "{family}, mean {}, standard deviation {} before the cut to {} .. {}",
+            show(mean),
+            show(standard_deviation),
+            show(lower),
+            show(upper)
+        ),
+        Distribution::Uniform { lower, upper } => format!("{family}, {} .. {}", show(lower), show(upper)),
+        Distribution::Triangular { lower, mode, upper } => {
+            format!("{family}, {} .. {}, most likely {}", show(lower), show(upper), show(mode))
+        }
+        Distribution::Beta { alpha, beta, lower, upper } => {
+            format!("{family}, {} .. {}, shapes {alpha} and {beta}", show(lower), show(upper))
+        }
+    }
+}
+
+/// What every run ran through.
+pub fn cycle(material: &Material<'_>) -> CycleDescription {
+    let study = material.study;
+    let drive = &study.model.drives[study.cycle.drive.0];
+    let settings = material.response.settings();
+    CycleDescription {
+        drive: drive.name.clone(),
+        drive_speed_rad_s: Some(material.response.nominal[drive.speed]),
+        transient_turns: study.cycle.transient_turns,
+        recorded_turns: study.cycle.recorded_turns,
+        tolerance_m: settings.tolerance_m,
+        method: settings.method.name.to_owned(),
+    }
+}
+
+/// The outputs that were asked about.
+pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
+    let shared = &material.response.shared;
+    shared
+        .plan
+        .outputs
+        .iter()
+        .zip(&shared.is_used)
+        .filter(|(_, is_used)| **is_used)
+        .map(|(output, _)| OutputDescription {
+            name: output.name.clone(),
+            words: output.words.clone(),
+            unit: output.unit.clone(),
+        })
+        .collect()
+}

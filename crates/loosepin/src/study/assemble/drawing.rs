@@ -1,0 +1,79 @@
+//! The mechanism with nominal dimensions, drawn and moving, and the paths of its journals.
+
+use super::{Material, recorded_offset_rad};
+use crate::simulate::record::{Drawing, JournalOrbit};
+use crate::simulate::{Plan, RunFailure, simulate};
+use crate::units::format_value;
+
+/// Poses of the moving picture.
+const POSES: usize = 180;
+/// Samples of an orbit over the recorded turns.
+const ORBIT_SAMPLES: usize = 720;
+
+/// What is drawn from runs with nominal dimensions.
+pub struct Pictures {
+    /// The mechanism, epistemic inputs in the middle.
+    pub drawing: Drawing,
+    /// Journal paths at the ends and the middle of each clearance interval.
+    pub orbits: Vec<JournalOrbit>,
+    /// The row of the run with nominal dimensions and the epistemic inputs in the middle.
+    pub nominal_row: Vec<f64>,
+}
+
+/// Runs the nominal mechanism for the pictures.
+///
+/// # Errors
+/// Its run fails.
+pub fn pictures(material: &Material<'_>) -> Result<Pictures, RunFailure> {
+    let (study, response) = (material.study, material.response);
+    let middle: Vec<f64> = study.epistemic.iter().map(|input| input.interval.at(0.5)).collect();
+    let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
+    let mut nominal_row = vec![f64::NAN; response.row_length()];
+    response.run(&nominal, &middle, &mut nominal_row)?;
+
+    let mut cycle = study.cycle.clone();
+    cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
+    let plan = Plan { cycle, settings: *response.settings(), with_states: false, overrides: Vec::new() };
+    let run_at = |epistemic: &[f64]| {
+        let values = response.values(&nominal, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
+        simulate(&response.mechanism, &values, &plan)
+    };
+    let central = run_at(&middle)?;
+    let mut drawing = central.record.drawing.clone();
+    thin(&mut drawing, recorded_offset_rad(study, response));
+
+    let mut orbits: Vec<JournalOrbit> = Vec::new();
+    let mut add = |label: String, mut found: Vec<JournalOrbit>| {
+        for orbit in &mut found {
+            orbit.label.clone_from(&label);
+        }
+        orbits.append(&mut found);
+    };
+    add("epistemic inputs in the middle of their intervals".to_owned(), central.record.orbits);
+    for (index, input) in
+        study.epistemic.iter().enumerate().filter(|(_, input)| input.path.ends_with("radial_clearance"))
+    {
+        for value in [input.interval.lower(), input.interval.upper()] {
+            let mut epistemic = middle.clone();
+            epistemic[index] = value;
+            let quantity = &study.model.quantities[input.quantity];
+            let label = format!("{} = {}", input.path, format_value(value, quantity.dimension));
+            add(label, run_at(&epistemic)?.record.orbits);
+        }
+    }
+    Ok(Pictures { drawing, orbits, nominal_row })
+}
+
+/// Keeps about as many poses as a moving picture needs, at angles of the recorded turns.
+fn thin(drawing: &mut Drawing, offset_rad: f64) {
+    for poses in [&mut drawing.poses, &mut drawing.ideal_poses] {
+        let count = poses.drive_angle_rad.len();
+        let stride = count.div_ceil(POSES).max(1);
+        let keep = |list: &mut Vec<f64>| *list = list.iter().copied().step_by(stride).collect();
+        keep(&mut poses.drive_angle_rad);
+        poses.drive_angle_rad.iter_mut().for_each(|angle| *angle -= offset_rad);
+        for lists in [&mut poses.x_m, &mut poses.y_m, &mut poses.angle_rad] {
+            lists.iter_mut().for_each(keep);
+        }
+    }
+}

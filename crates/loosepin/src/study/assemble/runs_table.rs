@@ -1,0 +1,77 @@
+//! Every run as a row: inputs, single numbers, status, counters.
+
+use super::describe::unit;
+use crate::bounds::{Purpose, SampleTable};
+use crate::simulate::RunFailure;
+use crate::study::columns::Spot;
+use crate::study::file::{Study, Where};
+use crate::study::response::StudyResponse;
+use crate::study::runs::{RunColumn, RunData, RunsTable};
+use crate::units::SiUnit;
+
+/// The table for `runs.parquet`. Curves are left out: they would be most of it.
+pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) -> RunsTable {
+    let rows = 0..table.len();
+    let mut columns = Vec::new();
+    let mut push = |name: String, unit: SiUnit, data: RunData| columns.push(RunColumn { name, unit, data });
+    let inputs = table.inputs();
+    push("index".to_owned(), SiUnit::NONE, RunData::U64(rows.clone().map(|run| run as u64).collect()));
+    let purpose = |purpose: Purpose| match purpose {
+        Purpose::DoubleLoop => "mixed",
+        Purpose::Mixture => "probability_only",
+        Purpose::Extreme => "interval_only",
+    };
+    let text = |f: &dyn Fn(usize) -> String| RunData::Text(rows.clone().map(f).collect());
+    let count = |f: &dyn Fn(usize) -> u64| RunData::U64(rows.clone().map(f).collect());
+    let number = |f: &dyn Fn(usize) -> f64| RunData::F64(rows.clone().map(f).collect());
+    push("purpose".to_owned(), SiUnit::NONE, text(&|run| purpose(inputs[run].purpose).to_owned()));
+    push("round".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].round)));
+    push("outer".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].point)));
+    push("replicate".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].replicate)));
+    push("inner".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].index)));
+    for (k, input) in study.random.iter().enumerate() {
+        let unit = unit(&study.model.quantities, input.quantity);
+        push(input.path.clone(), unit, number(&|run| inputs[run].random[k]));
+    }
+    for (k, input) in study.epistemic.iter().enumerate() {
+        let unit = unit(&study.model.quantities, input.quantity);
+        push(input.path.clone(), unit, number(&|run| inputs[run].epistemic[k]));
+    }
+    let plan = &response.shared.plan;
+    for (index, column) in plan.columns.iter().enumerate() {
+        let is_scalar =
+            plan.asks.iter().any(|planned| planned.ask.location != Where::Cycle && planned.columns.contains(&index))
+                || plan.requirements.iter().any(|planned| planned.columns.contains(&index));
+        if !is_scalar {
+            continue;
+        }
+        let output = &plan.outputs[column.output];
+        let of = super::deviation_kind(column.deviation).word();
+        let at = match column.spot {
+            Spot::Pose { angle_rad, .. } => {
+                let angle_rad = angle_rad - super::recorded_offset_rad(study, response);
+                format!("at {} rad", (angle_rad * 1e9).round() / 1e9)
+            }
+            Spot::Reduced(reduction) => super::reduction_kind(reduction).word().to_owned(),
+        };
+        push(format!("{} {of} {at}", output.name), output.unit.clone(), number(&|run| table.values(run)[index]));
+    }
+    let status = |run: usize| if table.failure(run).is_some() { "failed" } else { "finished" };
+    push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).to_owned()));
+    let reason = |run: usize| table.failure(run).map_or("", |failure| RunFailure::code_of(failure.0));
+    push("reason".to_owned(), SiUnit::NONE, text(&|run| reason(run).to_owned()));
+    let extras: Vec<_> = rows.clone().map(|run| response.extras.read(table.values(run))).collect();
+    // A failed run has no counters: zero evaluations.
+    let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
+    push("energy_residual".to_owned(), SiUnit::NONE, number(&|run| extras[run].energy_residual));
+    push("change_over_last_turn".to_owned(), SiUnit::NONE, number(&|run| extras[run].change_over_last_turn));
+    push("steps".to_owned(), SiUnit::NONE, count(&|run| whole(extras[run].steps)));
+    push("evaluations".to_owned(), SiUnit::NONE, count(&|run| whole(extras[run].evaluations)));
+    for (k, joint) in response.extras.joints.iter().enumerate() {
+        push(format!("contacts {joint}"), SiUnit::NONE, count(&|run| whole(extras[run].joints[k].contacts)));
+        let depth = |run: usize| extras[run].joints[k].largest_penetration_m;
+        push(format!("largest_penetration {joint}"), SiUnit::LENGTH, number(&depth));
+        push(format!("peak_force {joint}"), SiUnit::FORCE, number(&|run| extras[run].joints[k].peak_force_n));
+    }
+    RunsTable { columns }
+}

@@ -1,0 +1,176 @@
+//! Running a study: rounds of runs on all threads, with progress and an emergency stop.
+
+use super::assemble::assemble;
+use super::file::Study;
+use super::response::{PrepareError, StudyResponse};
+use super::result::StudyResult;
+use super::runs::RunsTable;
+use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, Response, RunInputs, SampleTable, Sampling, TableError};
+use crate::simulate::RunFailure;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use thiserror::Error;
+
+/// Runs between two looks at the emergency stop and two reports of progress: enough to keep many threads busy.
+const RUNS_PER_BATCH: usize = 256;
+
+/// Runs of the probability-only treatment beside the double loop.
+const MIXTURE_RUNS: usize = 1024;
+/// Runs of the interval-only treatment.
+const EXTREME_RUNS: usize = 128;
+/// Each random input is cut at this many standard deviations where it is taken as an interval.
+const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
+/// Confidence of every sampling error.
+const CONFIDENCE: f64 = 0.95;
+
+/// Why a study has no result.
+#[derive(Debug, Error)]
+pub enum StudyError {
+    /// It cannot begin.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// Its sampling is not possible.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The threads could not be started.
+    #[error("the threads could not be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// A row did not fit.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// A run that the report needs failed.
+    #[error("the run that the report draws failed: {0}")]
+    Drawing(RunFailure),
+    /// It was interrupted; what was finished is in the table.
+    #[error("interrupted after {} of at most {most_runs} runs", finished.columns.first().map_or(0, |column| column.data.len()))]
+    Interrupted {
+        /// The finished runs.
+        finished: Box<RunsTable>,
+        /// How many there would have been at most.
+        most_runs: usize,
+    },
+    /// Every run failed.
+    #[error("all {runs} runs failed; the first one: {reason}")]
+    AllFailed {
+        /// How many.
+        runs: usize,
+        /// Why the first one did.
+        reason: RunFailure,
+    },
+}
+
+/// Hears how far a study is.
+pub trait Progress: Sync {
+    /// `finished` of at most `most` runs are done.
+    fn runs(&self, finished: usize, most: usize);
+}
+
+/// A finished study.
+#[derive(Debug)]
+pub struct Conducted {
+    /// Everything for pages and files.
+    pub result: StudyResult,
+    /// Every run.
+    pub runs: RunsTable,
+}
+
+/// How many runs `study` comes to at most.
+///
+/// # Errors
+/// The study cannot begin or its sampling is not possible.
+pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
+    let response = StudyResponse::new(study)?;
+    Ok(DoubleLoop::try_new(problem(study, &response))?.most_runs())
+}
+
+/// Conducts `study` on `threads` threads. The result is the same for any number of them.
+///
+/// # Errors
+/// See [`StudyError`]; failed runs are no error as long as some succeed.
+pub fn conduct(
+    study: &Study,
+    input_hash: &str,
+    threads: usize,
+    progress: &dyn Progress,
+    stop: &AtomicBool,
+) -> Result<Conducted, StudyError> {
+    let response = StudyResponse::new(study)?;
+    let plan = DoubleLoop::try_new(problem(study, &response))?;
+    let mut table = SampleTable::new(response.row_length());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let most_runs = plan.most_runs();
+    progress.runs(0, most_runs);
+    let mut round = plan.next_round(&table)?;
+    while !round.is_empty() {
+        for batch in round.chunks(RUNS_PER_BATCH) {
+            let outcomes = pool.install(|| evaluate(batch, &response, stop));
+            let Some(outcomes) = outcomes else {
+                let finished = Box::new(super::assemble::runs_table(study, &response, &table));
+                return Err(StudyError::Interrupted { finished, most_runs });
+            };
+            for (inputs, outcome) in batch.iter().zip(outcomes) {
+                table.push(inputs.clone(), outcome.as_deref().map_err(|&failure| failure))?;
+            }
+            progress.runs(table.len(), most_runs);
+        }
+        round = pool.install(|| plan.next_round(&table))?;
+    }
+    if table.failed() == table.len() {
+        return Err(all_failed(&response, &table));
+    }
+    let bounds = pool.install(|| plan.results(&table))?;
+    let result = assemble(study, input_hash, &response, &table, &bounds).map_err(StudyError::Drawing)?;
+    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
+}
+
+/// The rows of a batch; nothing where the emergency stop was pulled meanwhile.
+fn evaluate(
+    batch: &[RunInputs],
+    response: &StudyResponse,
+    stop: &AtomicBool,
+) -> Option<Vec<Result<Vec<f64>, Failure>>> {
+    batch
+        .par_iter()
+        .map(|inputs| {
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            let mut row = vec![f64::NAN; response.row_length()];
+            Some(response.evaluate(&inputs.random, &inputs.epistemic, &mut row).map(|()| row))
+        })
+        .collect()
+}
+
+fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
+    let first = &table.inputs()[0];
+    let mut row = vec![f64::NAN; response.row_length()];
+    match response.run(&first.random, &first.epistemic, &mut row) {
+        Err(reason) => StudyError::AllFailed { runs: table.len(), reason },
+        // The same inputs give the same run; were it otherwise, the table would hold a finished run.
+        Ok(()) => StudyError::Table(TableError::WrongColumns { run: 0, found: 0, expected: row.len() }),
+    }
+}
+
+/// The question in the words of the uncertainty wing.
+fn problem(study: &Study, response: &StudyResponse) -> Problem {
+    let plan = &response.shared.plan;
+    let replicates = study.sampling.replicates;
+    Problem {
+        random: study.random.iter().map(|input| input.variable.clone()).collect(),
+        epistemic: study.epistemic.iter().map(|input| input.interval).collect(),
+        columns: response.row_length(),
+        requests: plan.requests(),
+        compared_columns: plan.compared_columns(),
+        band_probability: super::columns::BAND[1] - super::columns::BAND[0],
+        cut_standard_deviations: CUT_STANDARD_DEVIATIONS,
+        sampling: Sampling {
+            outer: study.sampling.outer,
+            inner: study.sampling.inner,
+            replicates,
+            mixture: MIXTURE_RUNS.div_ceil(replicates) * replicates,
+            extreme: EXTREME_RUNS,
+            seed: study.seed,
+            confidence: CONFIDENCE,
+        },
+    }
+}

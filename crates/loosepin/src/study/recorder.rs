@@ -1,0 +1,329 @@
+//! What a study keeps of one run: values at poses, and the recorded part reduced to single numbers.
+
+use super::columns::{ColumnPlan, Spot};
+use super::file::{Deviation, Reduction};
+use super::ideal_curve::IdealCurve;
+use crate::math::Quintic;
+use crate::mechanism::SampleError;
+use crate::simulate::{Arms, IdealReference, Observer, Peak, Step, Window, maximum_within};
+
+/// Points of a step at which a deviation is looked at before its extremes are located, ends included.
+const POINTS_PER_STEP: usize = 5;
+
+/// Gauss's points and weights on [0, 1] for integrals over a step: exact to degree five.
+const GAUSS: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+
+/// A deviation that is followed through the whole recorded part.
+#[derive(Debug, Clone)]
+struct Followed {
+    output: usize,
+    deviation: Deviation,
+    maximum: Peak,
+    /// Of the negative.
+    minimum: Peak,
+    /// Integrals over time of the deviation and of its square.
+    integral: f64,
+    integral_of_square: f64,
+}
+
+impl Followed {
+    fn reduced(&self, reduction: Reduction, span_s: f64) -> f64 {
+        let (maximum, minimum) = (self.maximum.value, -self.minimum.value);
+        match reduction {
+            Reduction::Maximum => maximum,
+            Reduction::Minimum => minimum,
+            Reduction::MaximumAbsolute => maximum.max(-minimum),
+            Reduction::Range => maximum - minimum,
+            Reduction::Mean => self.integral / span_s,
+            Reduction::RootMeanSquare => (self.integral_of_square / span_s).max(0.0).sqrt(),
+        }
+    }
+
+    /// Takes in a piece of the recorded part on which the deviation is `f`, a function of the time.
+    fn take(&mut self, start_s: f64, end_s: f64, mut f: impl FnMut(f64) -> f64) {
+        let length_s = end_s - start_s;
+        let mut points = [(0.0, 0.0); POINTS_PER_STEP];
+        for (k, point) in points.iter_mut().enumerate() {
+            let time_s = start_s + length_s * k as f64 / (POINTS_PER_STEP - 1) as f64;
+            *point = (time_s, f(time_s));
+        }
+        for sign in [1.0, -1.0] {
+            let signed = points.map(|(time_s, value)| (time_s, sign * value));
+            let (low, high) =
+                signed.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
+            let peak = if sign > 0.0 { &mut self.maximum } else { &mut self.minimum };
+            // Between the points the value can rise above them by a part of their range only.
+            if high + 0.25 * (high - low) > peak.value {
+                let found = maximum_within(&signed, |time_s| sign * f(time_s));
+                peak.raise(found.value, found.time_s);
+            }
+        }
+        for (place, weight) in GAUSS {
+            let value = f(start_s + place * length_s);
+            self.integral += weight * length_s * value;
+            self.integral_of_square += weight * length_s * value * value;
+        }
+    }
+}
+
+/// What every run of a study shares: the columns, and the nominal ideal motion.
+#[derive(Debug)]
+pub struct Shared {
+    /// The columns.
+    pub plan: ColumnPlan,
+    /// Which outputs any column uses.
+    pub is_used: Vec<bool>,
+    /// Nominal ideal positions over the recorded part.
+    pub nominal_curve: IdealCurve,
+    /// Nominal ideal value of each column's output at its pose; not a number for reduced columns.
+    pub nominal_at_pose: Vec<f64>,
+    /// Columns at poses in the order of time.
+    pub pose_order: Vec<usize>,
+}
+
+/// Follows one run.
+pub struct Recorder<'r, 'a> {
+    shared: &'r Shared,
+    arms: &'r Arms,
+    /// The ideal motion of this sample, and its table.
+    reference: &'r mut IdealReference<'a>,
+    curve: &'r IdealCurve,
+    /// The nominal ideal motion at this sample's instants, for outputs without a table.
+    nominal: Option<&'r mut IdealReference<'a>>,
+    /// Time of this sample to time of the nominal one, both from the start of the recorded part.
+    nominal_per_own: f64,
+    nominal_start_s: f64,
+    window: Window,
+    turn_s: f64,
+    next_pose: usize,
+    followed: Vec<Followed>,
+    /// Jets of the used position outputs at the end of the last step.
+    jets: Option<Vec<[f64; 3]>>,
+    /// Poses one turn before the end, and at the end: x, y, angle by slot.
+    turn_before: Option<Vec<[f64; 3]>>,
+    at_end: Option<Vec<[f64; 3]>>,
+    /// The columns of the run.
+    pub values: Vec<f64>,
+    /// Why the ideal motion could not be followed.
+    pub failure: Option<SampleError>,
+}
+
+impl<'r, 'a> Recorder<'r, 'a> {
+    /// Ready for a run over `window` whose turns last `turn_s`.
+    #[allow(clippy::too_many_arguments)]
+    pub fn new(
+        shared: &'r Shared,
+        arms: &'r Arms,
+        reference: &'r mut IdealReference<'a>,
+        curve: &'r IdealCurve,
+        nominal: Option<&'r mut IdealReference<'a>>,
+        nominal_window: &Window,
+        window: &Window,
+        turn_s: f64,
+    ) -> Self {
+        let mut followed: Vec<Followed> = Vec::new();
+        for column in &shared.plan.columns {
+            let is_known = followed.iter().any(|f| f.output == column.output && f.deviation == column.deviation);
+            if matches!(column.spot, Spot::Reduced(_)) && !is_known {
+                followed.push(Followed {
+                    output: column.output,
+                    deviation: column.deviation,
+                    maximum: Peak::none(),
+                    minimum: Peak::none(),
+                    integral: 0.0,
+                    integral_of_square: 0.0,
+                });
+            }
+        }
+        Self {
+            shared,
+            arms,
+            reference,
+            curve,
+            nominal,
+            nominal_per_own: (nominal_window.end_s - nominal_window.start_s) / (window.end_s - window.start_s),
+            nominal_start_s: nominal_window.start_s,
+            window: *window,
+            turn_s,
+            next_pose: 0,
+            followed,
+            jets: None,
+            turn_before: None,
+            at_end: None,
+            values: vec![f64::NAN; shared.plan.columns.len()],
+            failure: None,
+        }
+    }
+
+    /// Fills the reduced columns once the run is over.
+    pub fn finish(&mut self) {
+        let span_s = self.window.end_s - self.window.start_s;
+        for (value, column) in self.values.iter_mut().zip(&self.shared.plan.columns) {
+            if let Spot::Reduced(reduction) = column.spot {
+                let found = self.followed.iter().find(|f| f.output == column.output && f.deviation == column.deviation);
+                *value = found.map_or(f64::NAN, |followed| followed.reduced(reduction, span_s));
+            }
+        }
+    }
+
+    /// Largest difference between all poses at the end and one turn before, relative to `size_m` in positions and in rad for
+    /// angles. None where less than a turn was recorded.
+    pub fn change_over_last_turn(&self, size_m: f64) -> Option<f64> {
+        let (before, end) = (self.turn_before.as_ref()?, self.at_end.as_ref()?);
+        let differences = before.iter().zip(end).map(|(a, b)| {
+            let position = (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) / size_m;
+            position.max(2.0 * ((a[2] - b[2]) / 2.0).sin().abs())
+        });
+        Some(differences.fold(0.0, f64::max))
+    }
+
+    fn share(&self, time_s: f64) -> f64 {
+        ((time_s - self.window.start_s) / (self.window.end_s - self.window.start_s)).clamp(0.0, 1.0)
+    }
+
+    /// Ideal value of this sample.
+    fn own_ideal(&mut self, output: usize, time_s: f64) -> f64 {
+        let reading = self.shared.plan.outputs[output].reading;
+        if reading.is_position() {
+            return self.curve.value(output, self.share(time_s));
+        }
+        read(self.reference, &mut self.failure, |dynamics| reading.value(self.arms, dynamics), time_s)
+    }
+
+    /// Nominal ideal value at the same place of the cycle.
+    fn nominal_ideal(&mut self, output: usize, time_s: f64) -> f64 {
+        let reading = self.shared.plan.outputs[output].reading;
+        if reading.is_position() {
+            return self.shared.nominal_curve.value(output, self.share(time_s));
+        }
+        let nominal_s = self.nominal_start_s + self.nominal_per_own * (time_s - self.window.start_s);
+        match &mut self.nominal {
+            Some(nominal) => read(nominal, &mut self.failure, |dynamics| reading.value(self.arms, dynamics), nominal_s),
+            None => f64::NAN,
+        }
+    }
+
+    /// The deviation, given the value of the real mechanism.
+    fn deviation(&mut self, output: usize, deviation: Deviation, actual: f64, time_s: f64) -> f64 {
+        match deviation {
+            Deviation::Value => actual,
+            Deviation::Total => actual - self.nominal_ideal(output, time_s),
+            Deviation::Clearance => actual - self.own_ideal(output, time_s),
+            Deviation::Dimensional => self.own_ideal(output, time_s) - self.nominal_ideal(output, time_s),
+        }
+    }
+
+    fn record_poses(&mut self, step: &mut Step<'_, '_>) {
+        while let Some(&first) = self.shared.pose_order.get(self.next_pose) {
+            let Spot::Pose { turns, .. } = self.shared.plan.columns[first].spot else { return };
+            let time_s = self.window.start_s + turns * self.turn_s;
+            if time_s > step.end_s && time_s < self.window.end_s {
+                return;
+            }
+            // All columns of this pose from one look at the step.
+            let at = |column: usize| matches!(self.shared.plan.columns[column].spot, Spot::Pose { turns: t, .. } if t == turns);
+            let count = self.shared.pose_order[self.next_pose..].iter().take_while(|&&c| at(c)).count();
+            let columns = &self.shared.pose_order[self.next_pose..self.next_pose + count];
+            self.next_pose += count;
+            let needs_forces = columns.iter().any(|&c| self.output_of(c).reading.needs_forces());
+            let dynamics = if needs_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
+            let actual: Vec<f64> =
+                columns.iter().map(|&c| self.output_of(c).reading.value(self.arms, dynamics)).collect();
+            for (&column, actual) in columns.iter().zip(actual) {
+                let planned = self.shared.plan.columns[column];
+                let nominal = self.shared.nominal_at_pose[column];
+                self.values[column] = match planned.deviation {
+                    Deviation::Value => actual,
+                    Deviation::Total => actual - nominal,
+                    Deviation::Clearance => actual - self.own_ideal(planned.output, time_s),
+                    Deviation::Dimensional => self.own_ideal(planned.output, time_s) - nominal,
+                };
+            }
+        }
+    }
+
+    fn output_of(&self, column: usize) -> &crate::simulate::Column {
+        &self.shared.plan.outputs[self.shared.plan.columns[column].output]
+    }
+
+    fn follow(&mut self, step: &mut Step<'_, '_>) {
+        if self.followed.is_empty() {
+            return;
+        }
+        let outputs = &self.shared.plan.outputs;
+        let start_jets = match self.jets.take() {
+            Some(jets) => jets,
+            None => {
+                let dynamics = step.evaluate(step.start_s);
+                outputs.iter().map(|output| output.reading.jet(self.arms, dynamics)).collect()
+            }
+        };
+        let dynamics = step.end();
+        let end_jets: Vec<[f64; 3]> = outputs.iter().map(|output| output.reading.jet(self.arms, dynamics)).collect();
+        let (start_s, end_s) = (step.start_s.max(self.window.start_s), step.end_s.min(self.window.end_s));
+        let length_s = step.end_s - step.start_s;
+        let mut followed = std::mem::take(&mut self.followed);
+        if end_s > start_s {
+            for one in &mut followed {
+                let (output, deviation) = (one.output, one.deviation);
+                let reading = outputs[output].reading;
+                if reading.is_position() {
+                    let quintic = Quintic::new(start_jets[output], end_jets[output], length_s);
+                    one.take(start_s, end_s, |time_s| {
+                        let actual = quintic.value((time_s - step.start_s) / length_s);
+                        self.deviation(output, deviation, actual, time_s)
+                    });
+                } else {
+                    one.take(start_s, end_s, |time_s| {
+                        let dynamics =
+                            if reading.needs_forces() { step.evaluate(time_s) } else { step.set_state(time_s) };
+                        let actual = reading.value(self.arms, dynamics);
+                        self.deviation(output, deviation, actual, time_s)
+                    });
+                }
+            }
+        }
+        self.followed = followed;
+        self.jets = Some(end_jets);
+    }
+
+    fn note_turn(&mut self, step: &mut Step<'_, '_>) {
+        let before_s = self.window.end_s - self.turn_s;
+        let slack_s = 1e-9 * self.turn_s;
+        if self.turn_before.is_none() && before_s >= self.window.start_s - slack_s && before_s <= step.end_s {
+            self.turn_before = Some(poses(step.set_state(before_s.max(step.start_s))));
+        }
+        if step.end_s >= self.window.end_s {
+            self.at_end = Some(poses(step.set_state(self.window.end_s)));
+        }
+    }
+}
+
+impl Observer for Recorder<'_, '_> {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        self.follow(step);
+        self.record_poses(step);
+        self.note_turn(step);
+    }
+}
+
+/// Reads an ideal motion, keeping the first reason why it could not be followed.
+fn read<'a>(
+    reference: &mut IdealReference<'a>,
+    failure: &mut Option<SampleError>,
+    value: impl Fn(&crate::dynamics::Dynamics<'a, f64>) -> f64,
+    time_s: f64,
+) -> f64 {
+    match reference.at(time_s, true) {
+        Ok(dynamics) => value(dynamics),
+        Err(error) => {
+            failure.get_or_insert(error);
+            f64::NAN
+        }
+    }
+}
+
+fn poses(dynamics: &crate::dynamics::Dynamics<'_, f64>) -> Vec<[f64; 3]> {
+    dynamics.kinematics.poses.iter().map(|p| [p.position_m.x, p.position_m.y, p.angle_rad]).collect()
+}

@@ -1,0 +1,334 @@
+//! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
+
+use super::columns::{ColumnPlan, Spot};
+use super::file::Study;
+use super::ideal_curve::IdealCurve;
+use super::recorder::{Recorder, Shared};
+use crate::bounds::{Failure, Response};
+use crate::mechanism::{Mechanism, MechanismError, Sample};
+use crate::model::{QuantityError, QuantityId, Values};
+use crate::simulate::{Arms, IdealReference, RunFailure, Settings, Window, run};
+
+/// Why a study cannot begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PrepareError {
+    /// The nominal mechanism.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+    /// The nominal run.
+    #[error("the nominal mechanism, epistemic inputs in the middle of their intervals: {0}")]
+    Nominal(#[from] RunFailure),
+}
+
+impl From<QuantityError> for PrepareError {
+    fn from(error: QuantityError) -> Self {
+        Self::Mechanism(error.into())
+    }
+}
+
+/// Numbers of a run beside its columns, for the report and `runs.parquet`. They follow the columns in the sample table.
+#[derive(Debug, Clone)]
+pub struct Extras {
+    /// Names of the joints with play.
+    pub joints: Vec<String>,
+}
+
+/// Extras that every run has: energy residual, evaluations, steps, change over the last turn.
+const COMMON_EXTRAS: usize = 4;
+/// Extras of each joint with play: contacts, floored ones, those beyond validity, largest penetration, peak force,
+/// nominal and delivered restitution.
+const EXTRAS_PER_JOINT: usize = 7;
+
+/// The extras of one run, read back from its row.
+#[derive(Debug, Clone)]
+pub struct RunExtras {
+    /// Relative energy residual; not a number where the motion was not integrated.
+    pub energy_residual: f64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: f64,
+    /// Accepted steps.
+    pub steps: f64,
+    /// Largest relative change of a pose over the last turn; not a number where no whole turn was recorded.
+    pub change_over_last_turn: f64,
+    /// One for each joint with play.
+    pub joints: Vec<JointExtras>,
+}
+
+/// The extras of one joint with play.
+#[derive(Debug, Clone, Copy)]
+pub struct JointExtras {
+    /// Contacts that began, over all turns.
+    pub contacts: f64,
+    /// Those that began slower than the floor of the law.
+    pub floored: f64,
+    /// Impacts faster than the law is meant for; not a number where its limit is unknown.
+    pub beyond_validity: f64,
+    /// Largest penetration, m.
+    pub largest_penetration_m: f64,
+    /// Largest normal force, N.
+    pub peak_force_n: f64,
+    /// Restitution as stated.
+    pub nominal_restitution: f64,
+    /// Restitution that a free impact delivers.
+    pub delivered_restitution: f64,
+}
+
+impl Extras {
+    /// How many numbers follow the columns.
+    pub fn count(&self) -> usize {
+        COMMON_EXTRAS + EXTRAS_PER_JOINT * self.joints.len()
+    }
+
+    /// Reads the extras back from the tail of a row.
+    pub fn read(&self, row: &[f64]) -> RunExtras {
+        let tail = &row[row.len() - self.count()..];
+        let joints = tail[COMMON_EXTRAS..]
+            .chunks_exact(EXTRAS_PER_JOINT)
+            .map(|joint| JointExtras {
+                contacts: joint[0],
+                floored: joint[1],
+                beyond_validity: joint[2],
+                largest_penetration_m: joint[3],
+                peak_force_n: joint[4],
+                nominal_restitution: joint[5],
+                delivered_restitution: joint[6],
+            })
+            .collect();
+        RunExtras {
+            energy_residual: tail[0],
+            evaluations: tail[1],
+            steps: tail[2],
+            change_over_last_turn: tail[3],
+            joints,
+        }
+    }
+}
+
+/// A compiled study: one mechanism, one table of inputs.
+#[derive(Debug)]
+pub struct StudyResponse {
+    /// The mechanism, compiled at the nominal values with the epistemic inputs in the middle of their intervals.
+    pub mechanism: Mechanism,
+    /// What a run delivers, and the nominal ideal motion.
+    pub shared: Shared,
+    /// What follows the columns.
+    pub extras: Extras,
+    /// Nominal values with the epistemic inputs in the middle.
+    pub nominal: Values,
+    /// The mechanism with every clearance at zero, and its nominal sample: what deviations are measured against.
+    ideal: Mechanism,
+    nominal_ideal: Sample<f64>,
+    nominal_window: Window,
+    random: Vec<QuantityId>,
+    epistemic: Vec<QuantityId>,
+    restitutions: Vec<QuantityId>,
+    transient_turns: f64,
+    recorded_turns: f64,
+    drive_speed: QuantityId,
+    settings: Settings,
+    needs_nominal_reference: bool,
+}
+
+impl StudyResponse {
+    /// Compiles `study`.
+    ///
+    /// # Errors
+    /// The nominal mechanism has no ideal motion over the recorded part.
+    pub fn new(study: &Study) -> Result<Self, PrepareError> {
+        let middle: Vec<(QuantityId, f64)> = study
+            .epistemic
+            .iter()
+            .map(|input| (input.quantity, 0.5 * (input.interval.lower() + input.interval.upper())))
+            .collect();
+        let nominal = study.model.quantities.evaluate(&middle)?;
+        let mechanism = Mechanism::new(&study.model, &nominal)?;
+        let drive = &study.model.drives[study.cycle.drive.0];
+        let plan = ColumnPlan::new(study, &mechanism, nominal[drive.start], nominal[drive.speed].signum());
+        let nominal_window =
+            window(nominal[drive.speed], &drive.name, study.cycle.transient_turns, study.cycle.recorded_turns)?;
+        let ideal = mechanism.without_play();
+        let nominal_ideal = Sample::new(&mechanism, &nominal).map_err(RunFailure::from)?.without_play();
+        let mut is_used = vec![false; plan.outputs.len()];
+        for column in &plan.columns {
+            is_used[column.output] = true;
+        }
+        let shared = share_nominal(plan, is_used, &ideal, &nominal, &nominal_ideal, &nominal_window, study)?;
+        let joint_name = |joint: &crate::model::JointId| study.model.joints[joint.0].name.clone();
+        let restitutions = mechanism
+            .plays
+            .iter()
+            .filter_map(|joint| match &study.model.joints[joint.0].kind {
+                crate::model::JointKind::Revolute { clearance: Some(clearance), .. } => {
+                    Some(study.model.contacts[clearance.contact.0].restitution)
+                }
+                _ => None,
+            })
+            .collect();
+        let needs_nominal_reference = shared.plan.outputs.iter().any(|output| !output.reading.is_position());
+        Ok(Self {
+            extras: Extras { joints: mechanism.plays.iter().map(joint_name).collect() },
+            ideal,
+            nominal_ideal,
+            nominal_window,
+            random: study.random.iter().map(|input| input.quantity).collect(),
+            epistemic: study.epistemic.iter().map(|input| input.quantity).collect(),
+            restitutions,
+            transient_turns: study.cycle.transient_turns,
+            recorded_turns: study.cycle.recorded_turns,
+            drive_speed: drive.speed,
+            settings: Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() },
+            needs_nominal_reference,
+            mechanism,
+            shared,
+            nominal,
+        })
+    }
+
+    /// Numbers of a row: columns, then extras.
+    pub fn row_length(&self) -> usize {
+        self.shared.plan.columns.len() + self.extras.count()
+    }
+
+    /// How every run is integrated.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The values of the model for these inputs.
+    ///
+    /// # Errors
+    /// A value breaks its rule.
+    pub fn values(&self, random: &[f64], epistemic: &[f64]) -> Result<Values, QuantityError> {
+        let random = self.random.iter().copied().zip(random.iter().copied());
+        let epistemic = self.epistemic.iter().copied().zip(epistemic.iter().copied());
+        let set: Vec<(QuantityId, f64)> = random.chain(epistemic).collect();
+        self.mechanism.model.quantities.evaluate(&set)
+    }
+
+    /// One run.
+    ///
+    /// # Errors
+    /// The one reason why the run failed.
+    pub fn run(&self, random: &[f64], epistemic: &[f64], row: &mut [f64]) -> Result<(), RunFailure> {
+        let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
+        let sample = Sample::new(&self.mechanism, &values)?;
+        let drive = &self.mechanism.model.drives[self.mechanism.model.cycle.drive.0];
+        let window = window(values[self.drive_speed], &drive.name, self.transient_turns, self.recorded_turns)?;
+        let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
+        let ideal_sample = sample.clone().without_play();
+        let mut reference = IdealReference::new(&self.ideal, &ideal_sample)?;
+        let arms = Arms::new(&self.mechanism, &values);
+        let curve = IdealCurve::new(
+            &mut reference,
+            &self.shared.plan.outputs,
+            &self.shared.is_used,
+            &arms,
+            window.start_s,
+            window.end_s - window.start_s,
+            self.recorded_turns,
+        )?;
+        let mut nominal = if self.needs_nominal_reference {
+            Some(IdealReference::new(&self.ideal, &self.nominal_ideal)?)
+        } else {
+            None
+        };
+        let mut recorder = Recorder::new(
+            &self.shared,
+            &arms,
+            &mut reference,
+            &curve,
+            nominal.as_mut(),
+            &self.nominal_window,
+            &window,
+            turn_s,
+        );
+        let report = run(&self.mechanism, &sample, &window, &self.settings, &mut recorder)?;
+        recorder.finish();
+        if let Some(failure) = recorder.failure.take() {
+            return Err(failure.into());
+        }
+        let columns = self.shared.plan.columns.len();
+        row[..columns].copy_from_slice(&recorder.values);
+        let change = recorder.change_over_last_turn(self.mechanism.size_m);
+        let tail = &mut row[columns..];
+        tail[0] = report.energy.map_or(f64::NAN, |account| account.relative_residual());
+        tail[1] = report.counters.evaluations as f64;
+        tail[2] = report.counters.steps as f64;
+        tail[3] = change.unwrap_or(f64::NAN);
+        let joints = tail[COMMON_EXTRAS..].chunks_exact_mut(EXTRAS_PER_JOINT);
+        for ((out, play), (numbers, restitution)) in
+            joints.zip(&report.plays).zip(sample.plays.iter().zip(&self.restitutions))
+        {
+            let has_limit = numbers.largest_valid_impact_speed_m_s.is_finite();
+            out.copy_from_slice(&[
+                play.contacts as f64,
+                play.floored_contacts as f64,
+                if has_limit { play.impacts_beyond_validity as f64 } else { f64::NAN },
+                play.largest_penetration_m,
+                play.peak_force_n,
+                values[*restitution],
+                numbers.delivered_restitution,
+            ]);
+        }
+        Ok(())
+    }
+}
+
+impl Response for StudyResponse {
+    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        self.run(random, epistemic, columns).map_err(|failure| Failure(failure.number()))
+    }
+}
+
+/// The recorded part of a run.
+fn window(
+    drive_speed_rad_s: f64,
+    drive: &str,
+    transient_turns: f64,
+    recorded_turns: f64,
+) -> Result<Window, RunFailure> {
+    if !(drive_speed_rad_s.abs() > 0.0) {
+        return Err(RunFailure::StandsStill { drive: drive.to_owned() });
+    }
+    let turn_s = std::f64::consts::TAU / drive_speed_rad_s.abs();
+    let start_s = transient_turns * turn_s;
+    Ok(Window { start_s, end_s: start_s + recorded_turns * turn_s })
+}
+
+/// The nominal ideal motion: a table over the recorded part, and its exact values at the poses.
+fn share_nominal(
+    plan: ColumnPlan,
+    is_used: Vec<bool>,
+    ideal: &Mechanism,
+    nominal: &Values,
+    nominal_ideal: &Sample<f64>,
+    nominal_window: &Window,
+    study: &Study,
+) -> Result<Shared, RunFailure> {
+    let arms = Arms::new(ideal, nominal);
+    let span_s = nominal_window.end_s - nominal_window.start_s;
+    let turns = study.cycle.recorded_turns;
+    let mut reference = IdealReference::new(ideal, nominal_ideal)?;
+    let nominal_curve =
+        IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, turns)?;
+    let mut pose_order: Vec<(f64, usize)> = plan
+        .columns
+        .iter()
+        .enumerate()
+        .filter_map(|(index, column)| match column.spot {
+            Spot::Pose { turns, .. } => Some((turns, index)),
+            Spot::Reduced(_) => None,
+        })
+        .collect();
+    pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
+    let mut reference = IdealReference::new(ideal, nominal_ideal)?;
+    for &(at, index) in &pose_order {
+        let reading = plan.outputs[plan.columns[index].output].reading;
+        let time_s = nominal_window.start_s + at * span_s / turns;
+        let dynamics = reference.at(time_s, true)?;
+        nominal_at_pose[index] = reading.value(&arms, dynamics);
+    }
+    let pose_order = pose_order.into_iter().map(|(_, index)| index).collect();
+    Ok(Shared { plan, is_used, nominal_curve, nominal_at_pose, pose_order })
+}
