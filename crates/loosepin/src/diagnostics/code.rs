@@ -241,6 +241,10 @@ pose is given by the angle of the drive that the cycle counts."
     NothingAsked "E0610" "a study asks nothing"
 "A study needs at least one [[ask]] or [[require]], otherwise there is nothing to compute bounds of."
 
+    SamplingNotPossible "E0611" "the numbers of runs do not fit together"
+"The runs at each point are split into equal replicates, whose spread tells the sampling error: `inner` must be a multiple \
+of `replicates`, best `replicates` times a power of two."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
 that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \
@@ -279,6 +283,16 @@ different size meet, such as a mass of 1e-30 kg and a stiffness of 1e12 N/m^1.5.
     RunTooLong "E0804" "a run takes too many evaluations"
 "The run was given up after the number of evaluations that the complaint names, so that it ends at all. Ask for fewer turns \
 or a looser --tolerance; a contact with very many tiny bounces also ends here."
+
+    AllRunsFailed "E0805" "every run of a study failed"
+"No run of the study came to its end, so that there is nothing to compute bounds from. The complaint gives the reason of the \
+first one; `loosepin simulate` with the values of the study shows it alone."
+
+    NoThreads "E0806" "threads cannot be started"
+"The system did not give the program the threads that it asked for. Ask for fewer with --threads."
+
+    Interrupted "E0807" "a study was interrupted"
+"Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \

@@ -2,6 +2,7 @@
 
 mod assemble;
 mod columns;
+mod complaint;
 mod conduct;
 mod file;
 pub mod files;
