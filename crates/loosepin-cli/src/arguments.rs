@@ -34,6 +34,7 @@ pub enum Command {
     New(NewArguments),
     Check(CheckArguments),
     Simulate(SimulateArguments),
+    Study(StudyArguments),
     Report(ReportArguments),
     Schema(SchemaArguments),
     Explain(ExplainArguments),
@@ -96,6 +97,25 @@ pub struct SimulateArguments {
     /// Accuracy of positions over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Bound how far the mechanism moves from the ideal, over everything that is uncertain
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
+    for any number of threads. Ctrl-C ends it and keeps the finished runs.\n\n\
+    Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
+    Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds"
+)]
+pub struct StudyArguments {
+    /// Study file
+    #[arg(value_name = "STUDY")]
+    pub study: PathBuf,
+    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
+    pub threads: Option<u32>,
     #[command(flatten)]
     pub output: OutputArguments,
 }

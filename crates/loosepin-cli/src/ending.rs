@@ -13,6 +13,10 @@ use crate::console;
 pub enum Done {
     /// As asked.
     Well,
+    /// As asked, and a requirement of the study is not shown to be met.
+    RequirementNotMet,
+    /// Ended by a signal, with what was finished kept.
+    Interrupted,
 }
 
 /// Why a command did not come to its end.
@@ -56,6 +60,8 @@ impl From<ResultsError> for Failure {
 pub fn exit_code(ending: Ending) -> ExitCode {
     match ending {
         Ok(Done::Well) => ExitCode::SUCCESS,
+        Ok(Done::RequirementNotMet) => ExitCode::from(1),
+        Ok(Done::Interrupted) => ExitCode::from(130),
         Err(Failure::Complaints(complaints)) => {
             console::complain(&complaints);
             ExitCode::from(2)

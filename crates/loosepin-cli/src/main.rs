@@ -7,6 +7,7 @@ mod arguments;
 mod command;
 mod console;
 mod ending;
+mod progress;
 
 use std::process::ExitCode;
 
@@ -19,6 +20,7 @@ fn main() -> ExitCode {
         Command::New(new) => command::new::run(new),
         Command::Check(check) => command::check::run(check),
         Command::Simulate(simulate) => command::simulate::run(simulate),
+        Command::Study(study) => command::study::run(study),
         Command::Schema(schema) => command::schema::run(schema),
         Command::Explain(explain) => command::explain::run(explain),
         Command::Report(report) => command::report::run(report),

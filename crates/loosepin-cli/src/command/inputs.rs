@@ -5,7 +5,7 @@ use std::path::Path;
 use loosepin::diagnostics::{Complaint, Complaints, Place, Problem};
 use loosepin::model::Model;
 use loosepin::simulate::record::Override;
-use loosepin::study::{InputFile, InputFileProblem};
+use loosepin::study::{InputFile, InputFileProblem, Study};
 
 use crate::console;
 use crate::ending::Failure;
@@ -24,6 +24,20 @@ pub fn read_model(path: &Path) -> Result<Model, Failure> {
             let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
             Err(at_top(&problem, study.source()).into())
         }
+    }
+}
+
+/// Reads a study file and its model, and says what looks like an oversight in them.
+///
+/// # Errors
+/// Everything that is wrong with them; a model file.
+pub fn read_study(path: &Path) -> Result<Study, Failure> {
+    match InputFile::from_path(path)? {
+        InputFile::Study(study) => {
+            warn(&study.warnings);
+            Ok(*study)
+        }
+        InputFile::Model(model) => Err(at_top(&InputFileProblem::ModelForStudy, model.source()).into()),
     }
 }
 

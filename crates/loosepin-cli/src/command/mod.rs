@@ -8,3 +8,4 @@ pub mod report;
 pub mod schema;
 pub mod simulate;
 mod stored;
+pub mod study;

@@ -2,7 +2,7 @@
 
 use loosepin::results::{ResultKind, ResultsFolder};
 
-use super::simulate;
+use super::{simulate, study};
 use crate::arguments::ReportArguments;
 use crate::ending::Ending;
 
@@ -11,6 +11,7 @@ pub fn run(arguments: &ReportArguments) -> Ending {
     let mut folder = ResultsFolder::open(&arguments.folder)?;
     match folder.kind() {
         ResultKind::Simulation => simulate::show_again(&mut folder),
-        ResultKind::Motion | ResultKind::Study => todo!(),
+        ResultKind::Study => study::show_again(&mut folder),
+        ResultKind::Motion => todo!(),
     }
 }

@@ -312,6 +312,10 @@ holds; this one has none, or the run that filled it did not finish."
     WrongKindOfFile "E0905" "a study stands where a model is due, or the other way round"
 "Some commands take a model (a mechanism with its nominal values), some a study (what is uncertain in it, and what is asked). \
 A file with a key `model` at its top is a study."
+
+    ResultNotStorable "E0906" "a result cannot be laid out as a file"
+"A value of the result has no form in JSON, CSV or Parquet, or its columns do not fit together. This is a slip of ours: please \
+report it with the files that lead to it."
 }
 
 #[cfg(test)]
@@ -333,6 +337,6 @@ mod tests {
     #[test]
     fn an_unknown_code_is_refused() {
         let error = "E9999".parse::<Code>().expect_err("no such code");
-        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0905");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0906");
     }
 }

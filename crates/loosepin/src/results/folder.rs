@@ -177,6 +177,15 @@ impl ResultsFolder {
         self.write_marker()
     }
 
+    /// Keeps what was written so far of a result that did not finish: the next run replaces it.
+    ///
+    /// # Errors
+    /// What the file system refuses.
+    pub fn leave_unfinished(&mut self) -> Result<(), ResultsError> {
+        self.marker.is_finished = false;
+        self.write_marker()
+    }
+
     fn write_marker(&self) -> Result<(), ResultsError> {
         let mut text = serde_json::to_string_pretty(&self.marker).map_err(|source| ResultsError::Layout { source })?;
         text.push('\n');

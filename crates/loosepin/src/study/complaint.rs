@@ -2,6 +2,7 @@
 
 use super::conduct::StudyError;
 use super::file::Study;
+use super::files::FilesError;
 use super::response::PrepareError;
 use crate::diagnostics::{Code, Complaint, Place, Problem};
 
@@ -51,6 +52,30 @@ impl StudyError {
             Self::Threads(_) | Self::Table(_) | Self::Drawing(_) | Self::Interrupted { .. } => {
                 Complaint::error(self, None)
             }
+        }
+    }
+}
+
+impl Problem for FilesError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Write { .. } | Self::Read { .. } => Code::FolderNotUsable,
+            Self::Layout { .. } | Self::ForeignColumn { .. } => Code::NoResults,
+            Self::Json { .. }
+            | Self::Csv { .. }
+            | Self::UnequalColumns { .. }
+            | Self::RepeatedColumn { .. }
+            | Self::Parquet { .. }
+            | Self::Arrow { .. } => Code::ResultNotStorable,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Layout { .. } | Self::ForeignColumn { .. } => {
+                Some("run the study again, or use the version that wrote it".to_owned())
+            }
+            _ => None,
         }
     }
 }
