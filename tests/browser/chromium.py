@@ -167,6 +167,7 @@ class Chromium:
 
     def pdf(self, path):
         """Prints the page to a file (A4, margins of the page's own style)."""
+        self.call("Emulation.setEmulatedMedia", media="print", features=[])
         data = self.call("Page.printToPDF", preferCSSPageSize=False, printBackground=False, paperWidth=8.27,
                          paperHeight=11.69)["data"]
         with open(path, "wb") as file:

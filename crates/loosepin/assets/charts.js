@@ -5,6 +5,7 @@
   const colour = (name) => getComputedStyle(root).getPropertyValue('--' + name).trim();
   const charts = [];
 
+  // The number in at most four digits, or to the places of `step` where one is given.
   function text(value, step) {
     if (value === null || value === undefined || !isFinite(value)) return '–';
     const magnitude = Math.abs(value);
@@ -87,6 +88,7 @@
     const plot = new uPlot({
       width: Math.max(holder.clientWidth, 200),
       height: height(),
+      pxAlign: 0,
       series: series,
       bands: bands,
       legend: { show: false },
@@ -129,8 +131,12 @@
         return;
       }
       position.textContent = data.x_label + ': ' + withUnit(text(columns[0][index]), data.x_symbol);
+      // As many places for all values as a thousandth of the axis needs.
+      const range = u.scales.y.max - u.scales.y.min;
+      const step = range > 0 && range < 1e7 && range > 1e-3 ? 10 ** Math.floor(Math.log10(range / 1000)) : undefined;
       values.forEach((element, entry) => {
-        const numbers = entrySeries[entry].map((column) => text(columns[column][index]));
+        if (data.entries[entry].role === 'limit') return;
+        const numbers = entrySeries[entry].map((column) => text(columns[column][index], step));
         element.textContent = withUnit(numbers.join(' … '), data.y_symbol);
       });
     }
@@ -170,6 +176,7 @@
       width = holder.clientWidth;
       plot.setSize({ width: width, height: height() });
     }).observe(holder);
+    plot.heightOnScreen = height;
     charts.push(plot);
     holder.dataset.drawn = 'true';
   }
@@ -187,14 +194,18 @@
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
   // On paper the page is light and as wide as the paper, whatever the screen was.
   const paperWidth = 680;
+  let closed = [];
   addEventListener('beforeprint', () => {
     root.classList.add('printing');
+    closed = [...document.querySelectorAll('details.glossary:not([open])')];
+    closed.forEach((details) => { details.open = true; });
     charts.forEach((plot) => plot.setSize({ width: Math.min(plot.width, paperWidth), height: Math.min(plot.height, 300) }));
     redraw();
   });
   addEventListener('afterprint', () => {
     root.classList.remove('printing');
-    charts.forEach((plot) => plot.setSize({ width: plot.root.parentElement.clientWidth, height: plot.height }));
+    closed.forEach((details) => { details.open = false; });
+    charts.forEach((plot) => plot.setSize({ width: plot.root.parentElement.clientWidth, height: plot.heightOnScreen() }));
     redraw();
   });
 })();

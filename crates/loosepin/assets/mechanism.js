@@ -14,7 +14,7 @@
     const choice = figure.querySelector('.magnification');
     const count = data.angle_deg.length;
     let magnification = data.magnification;
-    let pose = 0;
+    let pose = data.start;
     let running = false;
     let lastTime = 0;
 

@@ -29,6 +29,7 @@ fn write_pages(folder: &std::path::Path) -> io::Result<()> {
     fs::write(folder.join("study.html"), report::study_page(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.html"), report::simulation_page(&report_fixture::simulation::worn_pin()))?;
     fs::write(folder.join("motion.html"), report::motion_page(&report_fixture::motion::worn_pin()))?;
+    fs::write(folder.join("four_bar.html"), report::motion_page(&report_fixture::motion::four_bar()))?;
     fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
     fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))

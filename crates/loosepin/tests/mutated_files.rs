@@ -187,8 +187,7 @@ fn read_study(model: &str, bytes: Vec<u8>) {
 
 #[test]
 fn no_mutated_file_makes_the_reader_panic() {
-    let cases = std::env::var("LOOSEPIN_FUZZ_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(DEFAULT_CASES);
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let config = Config { cases: cases(), failure_persistence: None, ..Config::default() };
     let strategy = (0..TEMPLATES.len(), any::<bool>(), proptest::collection::vec(mutation(), 1..6));
     let outcome = TestRunner::new(config).run(&strategy, |(template, is_model, mutations)| {
         let template = &TEMPLATES[template];
@@ -198,6 +197,204 @@ fn no_mutated_file_makes_the_reader_panic() {
             read_model(bytes);
         } else {
             read_study(template.model, bytes);
+        }
+        Ok(())
+    });
+    outcome.unwrap_or_else(|failure| panic!("{failure}"));
+}
+
+/// Values put in place of others in files that stay TOML: right ones at the wrong place, and wrong ones.
+const VALUES: &[&str] = &[
+    "1",
+    "0",
+    "-1",
+    "1e308",
+    "nan",
+    "inf",
+    "true",
+    "[]",
+    "{}",
+    "[1, 2]",
+    "[\"1 mm\", \"0 mm\"]",
+    "[\"2 mm\", \"3 mm\", \"4 mm\"]",
+    "\"\"",
+    "\"0 mm\"",
+    "\"1 mm\"",
+    "\"-1 mm\"",
+    "\"1e308 mm\"",
+    "\"1 kg\"",
+    "\"0 kg m^2\"",
+    "\"30 deg\"",
+    "\"1e300 rpm\"",
+    "\"crank_length\"",
+    "\"rod_length * 1e200\"",
+    "\"crank_length - crank_length\"",
+    "\"sqrt(crank_length * rocker_length)\"",
+    "\"ground.o\"",
+    "\"crank.pin\"",
+    "\"rocker.pin\"",
+    "\"crank\"",
+    "\"main\"",
+    "\"gudgeon\"",
+    "\"steel_pin\"",
+    "\"rigid\"",
+    "\"prismatic\"",
+    "\"revolute\"",
+    "\"cycle\"",
+    "\"total\"",
+    "\"slider\"",
+    "\"rocker\"",
+    "\"joint.gudgeon\"",
+    "\"x\"",
+    "{ point = \"ground.o\", angle = \"1 rad\" }",
+    "{ normal = { mean = \"1 mm\", standard_deviation = \"9 mm\" } }",
+    "{ interval = [\"0 mm\", \"1 km\"] }",
+    "{ interval = [0.1, 1.5] }",
+    "[\"mean\", { quantile = 0.5 }]",
+    "{ quantile = 2 }",
+    "{ uniform = { lower = \"1e-300 m\", upper = \"1e300 m\" } }",
+    "{ coefficient = 1e300, lower_speed = \"1 m/s\" }",
+    "{ beta = { alpha = 1e-300, beta = 1e300, lower = \"0 mm\", upper = \"1 mm\" } }",
+    "{ crank = [\"1e300 deg\"] }",
+    "{ lognormal = { mean = \"1e-300 m\", standard_deviation = \"1e300 m\" } }",
+    "{ truncated_normal = { mean = 0.5, standard_deviation = 1e-300, lower = 0.4, upper = 0.6 } }",
+];
+
+/// Keys put in place of others.
+const KEYS: &[&str] = &[
+    "o",
+    "ground",
+    "crank",
+    "main",
+    "gudgeon",
+    "radial_clearance",
+    "stiffness",
+    "exponent",
+    "start_position",
+    "slider",
+    "path_of",
+    "force_in",
+    "along",
+    "unit",
+    "interval",
+    "uniform",
+    "beta",
+    "reduce",
+    "poses",
+    "a b",
+    "",
+    "µ",
+    "parameter.crank_length",
+    "contact.steel_pin.restitution",
+    "joint.gudgeon.bearing_radius",
+    "gravity",
+    "drive.crank.speed",
+    "body.rod.mass",
+];
+
+/// One thing done to a file that stays TOML.
+#[derive(Debug, Clone)]
+enum Change {
+    Replace { node: usize, what: usize },
+    Remove { node: usize },
+    Rename { node: usize, what: usize },
+    Graft { node: usize, from: usize, what: usize },
+}
+
+fn change() -> impl Strategy<Value = Change> {
+    let node = 0..1000_usize;
+    prop_oneof![
+        3 => (node.clone(), 0..VALUES.len()).prop_map(|(node, what)| Change::Replace { node, what }),
+        1 => node.clone().prop_map(|node| Change::Remove { node }),
+        1 => (node.clone(), 0..KEYS.len()).prop_map(|(node, what)| Change::Rename { node, what }),
+        1 => (node.clone(), node, 0..KEYS.len()).prop_map(|(node, from, what)| Change::Graft { node, from, what }),
+    ]
+}
+
+/// The paths of all entries below `value`.
+fn paths(value: &toml::Value, path: &[String], found: &mut Vec<Vec<String>>) {
+    let children: Vec<(String, &toml::Value)> = match value {
+        toml::Value::Table(table) => table.iter().map(|(key, below)| (key.clone(), below)).collect(),
+        toml::Value::Array(list) => list.iter().enumerate().map(|(index, below)| (index.to_string(), below)).collect(),
+        _ => Vec::new(),
+    };
+    for (key, below) in children {
+        let path: Vec<String> = path.iter().cloned().chain([key]).collect();
+        found.push(path.clone());
+        paths(below, &path, found);
+    }
+}
+
+fn node<'v>(value: &'v mut toml::Value, path: &[String]) -> Option<&'v mut toml::Value> {
+    path.iter().try_fold(value, |value, key| match value {
+        toml::Value::Table(table) => table.get_mut(key),
+        toml::Value::Array(list) => list.get_mut(key.parse::<usize>().ok()?),
+        _ => None,
+    })
+}
+
+fn parsed_value(text: &str) -> toml::Value {
+    let table: toml::Table = format!("v = {text}").parse().unwrap_or_else(|error| panic!("{text}: {error}"));
+    table["v"].clone()
+}
+
+fn make(file: &mut toml::Value, change: &Change) {
+    let mut found = Vec::new();
+    paths(file, &[], &mut found);
+    if found.is_empty() {
+        return;
+    }
+    let (Change::Replace { node: at, .. }
+    | Change::Remove { node: at }
+    | Change::Rename { node: at, .. }
+    | Change::Graft { node: at, .. }) = *change;
+    let path = found[at % found.len()].clone();
+    let Some((key, above)) = path.split_last() else { return };
+    let grafted = match *change {
+        Change::Graft { from, .. } => node(file, &found[from % found.len()]).cloned(),
+        _ => None,
+    };
+    match (change, node(file, above)) {
+        (Change::Replace { what, .. }, _) => {
+            if let Some(place) = node(file, &path) {
+                *place = parsed_value(VALUES[*what]);
+            }
+        }
+        (Change::Remove { .. }, Some(toml::Value::Table(table))) => {
+            table.remove(key);
+        }
+        (Change::Rename { what, .. }, Some(toml::Value::Table(table))) => {
+            if let Some(value) = table.remove(key) {
+                table.insert(KEYS[*what].to_owned(), value);
+            }
+        }
+        (Change::Graft { what, .. }, Some(toml::Value::Table(table))) => {
+            if let Some(value) = grafted {
+                table.insert(KEYS[*what].to_owned(), value);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn cases() -> u32 {
+    std::env::var("LOOSEPIN_FUZZ_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(DEFAULT_CASES)
+}
+
+#[test]
+fn no_file_with_exchanged_values_makes_the_reader_panic() {
+    let config = Config { cases: cases(), failure_persistence: None, ..Config::default() };
+    let strategy = (0..TEMPLATES.len(), any::<bool>(), proptest::collection::vec(change(), 1..5));
+    let outcome = TestRunner::new(config).run(&strategy, |(template, is_model, changes)| {
+        let template = &TEMPLATES[template];
+        let text = if is_model { template.model } else { template.study };
+        let mut file = toml::Value::Table(text.parse().unwrap_or_else(|error| panic!("{error}")));
+        changes.iter().for_each(|change| make(&mut file, change));
+        let Ok(text) = toml::to_string(&file) else { return Ok(()) };
+        if is_model {
+            read_model(text.into_bytes());
+        } else {
+            read_study(template.model, text.into_bytes());
         }
         Ok(())
     });

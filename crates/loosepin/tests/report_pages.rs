@@ -20,6 +20,7 @@ fn pages() -> Vec<(&'static str, String)> {
         ("study", study_page(&report_fixture::study::worn_pin())),
         ("simulation", simulation_page(&report_fixture::simulation::worn_pin())),
         ("motion", motion_page(&report_fixture::motion::worn_pin())),
+        ("four-bar", motion_page(&report_fixture::motion::four_bar())),
     ]
 }
 
@@ -112,6 +113,22 @@ fn headings_do_not_skip_a_level() {
         assert_eq!(levels.iter().filter(|level| **level == 1).count(), 1, "{name} has one first heading");
         assert!(levels.windows(2).all(|pair| pair[1] <= pair[0] + 1), "{name}: {levels:?}");
     }
+}
+
+#[test]
+fn every_joint_is_drawn_whichever_side_is_fixed() {
+    let text = motion_page(&report_fixture::motion::four_bar());
+    let page = parsed("four-bar", &text);
+    let counted = |selector: &str| select(&page, selector).len();
+    assert_eq!(counted(".mechanism .support"), 2, "both fixed pins stand on supports");
+    assert_eq!(counted(".mechanism .pin"), 3);
+    assert_eq!(counted(".mechanism .bearing"), 1, "a bearing in the ground is drawn too");
+    assert_eq!(counted(".mechanism .journal"), 1);
+    assert_eq!(counted(".mechanism .body .plate"), 1, "three points make a plate");
+    assert_eq!(counted(".mechanism .body .bar"), 2);
+    let slider_crank = parsed("study", &study_page(&report_fixture::study::worn_pin()));
+    assert_eq!(select(&slider_crank, ".mechanism .guide").len(), 2, "two rails");
+    assert_eq!(select(&slider_crank, ".mechanism .body .block").len(), 1);
 }
 
 #[test]

@@ -48,12 +48,37 @@ fn identity_summary_reads_back_to_the_same_result() {
 }
 
 #[test]
-fn identity_not_a_number_reads_back() {
+fn identity_numbers_that_json_has_not_read_back_everywhere() {
     let mut result = worn_pin();
     result.bounds[0].upper.value_si = f64::NAN;
+    result.curves[0].mixed.lower_si[3] = f64::NEG_INFINITY;
+    result.boxes[0].limit_si = Some(f64::INFINITY);
+    result.requirements[0].probability = [f64::NAN, 1.0];
+    result.impacts[0].impacts_per_turn[2] = f64::INFINITY;
+    result.drawing.poses.x_m[1][2] = f64::NAN;
     let text = to_json(&result).expect("the result has a form in JSON");
     let read: StudyResult = read_json(&text, SUMMARY_FILE).expect("what was written can be read");
     assert!(read.bounds[0].upper.value_si.is_nan());
+    assert!(read.curves[0].mixed.lower_si[3] == f64::NEG_INFINITY);
+    assert_eq!(read.boxes[0].limit_si, Some(f64::INFINITY));
+    assert!(read.requirements[0].probability[0].is_nan());
+    assert!(read.impacts[0].impacts_per_turn[2] == f64::INFINITY);
+    assert!(read.drawing.poses.x_m[1][2].is_nan());
+    assert!(to_json(&read).expect("it can be written again") == text, "writing repeats byte for byte");
+}
+
+#[test]
+fn words_that_stand_for_no_number_are_refused() {
+    let text = to_json(&worn_pin()).expect("the result has a form in JSON").replacen(
+        "\"lower_si\": -0.0007",
+        "\"lower_si\": \"low\"",
+        1,
+    );
+    let error = read_json::<StudyResult>(&text, SUMMARY_FILE).expect_err("'low' is no number").to_string();
+    assert!(
+        error.contains("invalid value: string \"low\", expected a number, \"inf\", \"-inf\" or \"nan\" at line"),
+        "{error}"
+    );
 }
 
 #[test]

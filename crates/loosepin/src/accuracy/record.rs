@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::simulate::record::{Drawing, Override};
-use crate::units::{DisplayUnits, SiUnit};
+use crate::units::{DisplayUnits, SiUnit, extended};
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.
 ///
@@ -19,6 +19,7 @@ pub struct MotionRecord {
     /// Name of the drive whose angle is the input.
     pub drive: String,
     /// Speed of the drive, to which velocities and accelerations belong, where it is constant.
+    #[serde(with = "extended")]
     pub drive_speed_rad_s: Option<f64>,
     /// The mobility in words, for example `1 degree of freedom, 1 drive`.
     pub mobility: String,
@@ -27,6 +28,7 @@ pub struct MotionRecord {
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Angle of the drive over one cycle, increasing.
+    #[serde(with = "extended")]
     pub drive_angle_rad: Vec<f64>,
     /// One entry per output, in file order.
     pub outputs: Vec<OutputMotion>,
@@ -38,6 +40,7 @@ pub struct MotionRecord {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SingularPosition {
     /// Angle of the drive.
+    #[serde(with = "extended")]
     pub drive_angle_rad: f64,
     /// What happens there, in words.
     pub words: String,
@@ -53,15 +56,19 @@ pub struct OutputMotion {
     /// Unit of the values.
     pub unit: SiUnit,
     /// Ideal value.
+    #[serde(with = "extended")]
     pub value_si: Vec<f64>,
     /// Its time derivative at the speed of the drive.
+    #[serde(with = "extended")]
     pub velocity_si: Vec<f64>,
     /// Its second time derivative at the speed of the drive.
+    #[serde(with = "extended")]
     pub acceleration_si: Vec<f64>,
     /// The clearance answer.
     pub clearance: ClearanceAnswer,
     /// Standard deviation from the scatter of the dimensions (root of the sum of squares), where a study names
     /// distributions; empty otherwise.
+    #[serde(with = "extended")]
     pub dimensional_standard_deviation_si: Vec<f64>,
     /// Shares of each scattering dimension in that variance; empty where there is none.
     pub dimensional_contributors: Vec<DimensionContributor>,
@@ -74,10 +81,13 @@ pub struct OutputMotion {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ClearanceAnswer {
     /// Worst case: the output lies within plus and minus this.
+    #[serde(with = "extended")]
     pub worst_case_si: Vec<f64>,
     /// Standard deviation when the journals are anywhere in their discs.
+    #[serde(with = "extended")]
     pub disc_standard_deviation_si: Vec<f64>,
     /// Standard deviation when the journals are on the rims.
+    #[serde(with = "extended")]
     pub rim_standard_deviation_si: Vec<f64>,
     /// What each joint contributes.
     pub contributors: Vec<JointContributor>,
@@ -89,8 +99,10 @@ pub struct JointContributor {
     /// Name of the joint.
     pub joint: String,
     /// Radial clearance c_k.
+    #[serde(with = "extended")]
     pub radial_clearance_m: f64,
     /// c_k |g_k| over the cycle.
+    #[serde(with = "extended")]
     pub worst_case_si: Vec<f64>,
 }
 
@@ -100,5 +112,6 @@ pub struct DimensionContributor {
     /// Path of the quantity.
     pub path: String,
     /// |derivative of the output| times the standard deviation of the quantity, over the cycle.
+    #[serde(with = "extended")]
     pub standard_deviation_si: Vec<f64>,
 }

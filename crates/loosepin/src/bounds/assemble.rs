@@ -8,7 +8,8 @@ use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
 use super::probability_box::ProbabilityBox;
 use super::sample::Sample;
-use super::search::{Direction, Search, Target, extreme_point};
+use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme_point, smoothed};
+use super::smoother::Fit;
 use super::statistic::Statistic;
 use super::table::{Purpose, SampleTable};
 use super::treatment::TreatmentComparison;
@@ -40,10 +41,11 @@ impl DoubleLoop {
                 .requests
                 .iter()
                 .filter(|request| request.statistic == Statistic::Cdf)
-                .map(|request| ProbabilityBox::new(&evidence, request.column))
+                .map(|request| ProbabilityBox::new(&evidence, table, request.column))
                 .collect(),
             comparisons: TreatmentComparison::all(&evidence, table),
             outer_points: pool.points.iter().map(|point| point.epistemic.clone()).collect(),
+            centre_point: self.centre_point(),
             runs: table.len(),
             failed_runs: table.failed(),
             rounds: table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0),
@@ -73,14 +75,16 @@ impl Evidence<'_> {
             .zip(&measures)
             .filter_map(|(request, measure)| {
                 let samples = self.pool.samples(request.column);
-                let bound = |direction| Some(self.bound(&search, &samples, measure.as_ref()?, direction));
+                let measure = Modelled::new(&search, measure.as_ref()?);
+                let bound = |direction| self.bound(&search, &samples, &measure, direction);
                 let failed_runs = samples.iter().map(|sample| sample.failed()).sum();
                 let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
                 Some(BoundPair {
                     column: request.column,
                     statistic: request.statistic,
-                    lower: bound(Direction::Minimum)?,
-                    upper: bound(Direction::Maximum)?,
+                    lower: bound(Direction::Minimum),
+                    upper: bound(Direction::Maximum),
+                    estimates: measure.measure.low.iter().map(|estimate| estimate.value).collect(),
                     failed_runs,
                     unbounded_by_failures: has_no_bound && failed_runs > 0,
                 })
@@ -99,7 +103,7 @@ impl Evidence<'_> {
     /// The kind of guarantee that bounds from these runs have.
     pub fn guarantee(&self) -> Guarantee {
         let problem = self.plan.problem();
-        match (problem.random.is_empty(), problem.epistemic.is_empty()) {
+        match (problem.random.is_empty(), self.plan.epistemic_box().dimensions() == 0) {
             (true, true) => Guarantee::Enclosure,
             (true, false) => Guarantee::Optimised,
             (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },
@@ -107,13 +111,20 @@ impl Evidence<'_> {
     }
 
     /// The extreme of `measure` in `direction`: attained, with what was not resolved.
-    pub fn bound(&self, search: &Search<'_>, samples: &[&Sample], measure: &Measure, direction: Direction) -> Bound {
+    pub fn bound(
+        &self,
+        search: &Search<'_>,
+        samples: &[&Sample],
+        modelled: &Modelled<'_>,
+        direction: Direction,
+    ) -> Bound {
+        let measure = modelled.measure;
         let estimates = match direction {
             Direction::Minimum => &measure.low,
             Direction::Maximum => &measure.high,
         };
         let guarantee = self.guarantee();
-        let Some(witness) = witness(search, measure, direction) else {
+        let Some(witness) = modelled.witness(direction) else {
             let error = BoundError { sampling: f64::INFINITY, ..BoundError::default() };
             let widened = measure.kind.limited(direction.sign() * f64::INFINITY);
             return Bound { value: f64::NAN, widened, witness: None, error, guarantee };
@@ -123,10 +134,10 @@ impl Evidence<'_> {
             Direction::Minimum => estimate.below,
             Direction::Maximum => estimate.above,
         };
-        let optimisation = if self.plan.problem().epistemic.is_empty() || estimate.value.is_infinite() {
+        let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
         } else {
-            let further = furthest(search, samples, measure, direction, estimate.value);
+            let further = modelled.furthest(search, samples, direction, (witness, estimate.value));
             (direction.sign() * (further - estimate.value)).max(0.0)
         };
         let error = BoundError { sampling, optimisation, surrogate: 0.0 };
@@ -151,62 +162,86 @@ impl MeasureKind {
     }
 }
 
-/// The outer point at which the statistic, smoothed where its differences are partly noise, goes furthest.
-fn witness(search: &Search<'_>, measure: &Measure, direction: Direction) -> Option<usize> {
-    let estimates = match direction {
-        Direction::Minimum => &measure.low,
-        Direction::Maximum => &measure.high,
-    };
-    let outward = direction.sign() * f64::INFINITY;
-    if let Some(point) = estimates.iter().position(|estimate| estimate.value == outward) {
-        return Some(point);
-    }
-    let mut scores = search.smoothed(&measure.target);
-    for (point, score) in scores.iter_mut().enumerate() {
-        // Failed runs move the two estimates apart; the target is the low one.
-        let gap = measure.high[point].value - measure.low[point].value;
-        if direction == Direction::Maximum && gap.is_finite() {
-            *score += gap;
-        }
-    }
-    let margin = |point: usize| measure.margin.as_ref().map_or(0.0, |margin| margin.target.values[point]);
-    let mut best: Option<usize> = None;
-    for (point, score) in scores.iter().enumerate() {
-        if !score.is_finite() || !estimates[point].value.is_finite() {
-            continue;
-        }
-        let is_better = best.is_none_or(|best| {
-            direction.is_beyond(*score, scores[best])
-                || (*score == scores[best] && direction.is_beyond(margin(point), margin(best)))
-        });
-        if is_better {
-            best = Some(point);
-        }
-    }
-    best
+/// A measure with the models of what is searched.
+pub(super) struct Modelled<'a> {
+    measure: &'a Measure,
+    fit: Option<Fit<'a>>,
+    margin_fit: Option<Fit<'a>>,
 }
 
-/// How far the statistic may go in `direction`, by the models of what is searched.
-fn furthest(search: &Search<'_>, samples: &[&Sample], measure: &Measure, direction: Direction, attained: f64) -> f64 {
-    let most = |target: &Target| search.reach(target, direction);
-    let beyond = |a: f64, b: f64| if direction.is_beyond(a, b) { a } else { b };
-    match measure.kind {
-        MeasureKind::Plain => beyond(most(&measure.target), attained),
-        MeasureKind::Deviation => beyond(most(&measure.target).max(0.0).sqrt(), attained),
-        MeasureKind::Probability(event) => {
-            let mut furthest = attained;
-            let values = &measure.target.values;
-            let between = values.iter().filter(|&&share| share > 0.0 && share < 1.0).count() as f64;
-            if between >= LEAST_SHARE_BETWEEN * values.len() as f64 {
-                furthest = beyond(furthest, most(&measure.target));
+impl<'a> Modelled<'a> {
+    pub fn new(search: &'a Search<'_>, measure: &'a Measure) -> Self {
+        let margin_fit = measure.margin.as_ref().and_then(|margin| search.fit(&margin.target));
+        Self { measure, fit: search.fit(&measure.target), margin_fit }
+    }
+
+    /// The outer point at which the statistic, smoothed where its differences are partly noise, goes furthest.
+    fn witness(&self, direction: Direction) -> Option<usize> {
+        let measure = self.measure;
+        let estimates = match direction {
+            Direction::Minimum => &measure.low,
+            Direction::Maximum => &measure.high,
+        };
+        let outward = direction.sign() * f64::INFINITY;
+        if let Some(point) = estimates.iter().position(|estimate| estimate.value == outward) {
+            return Some(point);
+        }
+        let mut scores = smoothed(&measure.target, self.fit.as_ref(), |point| measure.target_errors[point]);
+        for (point, score) in scores.iter_mut().enumerate() {
+            // Failed runs move the two estimates apart; the target is the low one.
+            let gap = measure.high[point].value - measure.low[point].value;
+            if direction == Direction::Maximum && gap.is_finite() {
+                *score += gap;
             }
-            if let Some(margin) = &measure.margin
-                && let Some(nearest) = extreme_point(&margin.target.values, direction)
-            {
-                let shift = margin.shift(nearest, most(&margin.target));
-                furthest = beyond(furthest, shifted_share(samples[nearest], event, shift, direction));
+        }
+        let margin = |point: usize| measure.margin.as_ref().map_or(0.0, |margin| margin.target.values[point]);
+        let mut best: Option<usize> = None;
+        for (point, score) in scores.iter().enumerate() {
+            if !score.is_finite() || !estimates[point].value.is_finite() {
+                continue;
             }
-            furthest.clamp(0.0, 1.0)
+            let is_better = best.is_none_or(|best| {
+                direction.is_beyond(*score, scores[best])
+                    || (*score == scores[best] && direction.is_beyond(margin(point), margin(best)))
+            });
+            if is_better {
+                best = Some(point);
+            }
+        }
+        best
+    }
+
+    /// How far the statistic may go in `direction`, `attained` at the point `witness`.
+    fn furthest(
+        &self,
+        search: &Search<'_>,
+        samples: &[&Sample],
+        direction: Direction,
+        (witness, attained): (usize, f64),
+    ) -> f64 {
+        let target = &self.measure.target;
+        let at_witness = target.values[witness];
+        let beyond = |a: f64, b: f64| if direction.is_beyond(a, b) { a } else { b };
+        let conceded = direction.sign() * SEARCH_RESOLUTION * target.range();
+        let most = || beyond(search.reach(target, self.fit.as_ref(), direction), at_witness + conceded);
+        match self.measure.kind {
+            MeasureKind::Plain => beyond(most(), attained),
+            MeasureKind::Deviation => beyond(most().max(0.0).sqrt(), attained),
+            MeasureKind::Probability(event) => {
+                let mut furthest = attained;
+                let between = target.values.iter().filter(|&&share| share > 0.0 && share < 1.0).count() as f64;
+                if between >= LEAST_SHARE_BETWEEN * target.values.len() as f64 {
+                    furthest = beyond(furthest, most());
+                }
+                if let Some(margin) = &self.measure.margin
+                    && let Some(nearest) = extreme_point(&margin.target.values, direction)
+                {
+                    let most = search.reach(&margin.target, self.margin_fit.as_ref(), direction);
+                    let shifted = shifted_share(samples[nearest], event, margin.shift(nearest, most), direction);
+                    furthest = beyond(furthest, shifted);
+                }
+                furthest.clamp(0.0, 1.0)
+            }
         }
     }
 }

@@ -75,7 +75,8 @@ pub struct Witness {
 /// One end of a range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bound {
-    /// The estimate at the witness: it has been attained. Not a number where no run finished.
+    /// The estimate at the witness: it has been attained. Not a number where no run finished or the values
+    /// are too large for their sum.
     pub value: f64,
     /// The value moved outwards by its error: what people are shown as the bound.
     pub widened: f64,
@@ -98,6 +99,9 @@ pub struct BoundPair {
     pub lower: Bound,
     /// Its greatest value over the epistemic box.
     pub upper: Bound,
+    /// The estimate at every outer point, in the order of the outer index, failed runs taken as low as possible; not a
+    /// number where no run finished.
+    pub estimates: Vec<f64>,
     /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
     /// quantiles in `value` already.
     pub failed_runs: usize,
@@ -118,6 +122,8 @@ pub struct Bounds {
     pub comparisons: Vec<TreatmentComparison>,
     /// Values of the epistemic inputs at every outer point, in the order of the outer index.
     pub outer_points: Vec<Vec<f64>>,
+    /// Outer index of the centre of the epistemic box.
+    pub centre_point: u32,
     /// Runs in the table.
     pub runs: usize,
     /// Failed runs in the table.

@@ -54,6 +54,28 @@ impl Cholesky {
         }
     }
 
+    /// L⁻¹.
+    pub fn inverse_factor(&self) -> LowerTriangle {
+        let order = self.order;
+        let mut entries = vec![0.0; order * order];
+        // Row i of L⁻¹ is (e_i - Σ_(j<i) L_ij row_j)/L_ii.
+        for i in 0..order {
+            let (done, rest) = entries.split_at_mut(i * order);
+            let row = &mut rest[..=i];
+            row[i] = 1.0;
+            for (j, known) in done.chunks(order).enumerate() {
+                let factor = self.factor[i * order + j];
+                for (entry, value) in row.iter_mut().zip(&known[..=j]) {
+                    *entry -= factor * value;
+                }
+            }
+            for entry in row {
+                *entry /= self.factor[i * order + i];
+            }
+        }
+        LowerTriangle { order, entries }
+    }
+
     /// The inverse, row by row.
     pub fn inverse(&self) -> Vec<f64> {
         let order = self.order;
@@ -66,17 +88,59 @@ impl Cholesky {
     }
 }
 
-/// Scalar product, in four partial sums so that it can be vectorised, always in this order.
+/// A lower triangular matrix.
+#[derive(Debug, Clone)]
+pub(super) struct LowerTriangle {
+    order: usize,
+    /// Rows, full storage, zero above the diagonal.
+    entries: Vec<f64>,
+}
+
+impl LowerTriangle {
+    /// T x
+    pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
+        self.rows().enumerate().map(|(i, row)| dot(&row[..=i], &vector[..=i])).collect()
+    }
+
+    /// Tᵀ x
+    pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; self.order];
+        for (i, (row, factor)) in self.rows().zip(vector).enumerate() {
+            for (sum, entry) in product.iter_mut().zip(&row[..=i]) {
+                *sum += factor * entry;
+            }
+        }
+        product
+    }
+
+    /// Sum of squares of each column.
+    pub fn column_squares(&self) -> Vec<f64> {
+        let mut squares = vec![0.0; self.order];
+        for row in self.rows() {
+            for (sum, entry) in squares.iter_mut().zip(row) {
+                *sum += entry * entry;
+            }
+        }
+        squares
+    }
+
+    fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.entries.chunks(self.order.max(1))
+    }
+}
+
+/// Scalar product, in eight partial sums so that it can be vectorised, always in this order.
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
-    let (a_blocks, b_blocks) = (a.chunks_exact(4), b.chunks_exact(4));
+    let mut sums = [0.0; 8];
+    let (a_blocks, b_blocks) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(x, y)| x * y).sum();
     for (x, y) in a_blocks.zip(b_blocks) {
-        for lane in 0..4 {
+        for lane in 0..8 {
             sums[lane] += x[lane] * y[lane];
         }
     }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    let [a, b, c, d, e, f, g, h] = sums;
+    ((a + b) + (c + d)) + ((e + f) + (g + h)) + rest
 }
 
 /// The product of a matrix (row by row) and a vector.
@@ -86,7 +150,7 @@ pub(super) fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cholesky, multiply};
+    use super::{Cholesky, dot, multiply};
 
     #[test]
     fn identity_the_inverse_times_the_matrix_is_the_identity() {
@@ -104,6 +168,12 @@ mod tests {
                 assert!((value - f64::from(u8::from(i == j))).abs() < TOLERANCE);
             }
         }
+        let vector: Vec<f64> = (0..order).map(|i| 0.3 + i as f64).collect();
+        let white = cholesky.inverse_factor().multiply(&vector);
+        let expected = dot(&vector, &multiply(&inverse, &vector));
+        assert!((dot(&white, &white) - expected).abs() < TOLERANCE * expected);
+        let back = cholesky.inverse_factor().multiply_transposed(&white);
+        assert!(back.iter().zip(multiply(&inverse, &vector)).all(|(a, b)| (a - b).abs() < TOLERANCE));
         let double = Cholesky::new(matrix.iter().map(|x| 2.0 * x).collect(), order).unwrap();
         let expected = cholesky.ln_determinant() + 7.0 * 2.0_f64.ln();
         assert!((double.ln_determinant() - expected).abs() < TOLERANCE);

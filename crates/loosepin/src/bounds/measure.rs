@@ -4,14 +4,11 @@ use super::moments::{mean, standard_deviation, variance};
 use super::probability::share;
 use super::quantile::quantile;
 use super::sample::{Confidence, Estimate, Sample};
-use super::search::{Direction, Target, extreme_point};
+use super::search::{Direction, SEARCH_RESOLUTION, Target, extreme_point};
 use super::statistic::Statistic;
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
 const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
-
-/// A gain below this share of the range over the outer points is not worth one either.
-const SHARE_OF_RANGE: f64 = 1e-6;
 
 /// The same for a probability.
 const PROBABILITY_RESOLUTION: f64 = 1e-3;
@@ -44,6 +41,8 @@ pub(super) struct Measure {
     /// With every failed run taken as low as possible, and as high as possible.
     pub low: Vec<Estimate>,
     pub high: Vec<Estimate>,
+    /// Errors of the target's values, downwards and upwards.
+    pub target_errors: Vec<(f64, f64)>,
     /// What is searched: the statistic itself, or for a deviation the variance, which is smooth where it vanishes.
     pub target: Target,
     /// For probabilities: a margin that still tells where to go where the probability is flat at 0 or 1.
@@ -89,7 +88,8 @@ impl Measure {
                 let variances: Vec<Estimate> = samples.iter().map(|sample| variance(sample, confidence)).collect();
                 let at: Vec<Estimate> = variances.iter().copied().map(standard_deviation).collect();
                 let target = target(&variances, confidence);
-                Self { kind: MeasureKind::Deviation, low: at.clone(), high: at, target, margin: None }
+                let target_errors = errors(&variances);
+                Self { kind: MeasureKind::Deviation, low: at.clone(), high: at, target_errors, target, margin: None }
             }
             Statistic::Quantile(probability) => {
                 let (low, high) = samples
@@ -116,12 +116,14 @@ impl Measure {
         let mut target = target(&low, confidence);
         target.resolutions = target.resolutions.map(|resolution| resolution.max(PROBABILITY_RESOLUTION));
         let margin = Margin::new(samples, event, confidence);
-        Self { kind: MeasureKind::Probability(event), low, high, target, margin }
+        let target_errors = errors(&low);
+        Self { kind: MeasureKind::Probability(event), low, high, target_errors, target, margin }
     }
 
     fn plain(low: Vec<Estimate>, high: Vec<Estimate>, confidence: &Confidence) -> Self {
         let target = target(&low, confidence);
-        Self { kind: MeasureKind::Plain, low, high, target, margin: None }
+        let target_errors = errors(&low);
+        Self { kind: MeasureKind::Plain, low, high, target_errors, target, margin: None }
     }
 }
 
@@ -184,13 +186,17 @@ pub(super) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
     let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
     let variances: Vec<f64> = estimates.iter().map(|estimate| estimate.variance(confidence)).collect();
     let noise_variance = finite_mean(&variances);
-    let least = (SHARE_OF_RANGE * range(&values)).max(f64::MIN_POSITIVE);
+    let least = (SEARCH_RESOLUTION * range(&values)).max(f64::MIN_POSITIVE);
     let resolutions = Direction::BOTH.map(|direction| {
         let error = extreme_point(&values, direction)
             .map_or(0.0, |point| 0.5 * (estimates[point].below + estimates[point].above));
         if error.is_finite() { (SHARE_OF_SAMPLING_ERROR * error).max(least) } else { least }
     });
     Target { values, noise_variance, resolutions }
+}
+
+fn errors(estimates: &[Estimate]) -> Vec<(f64, f64)> {
+    estimates.iter().map(|estimate| (estimate.below, estimate.above)).collect()
 }
 
 fn finite_mean(values: &[f64]) -> f64 {

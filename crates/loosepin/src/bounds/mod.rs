@@ -9,13 +9,14 @@
 //!
 //! Planning and running are separate: [`DoubleLoop::next_round`] says which runs come next, given the [`SampleTable`] of
 //! all rounds before; whoever calls it runs them in any order and on any machine, and adds them in the order given.
-//! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate`] does all of it in one call.
+//! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate()`] does all of it in one call.
 
 mod assemble;
 mod bound;
 mod coverage;
 mod dense;
 mod evaluate;
+mod gaussian_process;
 mod measure;
 mod moments;
 mod plan;
@@ -27,10 +28,12 @@ mod problem;
 mod quantile;
 mod sample;
 mod search;
+mod search_box;
 mod smoother;
 mod statistic;
 mod table;
 mod treatment;
+mod trend;
 
 pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, Reading, Treatment, Witness};
 pub use coverage::{Coverage, CoveragePoint};

@@ -1,22 +1,24 @@
 //! Mean and variance with their sampling errors.
 
-use super::sample::{Confidence, Estimate, Sample, variance_of_mean};
+use super::sample::{Confidence, Estimate, Sample, replicate_error, variance_of_mean};
 
-/// Mean over the finished runs; error t s/√R from the spread s of the means of R replicates.
+/// Mean over the finished runs; its error from the means of the replicates ([`replicate_error`]).
 pub(super) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
-    let Some(value) = plain_mean(sample.values()) else { return Estimate::UNDEFINED };
+    let Some(value) = plain_mean(sample.values()).filter(|mean| mean.is_finite()) else { return Estimate::UNDEFINED };
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
     }
     let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
-    Estimate::symmetric(value, confidence.student * variance_of_mean(&means).sqrt())
+    let (below, above) = replicate_error(&means, confidence);
+    Estimate { value, below, above }
 }
 
 /// Unbiased variance over the finished runs.
 ///
 /// With m the mean of all N values and m_r that of replicate r, E[(y - m)²] falls short of the variance by Var(m), which
 /// the replicates show: v = 1/N Σ(y - m)² + Σ(m_r - m)²/(R(R - 1)). For independent points that is the usual N - 1, for
-/// scrambled nets, whose mean is far better known, nearly N. The error is t s/√R from the spread of (y - m)².
+/// scrambled nets, whose mean is far better known, nearly N. The error is that of ln v, from the replicates'
+/// mean (y - m)² divided by v: variances of few runs are skewed, and their logarithms less so.
 pub(super) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     let Some(mean) = plain_mean(sample.values()) else { return Estimate::UNDEFINED };
     if sample.runs() == 1 {
@@ -25,8 +27,15 @@ pub(super) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     let square = |values: &[f64]| values.iter().map(|y| (y - mean) * (y - mean)).sum::<f64>() / values.len() as f64;
     let squares: Vec<f64> = sample.replicates().map(square).collect();
     let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
-    let error = confidence.student * variance_of_mean(&squares).sqrt();
-    Estimate::symmetric(square(sample.values()) + variance_of_mean(&means), error)
+    let value = square(sample.values()) + variance_of_mean(&means);
+    let (below, above) = replicate_error(&squares, confidence);
+    if !value.is_finite() {
+        return Estimate::UNDEFINED;
+    }
+    if value <= 0.0 || !below.is_finite() {
+        return Estimate { value, below, above };
+    }
+    Estimate { value, below: -value * libm::expm1(-below / value), above: value * libm::expm1(above / value) }
 }
 
 /// Standard deviation, from an estimate of the variance.

@@ -8,10 +8,11 @@ use thiserror::Error;
 use super::measure::{Measure, target};
 use super::moments::mean;
 use super::points::{candidates, first_points, structural_point_count};
-use super::pool::Pool;
+use super::pool::{Pool, PoolPoint};
 use super::problem::{Problem, ProblemError, Request};
 use super::sample::{Confidence, Estimate};
 use super::search::{Direction, Search, Target};
+use super::search_box::SearchBox;
 use super::statistic::Statistic;
 use super::table::{Purpose, RunInputs, SampleTable};
 use crate::uncertainty::{Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
@@ -23,8 +24,8 @@ const REFINING_ROUNDS: usize = 6;
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// Separates the streams of random numbers.
-const INNER: u64 = 0x69_6e6e_6572;
-const MIXTURE: u64 = 0x6d_6978_7475;
+const INNER: u64 = 0x0069_6e6e_6572;
+const MIXTURE: u64 = 0x006d_6978_7475;
 
 /// A checked problem and its plan: the direct double loop, in rounds.
 ///
@@ -38,8 +39,9 @@ pub struct DoubleLoop {
     confidence: Confidence,
     /// Replicate, index and values of the random inputs of every inner run.
     inner: Vec<(u32, u32, Vec<f64>)>,
+    epistemic_box: SearchBox,
     /// The joint box of the interval-only treatment: random inputs cut, then epistemic inputs.
-    joint_box: Vec<Interval>,
+    joint_box: SearchBox,
     candidates: Vec<Vec<f64>>,
     joint_candidates: Vec<Vec<f64>>,
     first_outer: Vec<Vec<f64>>,
@@ -100,8 +102,7 @@ impl DoubleLoop {
     pub fn try_new(problem: Problem) -> Result<Self, PlanError> {
         problem.check()?;
         let sampling = problem.sampling;
-        let (random, epistemic) = (problem.random.len(), problem.epistemic.len());
-        let mut joint_box = Vec::with_capacity(random + epistemic);
+        let mut joint_box = Vec::with_capacity(problem.random.len() + problem.epistemic.len());
         for (input, variable) in problem.random.iter().enumerate() {
             let standard_deviations = problem.cut_standard_deviations;
             let end = |signed: f64| variable.quantile(normal_cdf(signed));
@@ -110,16 +111,19 @@ impl DoubleLoop {
             joint_box.push(interval);
         }
         joint_box.extend(&problem.epistemic);
+        let (epistemic_box, joint_box) = (SearchBox::new(problem.epistemic.clone()), SearchBox::new(joint_box));
+        let (epistemic, joint) = (epistemic_box.dimensions(), joint_box.dimensions());
         let first =
             |dimensions: usize, count: usize| first_points(sampling.seed, dimensions, first_count(dimensions, count));
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
             inner: inner_runs(&problem)?,
             candidates: candidates(epistemic)?,
-            joint_candidates: candidates(joint_box.len())?,
+            joint_candidates: candidates(joint)?,
             first_outer: first(epistemic, sampling.outer)?,
-            first_extreme: first(joint_box.len(), sampling.extreme)?,
-            mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), random + epistemic)?,
+            first_extreme: first(joint, sampling.extreme)?,
+            mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.intervals().len())?,
+            epistemic_box,
             joint_box,
             problem,
         })
@@ -130,10 +134,16 @@ impl DoubleLoop {
         &self.problem
     }
 
+    /// Outer index of the centre of the epistemic box.
+    pub fn centre_point(&self) -> u32 {
+        let dimensions = self.epistemic_box.dimensions();
+        if dimensions == 0 { 0 } else { structural_point_count(dimensions) as u32 - 1 }
+    }
+
     /// The most runs that the plan may come to.
     pub fn most_runs(&self) -> usize {
         let sampling = &self.problem.sampling;
-        let outer = if self.problem.epistemic.is_empty() { 1 } else { sampling.outer };
+        let outer = if self.epistemic_box.dimensions() == 0 { 1 } else { sampling.outer };
         let mixture = if self.has_mixture() { sampling.mixture } else { 0 };
         let extreme = if self.has_extremes() { sampling.extreme } else { 0 };
         outer * self.inner.len() + mixture + extreme
@@ -155,7 +165,7 @@ impl DoubleLoop {
         let outer = Pool::gather(table, Purpose::DoubleLoop, self.searched().iter().map(|search| search.0.column));
         self.check_points(&outer)?;
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
-        if !self.problem.epistemic.is_empty() && rest > 0 {
+        if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
             for place in self.next_outer(&outer, count) {
                 let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
@@ -238,7 +248,10 @@ impl DoubleLoop {
         }
         for &column in &self.problem.compared_columns {
             for (statistic, direction) in self.band_statistics() {
-                searched.push((Request { column, statistic }, vec![direction]));
+                let request = Request { column, statistic };
+                if !self.problem.requests.contains(&request) {
+                    searched.push((request, vec![direction]));
+                }
             }
         }
         searched
@@ -264,19 +277,13 @@ impl DoubleLoop {
 
     /// Places of the outer points in the unit box.
     pub(super) fn outer_places(&self, pool: &Pool) -> Vec<Vec<f64>> {
-        let place = |values: &[f64]| {
-            self.problem.epistemic.iter().zip(values).map(|(interval, &value)| interval.fraction_of(value)).collect()
-        };
-        pool.points.iter().map(|point| place(&point.epistemic)).collect()
+        pool.points.iter().map(|point| self.epistemic_box.place_of(&point.epistemic)).collect()
     }
 
     /// Places of single runs in the unit box of all inputs.
     pub(super) fn extreme_places(&self, pool: &Pool) -> Vec<Vec<f64>> {
-        let values = |point: &super::pool::PoolPoint| point.random.iter().chain(&point.epistemic).copied().collect();
-        let place = |values: Vec<f64>| {
-            self.joint_box.iter().zip(values).map(|(interval, value)| interval.fraction_of(value)).collect()
-        };
-        pool.points.iter().map(|point| place(values(point))).collect()
+        let values = |point: &PoolPoint| [&point.random[..], &point.epistemic].concat();
+        pool.points.iter().map(|point| self.joint_box.place_of(&values(point))).collect()
     }
 
     pub(super) fn confidence(&self) -> &Confidence {
@@ -291,13 +298,17 @@ impl DoubleLoop {
         &self.joint_candidates
     }
 
-    pub(super) fn joint_box(&self) -> &[Interval] {
+    pub(super) fn epistemic_box(&self) -> &SearchBox {
+        &self.epistemic_box
+    }
+
+    pub(super) fn joint_box(&self) -> &SearchBox {
         &self.joint_box
     }
 
     /// Whether the probability-only treatment needs runs of its own: without epistemic inputs it is the double loop.
     pub(super) fn has_mixture(&self) -> bool {
-        !self.problem.compared_columns.is_empty() && !self.problem.epistemic.is_empty()
+        !self.problem.compared_columns.is_empty() && self.epistemic_box.dimensions() > 0
     }
 
     /// Whether the interval-only treatment needs runs of its own: without random inputs it is the double loop.
@@ -310,8 +321,7 @@ impl DoubleLoop {
     }
 
     fn runs_at(&self, round: u32, point: u32, place: &[f64]) -> impl Iterator<Item = RunInputs> {
-        let epistemic: Vec<f64> =
-            self.problem.epistemic.iter().zip(place).map(|(interval, &fraction)| interval.at(fraction)).collect();
+        let epistemic = self.epistemic_box.values_at(place);
         self.inner.iter().map(move |(replicate, index, random)| RunInputs {
             round,
             purpose: Purpose::DoubleLoop,
@@ -343,8 +353,7 @@ impl DoubleLoop {
     }
 
     fn extreme_run(&self, round: u32, point: u32, place: &[f64]) -> RunInputs {
-        let mut random: Vec<f64> =
-            self.joint_box.iter().zip(place).map(|(interval, &fraction)| interval.at(fraction)).collect();
+        let mut random = self.joint_box.values_at(place);
         let epistemic = random.split_off(self.problem.random.len());
         RunInputs { round, purpose: Purpose::Extreme, point, replicate: 0, index: 0, random, epistemic }
     }
@@ -391,3 +400,6 @@ fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError
     }
     Ok(runs)
 }
+
+#[cfg(test)]
+mod tests;

@@ -73,7 +73,7 @@ pub(super) fn candidates(dimensions: usize) -> Result<Vec<Vec<f64>>, SobolError>
 
 const INTERIOR_CANDIDATES: u32 = 192;
 /// Separates the streams of random numbers.
-const FIRST_POINTS: u64 = 0x6f75_7465_72;
+const FIRST_POINTS: u64 = 0x006f_7574_6572;
 const CANDIDATES: u64 = 0x6361_6e64;
 
 #[cfg(test)]

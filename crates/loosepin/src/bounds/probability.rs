@@ -50,10 +50,12 @@ pub(super) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usi
         return runs;
     }
     let share = hits as f64 / finished as f64;
-    // Student's factor instead of the normal one, and never better than half a run.
-    let resolution = 0.5 / runs;
+    // Student's factor instead of the normal one. A stratified replicate hits k or k + 1 times: where all hit k times, the
+    // spread is 0 though k + 1 may be the next; the variance is never taken below that of an even chance between the two.
     let widened = (confidence.student / confidence.normal).powi(2) * variance_of_mean(shares);
-    let variance = widened.max(resolution * resolution);
+    let runs_in_replicate = runs / shares.len() as f64;
+    let least_variance = 0.25 / (runs_in_replicate * runs_in_replicate * shares.len() as f64);
+    let variance = widened.max(least_variance);
     (share * (1.0 - share) / variance).max(runs)
 }
 

@@ -2,10 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::assemble::Evidence;
+use super::assemble::{Evidence, Modelled};
 use super::bound::Bound;
 use super::measure::{Event, Measure};
+use super::pool::Pool;
 use super::search::Direction;
+use super::table::{Purpose, SampleTable};
 
 /// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
 const GRID_VALUES: usize = 101;
@@ -20,6 +22,9 @@ pub struct ProbabilityBox {
     pub column: usize,
     /// The values y, increasing; empty where no run finished.
     pub values: Vec<f64>,
+    /// P(Y <= y) when every epistemic input is taken as uniform, for each y, failed runs taken as not below: the
+    /// probability-only treatment. Nothing where the problem compares no columns, so that it was not sampled.
+    pub probability_only: Option<Vec<f64>>,
     /// min over u of P(Y <= y), for each y; `widened` is made increasing.
     pub lower: Vec<Bound>,
     /// max over u of P(Y <= y), for each y; `widened` is made increasing.
@@ -27,7 +32,7 @@ pub struct ProbabilityBox {
 }
 
 impl ProbabilityBox {
-    pub(super) fn new(evidence: &Evidence<'_>, column: usize) -> Self {
+    pub(super) fn new(evidence: &Evidence<'_>, table: &SampleTable, column: usize) -> Self {
         let samples = evidence.pool.samples(column);
         let ends = samples.iter().filter_map(|sample| Some((*sample.sorted().first()?, *sample.sorted().last()?)));
         let (low, high) = ends
@@ -43,10 +48,14 @@ impl ProbabilityBox {
             .map(|&value| Measure::probability(&samples, Event::UpTo(value), evidence.plan.confidence()))
             .collect();
         let search = evidence.search(measures.iter());
-        let curve = |direction| -> Vec<Bound> {
-            measures.par_iter().map(|measure| evidence.bound(&search, &samples, measure, direction)).collect()
-        };
-        let (mut lower, mut upper) = (curve(Direction::Minimum), curve(Direction::Maximum));
+        let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = measures
+            .par_iter()
+            .map(|measure| {
+                let modelled = Modelled::new(&search, measure);
+                let bound = |direction| evidence.bound(&search, &samples, &modelled, direction);
+                (bound(Direction::Minimum), bound(Direction::Maximum))
+            })
+            .unzip();
         // A distribution function increases, so a bound at one y holds on one side of it; of two, the wider one is kept.
         for i in 1..upper.len() {
             upper[i].widened = upper[i].widened.max(upper[i - 1].widened);
@@ -54,6 +63,10 @@ impl ProbabilityBox {
         for i in (1..lower.len()).rev() {
             lower[i - 1].widened = lower[i - 1].widened.min(lower[i].widened);
         }
-        Self { column, values, lower, upper }
+        let mixture = Pool::gather(table, Purpose::Mixture, [column]);
+        let probability_only = mixture.samples(column).first().map(|sample| {
+            values.iter().map(|&value| sample.count_up_to(value) as f64 / sample.runs() as f64).collect()
+        });
+        Self { column, values, probability_only, lower, upper }
     }
 }

@@ -179,15 +179,16 @@ impl Problem {
         if !self.random.is_empty() {
             check_multiple("inner", inner, replicates)?;
         }
-        if !self.epistemic.is_empty() {
-            check_points("outer", outer, self.epistemic.len())?;
+        let wide = self.epistemic.iter().filter(|interval| interval.lower() < interval.upper()).count();
+        if wide > 0 {
+            check_points("outer", outer, wide)?;
         }
         if !self.compared_columns.is_empty() {
-            if !self.epistemic.is_empty() {
+            if wide > 0 {
                 check_multiple("mixture", mixture, replicates)?;
             }
             if !self.random.is_empty() {
-                check_points("extreme", extreme, inputs)?;
+                check_points("extreme", extreme, self.random.len() + wide)?;
             }
         }
         Ok(())
@@ -223,7 +224,7 @@ fn check_probability(name: &'static str, value: f64) -> Result<(), ProblemError>
 }
 
 fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result<(), ProblemError> {
-    if count % replicates == 0 && count >= 2 * replicates && count <= 1 << 31 {
+    if count.is_multiple_of(replicates) && count >= 2 * replicates && count <= 1 << 31 {
         Ok(())
     } else {
         Err(ProblemError::NotAMultiple { name, count, replicates })

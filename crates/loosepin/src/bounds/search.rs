@@ -16,16 +16,16 @@ const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
 const LEAST_DISTANCE: f64 = 1e-6;
 
 /// This many promising places for each new point are located precisely.
-const LOCATED_PER_POINT: usize = 4;
+const LOCATED_PER_POINT: usize = 2;
 
 /// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
 const MOST_LOCATED_TARGETS: usize = 256;
 
-/// What the arithmetic of a model resolves, as a share of the range of its values.
-const MODEL_RESOLUTION: f64 = 1e-8;
+/// What a search resolves, as a share of the range of its target: gains below it are not pursued, so it is always conceded.
+pub(super) const SEARCH_RESOLUTION: f64 = 1e-6;
 
 /// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
-const MOST_NEIGHBOURHOODS: usize = 24;
+const MOST_NEIGHBOURHOODS: usize = 12;
 
 /// Distances of these surroundings along each axis, in units of the box.
 const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
@@ -136,27 +136,12 @@ impl<'a> Search<'a> {
         Some(self.smoothers.get(&defined)?.as_ref()?.fit(&values, target.noise_variance))
     }
 
-    /// The most that the model of `target` allows in `direction`, anywhere in the box; infinite without a model.
-    pub fn reach(&self, target: &Target, direction: Direction) -> f64 {
-        let Some(fit) = self.fit(target) else { return direction.sign() * f64::INFINITY };
+    /// The most that the model of `target`, its `fit`, allows in `direction`, anywhere in the box; infinite without one.
+    pub fn reach(&self, target: &Target, fit: Option<&Fit<'_>>, direction: Direction) -> f64 {
+        let Some(fit) = fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
-        let most = if is_located { located_reach(&fit, direction) } else { reach(&fit, direction).optimistic };
-        most + direction.sign() * MODEL_RESOLUTION * target.range()
-    }
-
-    /// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise.
-    pub fn smoothed(&self, target: &Target) -> Vec<f64> {
-        let mut values = target.values.clone();
-        if let Some(fit) = self.fit(target)
-            && fit.is_smoothed()
-        {
-            let defined = defined(target);
-            let means = fit.at_places().skip(fit.places().len() - defined.len());
-            for (point, (mean, _)) in defined.into_iter().zip(means) {
-                values[point] = mean;
-            }
-        }
-        values
+        let most = if is_located { located_reach(fit, direction) } else { reach(fit, direction).optimistic };
+        most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
     /// At most `count` new points for the ends of `targets` that are sought, most promising first; none where no gain
@@ -168,7 +153,14 @@ impl<'a> Search<'a> {
             .flat_map_iter(|(index, (target, directions))| self.promises(index, target, directions))
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
-        let located: Vec<Vec<f64>> = distinct(promises, LOCATED_PER_POINT * count)
+        // What a model expects and what it merely allows take turns: every target allows more than it expects.
+        let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
+            promises.into_iter().partition(|promise| promise.optimism == 0.0);
+        let most = LOCATED_PER_POINT * count;
+        let (mut expected, mut allowed) = (distinct(expected, most).into_iter(), distinct(allowed, most).into_iter());
+        let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
+        let located: Vec<Vec<f64>> = turns
+            .collect::<Vec<Promise>>()
             .into_par_iter()
             .filter_map(|promise| {
                 let fit = self.fit(&targets[promise.target].0)?;
@@ -199,7 +191,6 @@ impl<'a> Search<'a> {
                 }
             };
             promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
-            // An expected gain is worth more than a possible one of the same size.
             promise(reach.expected, 0.0, reach.expected_at);
         }
         promises
@@ -214,17 +205,14 @@ struct Promise {
     place: Vec<f64>,
 }
 
-/// The first `count` promises whose places differ.
+/// The first `count` promises that are not near each other.
 fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
     let mut kept: Vec<Promise> = Vec::new();
     for promise in promises {
         if kept.len() == count {
             break;
         }
-        let is_known = |other: &Promise| {
-            other.optimism == promise.optimism && distance(&other.place, &promise.place) < LEAST_DISTANCE
-        };
-        if !kept.iter().any(is_known) {
+        if kept.iter().all(|other| distance(&other.place, &promise.place) > LEAST_DISTANCE_IN_ROUND) {
             kept.push(promise);
         }
     }
@@ -236,8 +224,11 @@ fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
     for (place, (mean, deviation)) in fit.at_places().enumerate() {
-        if sign * mean + OPTIMISM * deviation > optimistic.0 {
-            optimistic = (sign * mean + OPTIMISM * deviation, place);
+        let most = sign * mean + OPTIMISM * deviation;
+        // A model that overflows allows anything.
+        let most = if most.is_nan() { f64::INFINITY } else { most };
+        if most > optimistic.0 {
+            optimistic = (most, place);
         }
         if sign * mean > expected.0 {
             expected = (sign * mean, place);
@@ -258,6 +249,21 @@ fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
     let (mean, deviation) = fit.at(&place);
     let located = mean + direction.sign() * OPTIMISM * deviation;
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
+}
+
+/// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise, and never
+/// moved by more than the error of each value itself.
+pub(super) fn smoothed(target: &Target, fit: Option<&Fit<'_>>, errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
+    let mut values = target.values.clone();
+    if let Some(fit) = fit.filter(|fit| fit.is_smoothed()) {
+        let defined = defined(target);
+        let means = fit.at_places().skip(fit.places().len() - defined.len());
+        for (point, (mean, _)) in defined.into_iter().zip(means) {
+            let (below, above) = errors(point);
+            values[point] = mean.max(values[point] - below).min(values[point] + above);
+        }
+    }
+    values
 }
 
 /// The extreme of the finite values; infinite where there are none.

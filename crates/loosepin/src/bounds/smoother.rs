@@ -2,11 +2,14 @@
 //!
 //! ```text
 //! S(u) = f(u)ᵀβ + Z(u),   estimate_i = S(u_i) + noise_i
-//! Z: Gaussian process, variance σ², correlation (1 + √5 r + 5r²/3) exp(-√5 r), r = |u - u'|/ℓ     (Matérn 5/2)
+//! Z: Gaussian process, variance σ², correlation by the distance r = |u - u'|/ℓ:
+//!    (1 + s) exp(-s), s = √3 r,                                  Matérn 3/2: one derivative,
+//!    (1 + s + s²/3) exp(-s), s = √5 r,                           Matérn 5/2: two derivatives, or
+//!    (1 + s + 3s²/7 + 2s³/21 + s⁴/105) exp(-s), s = 3r,          Matérn 9/2: four derivatives
 //! f: polynomial of degree 2, 1 or 0;   noise: independent, variance τσ²
 //! ```
 //!
-//! β and σ² are estimated, ℓ and τ chosen from a grid by restricted maximum likelihood, τσ² never above the sampling
+//! β and σ² are estimated, smoothness, ℓ and τ chosen from a grid by restricted maximum likelihood, τσ² never above the sampling
 //! variance that the replicates show. With common random numbers the error of a smooth response is itself a smooth
 //! function of u, the likelihood takes τ = 0, and an extreme is located as precisely as the points allow; where the response
 //! is chaotic it takes τ > 0, and one lucky estimate is not taken for an extreme.
@@ -14,59 +17,41 @@
 //! Everything is linear in the estimates once (ℓ, τ) is fixed, so that hundreds of statistics share the matrices. Source:
 //! C. E. Rasmussen and C. K. I. Williams, "Gaussian processes for machine learning" (2006), sections 2.2, 2.7, 4.2.
 
-use std::sync::OnceLock;
-
 use rayon::prelude::*;
 
-use super::dense::{Cholesky, dot, multiply};
+use super::dense::{Cholesky, dot};
+use super::gaussian_process::{Kernel, Model, Smoothness};
+use super::trend::Trend;
 
 /// Length scales ℓ of the grid, in units of the diagonal of the box.
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 
 /// Noise ratios τ of the grid. The first stands for none, and keeps the matrices positive definite.
-const NOISE_RATIOS: [f64; 7] = [1e-10, 1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0];
+const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.0, 100.0];
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const LEAST_DEVIATION: f64 = 1e-12;
 
-/// The shortest ℓ is taken whose misfit, -2 ln likelihood, exceeds the least one by no more than this.
+/// Of the models whose misfit, -2 ln likelihood, exceeds the least one by no more than this, those with the most noise are
+/// preferred; of them the likeliest, or without noise the roughest one with the shortest ℓ. What cannot be told apart is
+/// taken the cautious way: rather noise than an extreme, rather rough than smooth.
 const TOLERATED_MISFIT: f64 = 4.0;
+
+/// Where every model with some noise is worse than one with less by this, those with more noise are not tried.
+const HOPELESS_MISFIT: f64 = 50.0;
 
 /// Standardised errors of predicting each estimate from the others may go up to this before the model is mistrusted.
 const EXPECTED_SURPRISE: f64 = 2.5;
 
-/// The matrices of one set of points, shared by all statistics that are known there.
+/// The models of one set of points, shared by all statistics that are known there.
 pub(super) struct Smoother {
-    points: Vec<Vec<f64>>,
+    /// Where predictions are wanted: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
-    trend: Trend,
-    /// Polynomial at the points, row by row, and the factor of its normal equations.
-    basis: Vec<f64>,
+    /// Terms of the polynomial at the points, row by row, and the factor of its normal equations.
+    terms: Vec<f64>,
     normal_equations: Cholesky,
-    models: Vec<Model>,
-}
-
-/// What (ℓ, τ) fixes.
-struct Model {
-    length_scale: f64,
-    noise_ratio: f64,
-    /// V⁻¹, V = correlation + τ.
-    inverse: Vec<f64>,
-    /// P = V⁻¹ - V⁻¹F (FᵀV⁻¹F)⁻¹ FᵀV⁻¹
-    projection: Vec<f64>,
-    /// V⁻¹F, column by column.
-    weighted_basis: Vec<f64>,
-    /// (FᵀV⁻¹F)⁻¹
-    trend_covariance: Vec<f64>,
-    /// ln det V + ln det FᵀV⁻¹F
-    ln_determinants: f64,
-    at_places: OnceLock<Prediction>,
-}
-
-/// Weights of the estimates (row by row) and variances in units of σ², at all places.
-struct Prediction {
-    weights: Vec<f64>,
-    variances: Vec<f64>,
+    /// Models of the same noise ratio together, from little to much noise; the first is never empty.
+    levels: Vec<Vec<Model>>,
 }
 
 /// A statistic fitted on a smoother's points.
@@ -79,28 +64,29 @@ pub(super) struct Fit<'a> {
 }
 
 impl Smoother {
-    /// Prepares all of the grid for `points` of the unit box; predictions are wanted at `places` and at the points
+    /// Prepares all of the grid for `points` of the unit box; predictions are wanted at `candidates` and at the points
     /// themselves. Models with noise are prepared where `has_noise`. Nothing where there are too few points for any model.
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], has_noise: bool) -> Option<Self> {
-        let dimensions = points.first()?.len();
-        let trend = Trend::for_points(points.len(), dimensions)?;
-        let basis: Vec<f64> = points.iter().flat_map(|point| trend.at(point)).collect();
-        let normal_equations = Cholesky::new(gram(&basis, trend.size(dimensions)), trend.size(dimensions))?;
-        let noise_ratios = if has_noise { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
-        let grid: Vec<(f64, f64)> = noise_ratios
-            .iter()
-            .flat_map(|&noise_ratio| LENGTH_SCALES.iter().map(move |&length_scale| (length_scale, noise_ratio)))
-            .collect();
-        let diagonal = (dimensions as f64).sqrt();
-        let models: Vec<Model> = grid
-            .into_par_iter()
-            .filter_map(|(scale, noise_ratio)| Model::try_new(&points, &basis, scale * diagonal, noise_ratio))
-            .collect();
-        if models.is_empty() {
+        let (trend, terms, normal_equations) = Trend::for_points(&points)?;
+        let diagonal = (points.first()?.len() as f64).sqrt();
+        let scales =
+            |smoothness| LENGTH_SCALES.iter().map(move |scale| Kernel { smoothness, length_scale: scale * diagonal });
+        let prepare = |kernels: Vec<Kernel>, noise_ratio: f64| -> Vec<Model> {
+            let kernels = kernels.into_par_iter();
+            kernels.filter_map(|kernel| Model::try_new(&points, trend, &terms, kernel, noise_ratio)).collect()
+        };
+        // Noise hides how smooth a function is.
+        let middling = || scales(Smoothness::Twice).collect();
+        let from_rough_to_smooth = [Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes];
+        let without_noise = prepare(from_rough_to_smooth.into_iter().flat_map(scales).collect(), NOISE_RATIOS[0]);
+        if without_noise.is_empty() {
             return None;
         }
-        let places = candidates.iter().chain(&points).cloned().collect();
-        Some(Self { points, places, trend, basis, normal_equations, models })
+        let noise_ratios = if has_noise { &NOISE_RATIOS[1..] } else { &[] };
+        let with_noise = noise_ratios.iter().map(|&noise_ratio| prepare(middling(), noise_ratio));
+        let levels = std::iter::once(without_noise).chain(with_noise).collect();
+        let places = candidates.iter().cloned().chain(points).collect();
+        Some(Self { places, terms, normal_equations, levels })
     }
 
     /// Fits `values` (one for each point) whose mean sampling variance is `noise_variance`.
@@ -110,66 +96,64 @@ impl Smoother {
         let values: Vec<f64> = values.iter().map(|value| value - centre).collect();
         let range = values.iter().fold(0.0_f64, |range, value| range.max(value.abs()));
         let residual = self.residual(&values);
-        let freedom = count - self.basis.len() / count;
+        let freedom = (count - self.terms.len() / count) as f64;
         let floor = (LEAST_DEVIATION * range).powi(2);
         let mut assessed: Vec<(&Model, f64, f64)> = Vec::new();
-        for model in &self.models {
-            let is_noisy = model.noise_ratio > NOISE_RATIOS[0];
-            if is_noisy && noise_variance <= floor {
-                continue;
-            }
-            let variance = (dot(&residual, &multiply(&model.projection, &residual)) / freedom as f64).max(floor);
-            if !is_noisy || model.noise_ratio * variance <= noise_variance {
+        let mut least = f64::INFINITY;
+        for level in &self.levels {
+            let mut least_of_level = f64::INFINITY;
+            for model in level {
+                let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
+                if is_noisy && noise_variance <= floor {
+                    continue;
+                }
+                let variance = (model.misfit(&residual) / freedom).max(floor);
                 let ln_variance = if variance > 0.0 { libm::log(variance) } else { 0.0 };
-                assessed.push((model, variance, freedom as f64 * ln_variance + model.ln_determinants));
+                let misfit = freedom * ln_variance + model.ln_determinants();
+                least_of_level = least_of_level.min(misfit);
+                if !is_noisy || model.noise_ratio() * variance <= noise_variance {
+                    assessed.push((model, variance, misfit));
+                }
+            }
+            least = least.min(least_of_level);
+            if least_of_level > least + HOPELESS_MISFIT {
+                break;
             }
         }
-        // Where no model without noise could be factorised and none with noise is allowed, the first is what there is.
-        let likeliest = assessed.iter().min_by(|a, b| a.2.total_cmp(&b.2)).copied();
-        let (likeliest, variance, misfit) = likeliest.unwrap_or((&self.models[0], noise_variance.max(floor), 0.0));
-        let (model, variance, _) = assessed
-            .into_iter()
-            .find(|(model, _, other)| model.noise_ratio == likeliest.noise_ratio && *other <= misfit + TOLERATED_MISFIT)
-            .unwrap_or((likeliest, variance, misfit));
-        let deviation = variance.sqrt() * surprise(model, &residual, variance);
+        let least = assessed.iter().fold(f64::INFINITY, |least, (_, _, misfit)| least.min(*misfit));
+        assessed.retain(|(_, _, misfit)| *misfit <= least + TOLERATED_MISFIT);
+        let noisiest = assessed.iter().fold(0.0_f64, |most, (model, ..)| most.max(model.noise_ratio()));
+        assessed.retain(|(model, ..)| model.noise_ratio() == noisiest);
+        let chosen = if noisiest > NOISE_RATIOS[0] {
+            assessed.iter().min_by(|a, b| a.2.total_cmp(&b.2))
+        } else {
+            assessed.first()
+        };
+        // Models without noise are always allowed: where none is chosen, no misfit is a number.
+        let (model, variance, _) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
+        let surprise = if variance > 0.0 { model.largest_error(&residual) / variance.sqrt() } else { 0.0 };
+        let deviation = variance.sqrt() * (surprise / EXPECTED_SURPRISE).max(1.0);
         Fit { smoother: self, model, values, centre, deviation }
     }
 
     /// What the polynomial alone, by ordinary least squares, leaves: the models see the same misfit with less round-off.
     fn residual(&self, values: &[f64]) -> Vec<f64> {
-        let size = self.basis.len() / values.len();
+        let size = self.terms.len() / values.len();
         let mut coefficients = vec![0.0; size];
-        for (row, value) in self.basis.chunks(size).zip(values) {
+        for (row, value) in self.terms.chunks(size).zip(values) {
             for (coefficient, entry) in coefficients.iter_mut().zip(row) {
                 *coefficient += entry * value;
             }
         }
         self.normal_equations.solve(&mut coefficients);
-        self.basis.chunks(size).zip(values).map(|(row, value)| value - dot(row, &coefficients)).collect()
+        self.terms.chunks(size).zip(values).map(|(row, value)| value - dot(row, &coefficients)).collect()
     }
-}
-
-/// The factor >= 1 by which the error bars of `model` are too short for its worst prediction of an estimate from all the
-/// others: (P y)_i/(σ √P_ii) is that error in its standard deviation (S. Sundararajan and S. S. Keerthi, "Predictive
-/// approaches for choosing hyperparameters in Gaussian processes", Neural Computation 13 (2001) 1103-1118). A function
-/// that is rougher in one place than in others shows itself here.
-fn surprise(model: &Model, residual: &[f64], variance: f64) -> f64 {
-    if variance <= 0.0 {
-        return 1.0;
-    }
-    let count = residual.len();
-    let errors = multiply(&model.projection, residual);
-    let worst = errors.iter().enumerate().fold(0.0_f64, |worst, (i, error)| {
-        let scale = variance * model.projection[i * count + i];
-        if scale > 0.0 { worst.max(error.abs() / scale.sqrt()) } else { worst }
-    });
-    (worst / EXPECTED_SURPRISE).max(1.0)
 }
 
 impl Fit<'_> {
     /// Whether the fit passes beside the estimates rather than through them.
     pub fn is_smoothed(&self) -> bool {
-        self.model.noise_ratio > NOISE_RATIOS[0]
+        self.model.noise_ratio() > NOISE_RATIOS[0]
     }
 
     /// Places of [`Fit::at_places`].
@@ -179,157 +163,16 @@ impl Fit<'_> {
 
     /// Mean and standard deviation of S at every place: first the candidates, then the points.
     pub fn at_places(&self) -> impl Iterator<Item = (f64, f64)> {
-        let prediction = self.model.at_places.get_or_init(|| {
-            let (weights, variances): (Vec<_>, Vec<_>) =
-                self.smoother.places.iter().map(|place| self.model.predict(self.smoother, place)).unzip();
-            Prediction { weights: weights.concat(), variances }
-        });
-        prediction
-            .weights
-            .chunks(self.values.len())
-            .zip(&prediction.variances)
-            .map(|(weights, variance)| (self.centre + dot(weights, &self.values), self.deviation * variance.sqrt()))
+        let (weights, variances) = self.model.at_places(&self.smoother.places);
+        let means = weights.chunks(self.values.len()).map(|weights| self.centre + dot(weights, &self.values));
+        means.zip(variances).map(|(mean, variance)| (mean, self.deviation * variance.sqrt()))
     }
 
     /// Mean and standard deviation of S at `place`.
     pub fn at(&self, place: &[f64]) -> (f64, f64) {
-        let (weights, variance) = self.model.predict(self.smoother, place);
+        let (weights, variance) = self.model.predict(place);
         (self.centre + dot(&weights, &self.values), self.deviation * variance.sqrt())
     }
-}
-
-impl Model {
-    fn try_new(points: &[Vec<f64>], basis: &[f64], length_scale: f64, noise_ratio: f64) -> Option<Self> {
-        let count = points.len();
-        let size = basis.len() / count;
-        let mut covariance = vec![0.0; count * count];
-        for (row, point) in covariance.chunks_mut(count).zip(points) {
-            for (entry, other) in row.iter_mut().zip(points) {
-                *entry = correlation(point, other, length_scale);
-            }
-        }
-        for i in 0..count {
-            covariance[i * count + i] += noise_ratio;
-        }
-        let cholesky = Cholesky::new(covariance, count)?;
-        let inverse = cholesky.inverse();
-        let mut weighted_basis = vec![0.0; size * count];
-        for (column, weighted) in weighted_basis.chunks_mut(count).enumerate() {
-            let values: Vec<f64> = basis.chunks(size).map(|row| row[column]).collect();
-            weighted.copy_from_slice(&multiply(&inverse, &values));
-        }
-        let mut information = vec![0.0; size * size];
-        for i in 0..size {
-            for (point, row) in basis.chunks(size).enumerate() {
-                for j in 0..size {
-                    information[i * size + j] += weighted_basis[i * count + point] * row[j];
-                }
-            }
-        }
-        let information = Cholesky::new(information, size)?;
-        let trend_covariance = information.inverse();
-        let mut projection = inverse.clone();
-        for i in 0..count {
-            let row: Vec<f64> = (0..size).map(|k| weighted_basis[k * count + i]).collect();
-            let row = multiply(&trend_covariance, &row);
-            for (k, factor) in row.into_iter().enumerate() {
-                let weighted = &weighted_basis[k * count..(k + 1) * count];
-                for (entry, value) in projection[i * count..(i + 1) * count].iter_mut().zip(weighted) {
-                    *entry -= factor * value;
-                }
-            }
-        }
-        let ln_determinants = cholesky.ln_determinant() + information.ln_determinant();
-        Some(Self {
-            length_scale,
-            noise_ratio,
-            inverse,
-            projection,
-            weighted_basis,
-            trend_covariance,
-            ln_determinants,
-            at_places: OnceLock::new(),
-        })
-    }
-
-    /// Weights of the estimates and variance (in units of σ²) of S at `place`:
-    /// a = V⁻¹k, r = f - Fᵀa, w = a + V⁻¹F G r, v = 1 - kᵀa + rᵀG r, G = (FᵀV⁻¹F)⁻¹.
-    fn predict(&self, smoother: &Smoother, place: &[f64]) -> (Vec<f64>, f64) {
-        let count = smoother.points.len();
-        let correlations: Vec<f64> =
-            smoother.points.iter().map(|point| correlation(point, place, self.length_scale)).collect();
-        let mut weights = multiply(&self.inverse, &correlations);
-        let mut rest = smoother.trend.at(place);
-        for (row, weight) in smoother.basis.chunks(rest.len()).zip(&weights) {
-            for (entry, value) in rest.iter_mut().zip(row) {
-                *entry -= weight * value;
-            }
-        }
-        let gain = multiply(&self.trend_covariance, &rest);
-        let variance = 1.0 - dot(&correlations, &weights) + dot(&rest, &gain);
-        for (factor, weighted) in gain.iter().zip(self.weighted_basis.chunks(count)) {
-            for (weight, value) in weights.iter_mut().zip(weighted) {
-                *weight += factor * value;
-            }
-        }
-        (weights, variance.max(0.0))
-    }
-}
-
-/// Degree of the polynomial f.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Trend {
-    Constant,
-    Linear,
-    Quadratic,
-}
-
-impl Trend {
-    /// The highest degree with at least two points for each coefficient.
-    fn for_points(count: usize, dimensions: usize) -> Option<Self> {
-        [Self::Quadratic, Self::Linear, Self::Constant].into_iter().find(|trend| 2 * trend.size(dimensions) <= count)
-    }
-
-    fn size(self, dimensions: usize) -> usize {
-        match self {
-            Self::Constant => 1,
-            Self::Linear => 1 + dimensions,
-            Self::Quadratic => (dimensions + 1) * (dimensions + 2) / 2,
-        }
-    }
-
-    /// 1, t_i, t_i t_j with t = 2u - 1.
-    fn at(self, point: &[f64]) -> Vec<f64> {
-        let mut terms = vec![1.0];
-        if self != Self::Constant {
-            terms.extend(point.iter().map(|x| 2.0 * x - 1.0));
-        }
-        if self == Self::Quadratic {
-            for (i, x) in point.iter().enumerate() {
-                terms.extend(point[i..].iter().map(|y| (2.0 * x - 1.0) * (2.0 * y - 1.0)));
-            }
-        }
-        terms
-    }
-}
-
-/// FᵀF of a basis given row by row.
-fn gram(basis: &[f64], size: usize) -> Vec<f64> {
-    let mut gram = vec![0.0; size * size];
-    for row in basis.chunks(size) {
-        for i in 0..size {
-            for j in 0..size {
-                gram[i * size + j] += row[i] * row[j];
-            }
-        }
-    }
-    gram
-}
-
-fn correlation(a: &[f64], b: &[f64], length_scale: f64) -> f64 {
-    let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
-    let r = (5.0 * square).sqrt() / length_scale;
-    (1.0 + r + r * r / 3.0) * libm::exp(-r)
 }
 
 #[cfg(test)]

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::assemble::Evidence;
+use super::assemble::{Evidence, Modelled};
 use super::bound::{Bound, BoundError, Guarantee, Treatment, Witness};
 use super::coverage::Coverage;
 use super::measure::Measure;
 use super::pool::Pool;
 use super::quantile::quantile;
-use super::search::{Direction, Search, extreme};
+use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme};
 use super::table::{Purpose, SampleTable};
 
 /// A band for a column, by one treatment.
@@ -22,6 +22,9 @@ pub struct Band {
     pub upper: Bound,
     /// Half the distance of the attained ends.
     pub half_width: f64,
+    /// Failed runs of the column among those that the band was made from. The quantiles of the other treatments take them
+    /// as unknown; an interval-only band says nothing of them.
+    pub failed_runs: usize,
     /// P(Y in band | u), for the attained ends.
     pub coverage: Coverage,
 }
@@ -46,25 +49,37 @@ impl TreatmentComparison {
     pub(super) fn all(evidence: &Evidence<'_>, table: &SampleTable) -> Vec<Self> {
         let problem = evidence.plan.problem();
         let columns = &problem.compared_columns;
+        if columns.is_empty() {
+            return Vec::new();
+        }
+        let plan = evidence.plan;
+        let mixture = gather(table, plan.has_mixture(), Purpose::Mixture, columns);
+        let extremes = gather(table, plan.has_extremes(), Purpose::Extreme, columns);
         let mixed = mixed_ends(evidence, columns);
-        let probability_only = probability_only_ends(evidence, table, columns);
-        let interval_only = interval_only_ends(evidence, table, columns);
-        let band = |treatment, column, [lower, upper]: [Bound; 2]| {
-            let confidence = evidence.plan.confidence();
-            let coverage = Coverage::of_band(evidence.pool, column, lower.value, upper.value, confidence);
-            Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, coverage }
+        let probability_only = probability_only_ends(evidence, &mixture, columns);
+        let interval_only = interval_only_ends(evidence, table, &extremes, columns);
+        let band = |treatment, pool: &Pool, column, [lower, upper]: [Bound; 2]| {
+            let coverage = Coverage::of_band(evidence.pool, column, lower.value, upper.value, plan.confidence());
+            let failed_runs = pool.samples(column).iter().map(|sample| sample.failed()).sum();
+            Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, failed_runs, coverage }
         };
         let ends: Vec<_> = columns.iter().zip(mixed).zip(probability_only).zip(interval_only).collect();
         ends.into_par_iter()
             .map(|(((&column, mixed), probability_only), interval_only)| Self {
                 column,
                 probability: problem.band_probability,
-                probability_only: band(Treatment::ProbabilityOnly, column, probability_only),
-                interval_only: band(Treatment::IntervalOnly, column, interval_only),
-                mixed: band(Treatment::Mixed, column, mixed),
+                probability_only: band(Treatment::ProbabilityOnly, &mixture, column, probability_only),
+                interval_only: band(Treatment::IntervalOnly, &extremes, column, interval_only),
+                mixed: band(Treatment::Mixed, evidence.pool, column, mixed),
             })
             .collect()
     }
+}
+
+/// The runs of a treatment. Without epistemic inputs the runs of the double loop are the mixture, without random inputs
+/// they are points of the joint box: then the treatment has none of its own.
+fn gather(table: &SampleTable, has_own: bool, own: Purpose, columns: &[usize]) -> Pool {
+    Pool::gather(table, if has_own { own } else { Purpose::DoubleLoop }, columns.iter().copied())
 }
 
 fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
@@ -83,16 +98,16 @@ fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
         .zip(&measures)
         .map(|(&column, measures)| {
             let samples = evidence.pool.samples(column);
-            [0, 1].map(|end| evidence.bound(&search, &samples, &measures[end], statistics[end].1))
+            [0, 1].map(|end| {
+                let modelled = Modelled::new(&search, &measures[end]);
+                evidence.bound(&search, &samples, &modelled, statistics[end].1)
+            })
         })
         .collect()
 }
 
-fn probability_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: &[usize]) -> Vec<[Bound; 2]> {
+fn probability_only_ends(evidence: &Evidence<'_>, pool: &Pool, columns: &[usize]) -> Vec<[Bound; 2]> {
     let plan = evidence.plan;
-    // Without epistemic inputs the double loop has one point, and its runs are the mixture.
-    let purpose = if plan.has_mixture() { Purpose::Mixture } else { Purpose::DoubleLoop };
-    let pool = Pool::gather(table, purpose, columns.iter().copied());
     let tail = 0.5 * (1.0 - plan.problem().band_probability);
     let guarantee = Guarantee::Sampled { confidence: plan.problem().sampling.confidence };
     let unknown = |sign: f64| Bound {
@@ -122,25 +137,24 @@ fn probability_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: 
         .collect()
 }
 
-fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, columns: &[usize]) -> Vec<[Bound; 2]> {
+fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool, columns: &[usize]) -> Vec<[Bound; 2]> {
     let plan = evidence.plan;
-    // Without random inputs every run of the double loop is a point of the joint box already.
-    let purpose = if plan.has_extremes() { Purpose::Extreme } else { Purpose::DoubleLoop };
-    let pool = Pool::gather(table, purpose, columns.iter().copied());
-    let places = plan.extreme_places(&pool);
-    let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(&pool, column)).collect();
+    let places = plan.extreme_places(pool);
+    let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(pool, column)).collect();
     let search = Search::new(&places, plan.joint_candidates(), &targets);
     columns
         .par_iter()
         .zip(&targets)
         .map(|(&column, target)| {
+            let fit = search.fit(target);
             Direction::BOTH.map(|direction| {
                 let sign = direction.sign();
                 let (value, witness) = furthest_run(evidence, table, column, direction);
                 let searched = extreme(&target.values, direction);
-                let further = search.reach(target, direction);
-                let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(0.0);
-                let has_box = !plan.joint_box().is_empty();
+                let further = search.reach(target, fit.as_ref(), direction);
+                let conceded = SEARCH_RESOLUTION * target.range();
+                let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
+                let has_box = plan.joint_box().dimensions() > 0;
                 let error =
                     BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
                 let widened = if value.is_nan() { sign * f64::INFINITY } else { value + sign * error.total() };
@@ -164,8 +178,7 @@ fn furthest_run(
         if !value.is_finite() || best.is_some_and(|best| !direction.is_beyond(value, table.values(best)[column])) {
             continue;
         }
-        let mut values = inputs.random.iter().zip(joint_box);
-        if values.all(|(&value, interval)| value >= interval.lower() && value <= interval.upper()) {
+        if joint_box.holds(&inputs.random) {
             best = Some(run);
         }
     }

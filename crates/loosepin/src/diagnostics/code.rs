@@ -218,7 +218,7 @@ would mix both. Run the ideal joint on its own (radial_clearance = \"0 mm\") and
 
     BadDistribution "E0604" "a distribution is not possible"
 "The numbers of a distribution must describe one: standard deviations above 0, the lower end below the upper, the mode \
-between them, shapes above 0, the mean of a lognormal distribution above 0."
+between them, shapes from 0.001 to 1e6, the mean of a lognormal distribution above 0."
 
     InputTwice "E0605" "a quantity is uncertain twice"
 "A quantity is either random or epistemic. One that is both, or given twice under different spellings, is refused."

@@ -5,6 +5,8 @@
 pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     // Longer names are no slips of a known key, and the distance costs their square.
     const LONGEST_NAME_CHARS: usize = 100;
+    // Enough for any model; a file of thousands of wrong names must not cost thousands squared.
+    const MOST_CANDIDATES: usize = 500;
     let length_chars = name.chars().count();
     if length_chars > LONGEST_NAME_CHARS {
         return None;
@@ -12,6 +14,7 @@ pub fn nearest_name<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str
     let allowed_edits = (length_chars / 3).max(1);
     candidates
         .into_iter()
+        .take(MOST_CANDIDATES)
         .filter(|candidate| candidate.chars().count().abs_diff(length_chars) <= allowed_edits)
         .map(|candidate| (strsim::osa_distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
         .filter(|(edits, candidate)| *edits <= allowed_edits && *edits < candidate.chars().count())

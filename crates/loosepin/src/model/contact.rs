@@ -153,10 +153,9 @@ impl ModelReader {
         let lower_speed_m_s = self.quantity_or(&table, "lower_speed", LOWER_SPEED_M_S);
         let upper_speed_m_s = self.quantity_or(&table, "upper_speed", UPPER_SPEED_M_S);
         let (lower_speed_m_s, upper_speed_m_s) = lower_speed_m_s.zip(upper_speed_m_s)?;
-        if let Err(problem) = self.quantities.demand_order(lower_speed_m_s, upper_speed_m_s) {
-            let written = ["lower_speed", "upper_speed"].into_iter().find_map(|key| table.get(key));
-            self.reader.complain(&problem, written.map_or(table.span, |entry| entry.span));
-        }
+        let written = ["lower_speed", "upper_speed"].into_iter().find_map(|key| table.get(key));
+        let span = written.map_or(table.span, |entry| entry.span);
+        self.demand_order(lower_speed_m_s, upper_speed_m_s, span).then_some(())?;
         Some(Friction {
             law: law?,
             coefficient: coefficient?,

@@ -259,6 +259,17 @@ impl ModelReader {
         Some(id)
     }
 
+    /// Demands that one quantity be below another; complains at `span` if the values of the file do not obey.
+    pub fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool {
+        let Err(problem) = self.quantities.demand_order(smaller, larger) else { return true };
+        let mut complaint = Complaint::error(&problem, Some(self.reader.place(span)));
+        if let Some(limit) = self.quantities[larger].span.filter(|limit| *limit != span) {
+            complaint = complaint.with_label(self.reader.place(limit), "it must be below this");
+        }
+        self.reader.complaints.push(complaint);
+        false
+    }
+
     /// Two lengths, x and y.
     pub fn vector(&mut self, entry: &Entry<'_>) -> [QuantityId; 2] {
         let Some(pair) = self.reader.pair(entry) else { return [UNREAD; 2] };

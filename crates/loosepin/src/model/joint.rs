@@ -81,8 +81,7 @@ impl ModelReader {
             return None;
         }
         let bearing_radius_m = bearing_radius_m?;
-        if let Err(problem) = self.quantities.demand_order(radial_clearance_m, bearing_radius_m) {
-            self.reader.complain(&problem, entry.span);
+        if !self.demand_order(radial_clearance_m, bearing_radius_m, entry.span) {
             return None;
         }
         Some(Some(Clearance { bearing_radius_m, radial_clearance_m, contact: contact? }))

@@ -1,11 +1,13 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::wording::{counted, listed, output_words, place_words};
+use super::study_page::bound_value;
+use super::wording::{counted, deviation_words, listed, output_words, place_words, statistic_words};
 use crate::study::result::{
     BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, ResponsePoint, StatisticKind,
     StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
 };
+use crate::units::SiUnit;
 
 /// Digits of a bound in a sentence.
 const SENTENCE_DIGITS: usize = 2;
@@ -28,11 +30,10 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let headline = match (main_bound(result), curve) {
         (Some((bound, probability)), _) => bound_sentence(result, bound, probability, &conditions, writer),
         (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
-        (None, None) => format!(
-            "{conditions} {} of the statistics asked for {} given below.",
-            result.bounds.len(),
-            if result.bounds.len() == 1 { "is" } else { "are" }
-        ),
+        (None, None) => match result.bounds.iter().find(|bound| bound.treatment == TreatmentKind::Mixed) {
+            Some(bound) => statistic_sentence(result, bound, &conditions, writer),
+            None => format!("{conditions} nothing was asked for."),
+        },
     };
     let mut details = Vec::new();
     details.extend(requirement_sentences(result, writer));
@@ -112,6 +113,26 @@ fn bound_sentence(
     )
 }
 
+/// Any bound: the statistic, what it is of, and its two ends.
+fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, conditions: &str, writer: &NumberWriter) -> String {
+    let unit = output_unit(result, &bound.output);
+    format!(
+        "{conditions} the {} of {} ({}, {}) lies between {} and {}.",
+        statistic_words(bound.statistic, &unit, writer),
+        output_words(&bound.output, &result.outputs),
+        deviation_words(bound.of),
+        place_words(bound.at, writer),
+        bound_value(&bound.lower, bound, Rounding::Down, writer),
+        bound_value(&bound.upper, bound, Rounding::Up, writer),
+    )
+}
+
+/// The unit of an output; that of a pure number where the result does not describe it.
+pub(super) fn output_unit(result: &StudyResult, name: &str) -> SiUnit {
+    let output = result.outputs.iter().find(|output| output.name == name);
+    output.map_or(SiUnit::NONE, |output| output.unit.clone())
+}
+
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str, writer: &NumberWriter) -> String {
     let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
     let magnitude = highest.abs().max(lowest.abs());
@@ -156,11 +177,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
         .requirements
         .iter()
         .map(|requirement| {
-            let unit = result
-                .outputs
-                .iter()
-                .find(|output| output.name == requirement.output)
-                .map_or(crate::units::SiUnit::NONE, |output| output.unit.clone());
+            let unit = output_unit(result, &requirement.output);
             let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
             let verdict = match requirement.verdict {
                 Verdict::Met => "is met",
@@ -170,7 +187,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             format!(
                 "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
                  share is {}.",
-                super::wording::deviation_words(requirement.of),
+                deviation_words(requirement.of),
                 requirement.output,
                 place_words(requirement.at, writer),
                 writer.percent(requirement.probability_at_least, Rounding::Nearest),
@@ -181,7 +198,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
 }
 
 /// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
-pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &crate::units::SiUnit, writer: &NumberWriter) -> String {
+pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     match (lower_si.is_finite(), upper_si.is_finite()) {
         (true, true) if lower_si == -upper_si => format!("within ±{}", writer.value_shortest(upper_si, unit)),
         (true, true) => {
@@ -265,6 +282,12 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             };
             let kept = if band.coverage_minimum >= 1.0 {
                 "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
+            } else if keeps && band.coverage_minimum < promised {
+                format!(
+                    "Its band keeps the promise of {promise} within numerical error: where the truth is unkind, {least} \
+                     ± {} lie inside",
+                    writer.percent(band.coverage_error, Rounding::Up)
+                )
             } else if keeps {
                 format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
             } else {

@@ -5,6 +5,7 @@ mod answer;
 mod chart;
 mod glossary;
 mod mechanism_figure;
+mod mechanism_shapes;
 mod motion_page;
 mod number;
 mod page;

@@ -18,6 +18,9 @@ const LARGEST_PLAIN: f64 = 1e7;
 /// A scaled value this close to a whole number (relative) is that number: decimal fractions have no exact binary form.
 const REPRESENTATION_NOISE: f64 = 1e-12;
 
+/// What stands for not-a-number, without a unit.
+const NOT_KNOWN: &str = "not known";
+
 /// Which way a number is rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Rounding {
@@ -92,16 +95,16 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// Number with unit, to as many places as its error allows, rounded in the given direction.
-    pub fn to_error(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
+    pub fn down_to_error(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let display = self.units.of(unit);
         let text = to_error(display.from_si(value_si), display.from_si(error_si), rounding);
         self.with_symbol(self.dress(text), unit)
     }
 
-    /// Like [`Self::to_error`], but to three digits at most: for sentences.
+    /// Like [`Self::down_to_error`], but to three digits at most: for sentences.
     pub fn for_sentence(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let least_error_si = 1e-3 * value_si.abs();
-        self.to_error(value_si, error_si.max(least_error_si), unit, rounding)
+        self.down_to_error(value_si, error_si.max(least_error_si), unit, rounding)
     }
 
     /// An error: one digit, rounded up, with unit.
@@ -148,6 +151,7 @@ impl<'a> NumberWriter<'a> {
     fn with_symbol(&self, text: String, unit: &SiUnit) -> String {
         let symbol = self.symbol(unit);
         match symbol.as_str() {
+            _ if text == NOT_KNOWN => text,
             "" => text,
             "°" => format!("{text}°"),
             _ => format!("{text}{}{symbol}", self.space()),
@@ -245,7 +249,7 @@ fn percent(share: f64, rounding: Rounding) -> String {
 
 fn not_finite(value: f64) -> String {
     if value.is_nan() {
-        "not known".to_owned()
+        NOT_KNOWN.to_owned()
     } else if value > 0.0 {
         "∞".to_owned()
     } else {

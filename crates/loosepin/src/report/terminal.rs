@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
-use super::answer::{answer, treatment_sentences};
+use super::answer::{answer, output_unit, treatment_sentences};
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
 use super::wording::{count, counted, deviation_words, output_words, place_words, statistic_words, treatment_words};
@@ -143,13 +143,14 @@ pub fn motion_text(record: &MotionRecord) -> String {
         let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
         let smallest = output.value_si.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let where_known = |text: String| if worst_si.is_finite() { text } else { "-".to_owned() };
         ranges.add_row([
             output_words_of(&output.name, &output.words),
             writer.value(smallest, &output.unit),
             writer.value(largest, &output.unit),
-            format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up)),
-            writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest),
-            writer.rounded(rim_si, &output.unit, 4, Rounding::Up),
+            where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
+            where_known(writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)),
+            where_known(writer.rounded(rim_si, &output.unit, 4, Rounding::Up)),
         ]);
     }
     push_table(&mut text, &ranges);
@@ -175,11 +176,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
 fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
     let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
     for bound in group {
-        let output_unit = result
-            .outputs
-            .iter()
-            .find(|output| output.name == bound.output)
-            .map_or(SiUnit::NONE, |output| output.unit.clone());
+        let output_unit = output_unit(result, &bound.output);
         bounds.add_row([
             statistic_words(bound.statistic, &output_unit, writer),
             bound_value(&bound.lower, bound, Rounding::Down, writer),

@@ -25,7 +25,7 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
         ResponsePoint::Reduced { reduction } => match reduction {
             Reduction::Maximum => "largest in the cycle",
             Reduction::Minimum => "smallest in the cycle",
-            Reduction::MaximumMagnitude => "largest in the cycle, either way",
+            Reduction::MaximumMagnitude => "largest in the cycle, in either direction",
             Reduction::PeakToPeak => "peak to peak in the cycle",
             Reduction::Rms => "root mean square over the cycle",
             Reduction::Mean => "mean over the cycle",

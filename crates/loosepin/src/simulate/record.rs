@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::units::{DisplayUnits, SiUnit};
+use crate::units::{DisplayUnits, SiUnit, extended};
 
 /// One dynamic run, complete: histories, impacts, joints, energy, counters, and what a page draws.
 ///
@@ -30,8 +30,10 @@ pub struct SimulationRecord {
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Sample times, increasing.
+    #[serde(with = "extended")]
     pub time_s: Vec<f64>,
     /// Angle of the drive at the sample times, continuous over turns.
+    #[serde(with = "extended")]
     pub drive_angle_rad: Vec<f64>,
     /// The outputs in file order.
     pub outputs: Vec<OutputHistory>,
@@ -60,14 +62,18 @@ pub struct SimulationSettings {
     /// Name of the drive whose angle is the input.
     pub drive: String,
     /// Speed of the drive where it is constant.
+    #[serde(with = "extended")]
     pub drive_speed_rad_s: Option<f64>,
     /// Turns that were run and thrown away.
+    #[serde(with = "extended")]
     pub transient_turns: f64,
     /// Turns that were recorded.
+    #[serde(with = "extended")]
     pub recorded_turns: f64,
     /// Samples per turn.
     pub samples_per_turn: usize,
     /// Position tolerance of the integration.
+    #[serde(with = "extended")]
     pub tolerance_m: f64,
     /// Name of the integration method.
     pub method: String,
@@ -111,10 +117,13 @@ pub struct OutputHistory {
     /// Unit of the values.
     pub unit: SiUnit,
     /// Actual values.
+    #[serde(with = "extended")]
     pub value_si: Vec<f64>,
     /// Values of the ideal mechanism; empty where the ideal mechanism has no such output (a contact force).
+    #[serde(with = "extended")]
     pub ideal_si: Vec<f64>,
     /// Actual minus ideal, computed before rounding; empty where there is no ideal value.
+    #[serde(with = "extended")]
     pub deviation_si: Vec<f64>,
 }
 
@@ -124,6 +133,7 @@ pub struct ContactForceHistory {
     /// Name of the joint.
     pub joint: String,
     /// Normal force, 0 in free flight.
+    #[serde(with = "extended")]
     pub force_n: Vec<f64>,
 }
 
@@ -131,18 +141,24 @@ pub struct ContactForceHistory {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ImpactRecord {
     /// Time of the onset.
+    #[serde(with = "extended")]
     pub time_s: f64,
     /// Angle of the drive at the onset.
+    #[serde(with = "extended")]
     pub drive_angle_rad: f64,
     /// Name of the joint.
     pub joint: String,
     /// Approach speed at the onset.
+    #[serde(with = "extended")]
     pub speed_m_s: f64,
     /// Time from onset to the end of contact.
+    #[serde(with = "extended")]
     pub duration_s: f64,
     /// Largest normal force while the contact lasted.
+    #[serde(with = "extended")]
     pub peak_force_n: f64,
     /// Speed at which the parts separated; absent when the run ended in contact.
+    #[serde(with = "extended")]
     pub separation_speed_m_s: Option<f64>,
 }
 
@@ -152,6 +168,7 @@ pub struct JointSummary {
     /// Name of the joint.
     pub joint: String,
     /// Radial clearance of this run.
+    #[serde(with = "extended")]
     pub radial_clearance_m: f64,
     /// Name of the contact law.
     pub law: String,
@@ -160,18 +177,25 @@ pub struct JointSummary {
     /// Onsets above the least impact speed.
     pub impacts: u64,
     /// Impacts per turn of the drive, where it turns.
+    #[serde(with = "extended")]
     pub impacts_per_turn: Option<f64>,
     /// Largest penetration.
+    #[serde(with = "extended")]
     pub largest_penetration_m: f64,
     /// Largest normal force.
+    #[serde(with = "extended")]
     pub peak_force_n: f64,
     /// Largest approach speed.
+    #[serde(with = "extended")]
     pub largest_speed_m_s: f64,
     /// Coefficient of restitution as the file states it; absent for a law without one.
+    #[serde(with = "extended")]
     pub nominal_restitution: Option<f64>,
     /// Coefficient of restitution that a free impact under this law delivers.
+    #[serde(with = "extended")]
     pub delivered_restitution: Option<f64>,
     /// Share of the impacts outside the validity limit of the law, 0 to 1; absent where no limit is known.
+    #[serde(with = "extended")]
     pub share_outside_validity: Option<f64>,
     /// Contacts that began more slowly than the least impact speed and were computed with that speed.
     pub floored_contacts: u64,
@@ -194,10 +218,13 @@ pub struct Extreme {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ExtremePoint {
     /// The value.
+    #[serde(with = "extended")]
     pub value_si: f64,
     /// Time.
+    #[serde(with = "extended")]
     pub time_s: f64,
     /// Angle of the drive.
+    #[serde(with = "extended")]
     pub drive_angle_rad: f64,
 }
 
@@ -205,20 +232,28 @@ pub struct ExtremePoint {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EnergyAccount {
     /// Largest |residual| over the run divided by the largest energy exchanged: the run's own check.
+    #[serde(with = "extended")]
     pub relative_residual: f64,
     /// Kinetic energy at the sample times.
+    #[serde(with = "extended")]
     pub kinetic_j: Vec<f64>,
     /// Potential energy of gravity at the sample times.
+    #[serde(with = "extended")]
     pub potential_j: Vec<f64>,
     /// Energy stored in contacts and springs at the sample times.
+    #[serde(with = "extended")]
     pub stored_j: Vec<f64>,
     /// Energy lost in contacts up to the sample time.
+    #[serde(with = "extended")]
     pub contact_loss_j: Vec<f64>,
     /// Energy lost in friction up to the sample time.
+    #[serde(with = "extended")]
     pub friction_loss_j: Vec<f64>,
     /// Work of drives and loads up to the sample time.
+    #[serde(with = "extended")]
     pub supplied_j: Vec<f64>,
     /// What does not add up at the sample times.
+    #[serde(with = "extended")]
     pub residual_j: Vec<f64>,
 }
 
@@ -230,10 +265,13 @@ pub struct JournalOrbit {
     /// Which run this is, in words; empty where there is only one.
     pub label: String,
     /// Radial clearance: the circle that the path stays in, but for penetration.
+    #[serde(with = "extended")]
     pub radial_clearance_m: f64,
     /// Eccentricity along x of the bearing frame.
+    #[serde(with = "extended")]
     pub x_m: Vec<f64>,
     /// Eccentricity along y of the bearing frame.
+    #[serde(with = "extended")]
     pub y_m: Vec<f64>,
 }
 
@@ -267,8 +305,10 @@ pub struct DrawnPoint {
     /// Name without the body's.
     pub name: String,
     /// x in the frame of the body.
+    #[serde(with = "extended")]
     pub x_m: f64,
     /// y in the frame of the body.
+    #[serde(with = "extended")]
     pub y_m: f64,
 }
 
@@ -298,8 +338,10 @@ pub struct DrawnJoint {
     /// Point of the journal, or of the slider.
     pub second: PointReference,
     /// Direction of the guide in the frame of the first point's body; 0 for other kinds.
+    #[serde(with = "extended")]
     pub guide_angle_rad: f64,
     /// Radial clearance; 0 for an ideal joint.
+    #[serde(with = "extended")]
     pub radial_clearance_m: f64,
 }
 
@@ -316,11 +358,15 @@ pub struct PointReference {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PoseTable {
     /// Angle of the drive at each pose.
+    #[serde(with = "extended")]
     pub drive_angle_rad: Vec<f64>,
     /// x of the origin of each body's frame, by body and pose.
+    #[serde(with = "extended")]
     pub x_m: Vec<Vec<f64>>,
     /// y of the origin of each body's frame, by body and pose.
+    #[serde(with = "extended")]
     pub y_m: Vec<Vec<f64>>,
     /// Angle of each body's frame from the ground's, by body and pose.
+    #[serde(with = "extended")]
     pub angle_rad: Vec<Vec<f64>>,
 }

@@ -84,7 +84,7 @@ fn solve_lower_tail(a: f64, b: f64, probability: f64) -> f64 {
     // I_x <= x^a/(a B) max(1, (1-x)^(b-1)): the bound with equality as x -> 0 starts the bracket, t = ln x.
     let mut low = ((ln_probability + libm::log(a) + ln_normalisation) / a - 1.0).min(-1.0);
     while ln_incomplete_beta(a, b, low) > ln_probability && low > -745.0 {
-        low = 2.0 * low;
+        low *= 2.0;
     }
     let mut high = 0.0;
     let mut t = low;

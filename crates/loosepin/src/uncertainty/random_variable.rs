@@ -91,7 +91,7 @@ impl RandomVariable {
         &self.distribution
     }
 
-    /// E[X].
+    /// E\[X\].
     pub fn mean(&self) -> f64 {
         match self.distribution {
             Distribution::Normal { mean, .. } | Distribution::Lognormal { mean, .. } => mean,

@@ -132,7 +132,7 @@ pub enum ExpressionProblem {
         base: Dimension,
     },
     /// A value that is not finite.
-    #[error("the value is {value}; must be finite")]
+    #[error("the value is {}; must be finite", super::format_number(*.value))]
     NotFinite {
         /// The value.
         value: f64,

@@ -16,9 +16,11 @@
 //! their own here (`rad`, `deg`, `rpm`), so that a bare number is never taken for one; SI values are in radians.
 //! Factors come from the tables of `uom`; sums, powers and dimensions are checked while reading.
 
+mod compound;
 mod dimension;
 pub mod display;
 mod error;
+pub mod extended;
 mod format;
 mod lexer;
 mod parser;
@@ -36,3 +38,6 @@ pub use program::LONGEST_EXPRESSION_CHARS;
 pub(crate) use program::{Expression, Op, run};
 pub use rule::Rule;
 pub use unit::{UNITS, Unit, find_unit};
+
+#[cfg(test)]
+mod tests;

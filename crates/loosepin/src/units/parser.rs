@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::lexer::{Token, TokenKind, begins_word, tokens};
 use super::program::{Expression, Op, STACK_SIZE, run};
-use super::{Dimension, ExpressionError, ExpressionProblem, UNITS, find_unit};
+use super::{Dimension, ExpressionError, ExpressionProblem, find_unit};
 use crate::diagnostics::nearest_name;
 
 /// Parentheses, signs, functions and powers inside one another, at most. Each level holds at most four numbers on the
@@ -88,10 +88,15 @@ static FUNCTIONS: &[Function] = &[
     function("max", Op::Maximum, 2, FunctionKind::Keeps),
 ];
 
+/// Whether expressions know a function of this name.
+pub(super) fn is_function(name: &str) -> bool {
+    FUNCTIONS.iter().any(|function| function.name == name)
+}
+
 /// Whether a parameter cannot bear this name, because it is a unit, a function or `pi`.
 pub fn is_reserved_name(name: &str) -> bool {
     // `min` is both the minute and the smaller of two: the parenthesis tells them apart.
-    name == "pi" || find_unit(name).is_some() || FUNCTIONS.iter().any(|function| function.name == name)
+    name == "pi" || find_unit(name).is_some() || is_function(name)
 }
 
 /// The names of parameters in a text, each once; empty where the text cannot be read.
@@ -126,7 +131,7 @@ pub fn parse_expression(text: &str, names: &dyn Names) -> Result<Expression, Exp
 /// Reads a value without parameters, for example `0.5 mm` or `2 * (1 mm + 3 um)`.
 ///
 /// # Errors
-/// As [`parse_expression`]; a value that is not finite.
+/// The first place where the text is no value, or where dimensions do not agree; a value that is not finite.
 pub fn parse_quantity(text: &str) -> Result<Measured, ExpressionError> {
     let expression = parse_expression(text, &NoNames)?;
     let value_si = run(&expression.ops, &mut []);
@@ -147,108 +152,47 @@ pub fn parse_unit(text: &str) -> Result<Measured, ExpressionError> {
         Parser { text, tokens: &tokens, next: 0, ops: Vec::new(), reads: Vec::new(), names: &NoNames, depth: 0 };
     let unit = parser.unit()?;
     parser.end()?;
-    Ok(Measured { value_si: unit.numerator / unit.denominator, dimension: unit.dimension })
+    Ok(Measured { value_si: unit.to_si(1.0, "1"), dimension: unit.dimension })
 }
 
-/// A product of units: SI value of one as a fraction, and dimension.
-#[derive(Clone, Copy)]
-struct UnitProduct {
-    numerator: f64,
-    denominator: f64,
-    dimension: Dimension,
-}
-
-impl UnitProduct {
-    const ONE: UnitProduct = UnitProduct { numerator: 1.0, denominator: 1.0, dimension: Dimension::NUMBER };
-
-    /// `value`, written as `text`, in SI. Where the unit is a power of ten the point is moved before rounding, so that
-    /// `0.03 mm` and `3e-5 m` are the same number.
-    fn to_si(self, value: f64, text: &str) -> f64 {
-        let plain = value * self.numerator / self.denominator;
-        let Some((over, under)) = decimal_exponent(self.numerator).zip(decimal_exponent(self.denominator)) else {
-            return plain;
-        };
-        let (digits, exponent) = match text.split_once(['e', 'E']) {
-            Some((digits, exponent)) => (digits, exponent.parse::<i32>().ok()),
-            None => (text, Some(0)),
-        };
-        exponent
-            .and_then(|exponent| exponent.checked_add(over - under))
-            .and_then(|exponent| format!("{digits}e{exponent}").parse().ok())
-            .unwrap_or(plain)
-    }
-
-    fn times(self, other: UnitProduct) -> UnitProduct {
-        UnitProduct {
-            numerator: self.numerator * other.numerator,
-            denominator: self.denominator * other.denominator,
-            dimension: self.dimension.times(other.dimension),
-        }
-    }
-
-    fn over(self, other: UnitProduct) -> UnitProduct {
-        UnitProduct {
-            numerator: self.numerator * other.denominator,
-            denominator: self.denominator * other.numerator,
-            dimension: self.dimension.over(other.dimension),
-        }
-    }
-
-    fn power(self, exponent: f64) -> UnitProduct {
-        let power = |base: f64, exponent: f64| if base == 1.0 { 1.0 } else { libm::pow(base, exponent) };
-        let (numerator, denominator) = if exponent < 0.0 {
-            (power(self.denominator, -exponent), power(self.numerator, -exponent))
-        } else {
-            (power(self.numerator, exponent), power(self.denominator, exponent))
-        };
-        UnitProduct { numerator, denominator, dimension: self.dimension.power(exponent) }
-    }
-}
-
-/// k where `factor` is exactly 10^k, for the k whose powers a double holds exactly.
-fn decimal_exponent(factor: f64) -> Option<i32> {
-    const LARGEST_EXACT: i32 = 22;
-    (0..=LARGEST_EXACT).find(|exponent| 10_f64.powi(*exponent) == factor)
-}
-
-struct Parser<'a> {
-    text: &'a str,
+pub(super) struct Parser<'a> {
+    pub(super) text: &'a str,
     tokens: &'a [Token],
-    next: usize,
+    pub(super) next: usize,
     ops: Vec<Op>,
     reads: Vec<usize>,
-    names: &'a dyn Names,
+    pub(super) names: &'a dyn Names,
     depth: usize,
 }
 
 impl Parser<'_> {
-    fn peek(&self) -> &TokenKind {
+    pub(super) fn peek(&self) -> &TokenKind {
         self.ahead(0)
     }
 
-    fn ahead(&self, count: usize) -> &TokenKind {
+    pub(super) fn ahead(&self, count: usize) -> &TokenKind {
         self.tokens.get(self.next + count).map_or(&TokenKind::End, |token| &token.kind)
     }
 
-    fn span(&self) -> Range<usize> {
+    pub(super) fn span(&self) -> Range<usize> {
         self.tokens.get(self.next).map_or(0..0, |token| token.span.clone())
     }
 
-    fn is_sign(&self, sign: char) -> bool {
+    pub(super) fn is_sign(&self, sign: char) -> bool {
         *self.peek() == TokenKind::Sign(sign)
     }
 
-    fn take_sign(&mut self, sign: char) -> bool {
+    pub(super) fn take_sign(&mut self, sign: char) -> bool {
         let found = self.is_sign(sign);
         self.next += usize::from(found);
         found
     }
 
-    fn error(&self, problem: ExpressionProblem, span: Range<usize>) -> ExpressionError {
+    pub(super) fn error(&self, problem: ExpressionProblem, span: Range<usize>) -> ExpressionError {
         ExpressionError { problem, span }
     }
 
-    fn unexpected(&self, expected: &'static str) -> ExpressionError {
+    pub(super) fn unexpected(&self, expected: &'static str) -> ExpressionError {
         let found = match self.peek() {
             TokenKind::Number(value) => format!("the number {}", super::format_number(*value)),
             TokenKind::Word(word) => format!("'{word}'"),
@@ -324,7 +268,7 @@ impl Parser<'_> {
         }
     }
 
-    fn check_finite(&self, dimension: Dimension, span: Range<usize>) -> Result<(), ExpressionError> {
+    pub(super) fn check_finite(&self, dimension: Dimension, span: Range<usize>) -> Result<(), ExpressionError> {
         if dimension.is_finite() {
             Ok(())
         } else {
@@ -428,7 +372,7 @@ impl Parser<'_> {
         }
         let problem = if find_unit(&name).is_some() {
             ExpressionProblem::UnitWithoutNumber { symbol: name }
-        } else if FUNCTIONS.iter().any(|function| function.name == name) {
+        } else if is_function(&name) {
             ExpressionProblem::Unexpected {
                 found: format!("'{name}' without values"),
                 expected: "'(' after a function",
@@ -484,115 +428,6 @@ impl Parser<'_> {
         };
         self.ops.push(function.op);
         Ok(dimension)
-    }
-
-    /// The unit behind a number, one if there is none.
-    fn unit(&mut self) -> Result<UnitProduct, ExpressionError> {
-        let start = self.span().start;
-        if !self.unit_begins(0) {
-            return match self.peek() {
-                // A word right behind a number was meant as a unit, unless it is a parameter that lacks its operator.
-                TokenKind::Word(word) if self.names.find(word).is_none() => Err(self.unknown_unit(word)),
-                TokenKind::Word(_) => Err(self.unexpected("an operator or a unit")),
-                _ => Ok(UnitProduct::ONE),
-            };
-        }
-        let mut product = self.unit_factor()?;
-        let mut divided = false;
-        loop {
-            if self.unit_begins(0) || (self.is_sign('*') && self.unit_begins(1)) {
-                if divided {
-                    let span = start..self.span().end;
-                    let unit = self.text.get(span.clone()).unwrap_or_default().to_owned();
-                    return Err(self.error(ExpressionProblem::AmbiguousUnit { unit }, span));
-                }
-                self.take_sign('*');
-                product = product.times(self.unit_factor()?);
-            } else if self.is_sign('/') && self.unit_begins(1) {
-                self.next += 1;
-                divided = true;
-                product = product.over(self.unit_factor()?);
-            } else if self.is_sign('/') && *self.ahead(1) == TokenKind::Sign('(') && self.unit_begins(2) {
-                self.next += 2;
-                divided = true;
-                let mut group = self.unit_factor()?;
-                while self.unit_begins(0) || (self.is_sign('*') && self.unit_begins(1)) {
-                    self.take_sign('*');
-                    group = group.times(self.unit_factor()?);
-                }
-                if !self.take_sign(')') {
-                    return Err(self.unexpected("')' behind the unit"));
-                }
-                product = product.over(group);
-            } else if let TokenKind::Word(word) = self.peek()
-                && self.names.find(word).is_none()
-            {
-                return Err(self.unknown_unit(word));
-            } else {
-                return Ok(product);
-            }
-        }
-    }
-
-    fn unknown_unit(&self, symbol: &str) -> ExpressionError {
-        let nearest = nearest_name(symbol, UNITS.iter().map(|unit| unit.symbol)).map(str::to_owned);
-        self.error(ExpressionProblem::UnknownUnit { symbol: symbol.to_owned(), nearest }, self.span())
-    }
-
-    fn unit_begins(&self, ahead: usize) -> bool {
-        match self.ahead(ahead) {
-            // `min(` is the function.
-            TokenKind::Word(word) if *self.ahead(ahead + 1) == TokenKind::Sign('(') => {
-                find_unit(word).is_some() && !FUNCTIONS.iter().any(|function| function.name == word)
-            }
-            TokenKind::Word(word) => find_unit(word).is_some(),
-            _ => false,
-        }
-    }
-
-    fn unit_factor(&mut self) -> Result<UnitProduct, ExpressionError> {
-        let TokenKind::Word(word) = self.peek() else { return Err(self.unexpected("a unit")) };
-        let Some(unit) = find_unit(word) else { return Err(self.unknown_unit(word)) };
-        let (numerator, denominator) = unit.factor();
-        let product = UnitProduct { numerator, denominator, dimension: unit.dimension };
-        self.next += 1;
-        let span = self.span();
-        let raised = match *self.peek() {
-            TokenKind::Superscript(exponent) => {
-                self.next += 1;
-                product.power(exponent)
-            }
-            TokenKind::Sign('^') => {
-                self.next += 1;
-                product.power(self.unit_exponent()?)
-            }
-            _ => product,
-        };
-        self.check_finite(raised.dimension, span.clone())?;
-        if raised.numerator.is_finite() && raised.denominator.is_finite() && raised.denominator > 0.0 {
-            Ok(raised)
-        } else {
-            Err(self.error(ExpressionProblem::NotFinite { value: f64::INFINITY }, span))
-        }
-    }
-
-    fn unit_exponent(&mut self) -> Result<f64, ExpressionError> {
-        const EXPECTED: &str = "the exponent of a unit, for example 2, -1, 1.5 or (3/2)";
-        let in_parentheses = self.take_sign('(');
-        let negative = self.take_sign('-');
-        let TokenKind::Number(mut exponent) = *self.peek() else { return Err(self.unexpected(EXPECTED)) };
-        self.next += 1;
-        if in_parentheses {
-            if self.take_sign('/') {
-                let TokenKind::Number(divisor) = *self.peek() else { return Err(self.unexpected(EXPECTED)) };
-                self.next += 1;
-                exponent /= divisor;
-            }
-            if !self.take_sign(')') {
-                return Err(self.unexpected("')'"));
-            }
-        }
-        Ok(if negative { -exponent } else { exponent })
     }
 }
 

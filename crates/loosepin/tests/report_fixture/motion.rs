@@ -75,3 +75,103 @@ pub fn worn_pin() -> MotionRecord {
         drive_angle_rad: angles,
     }
 }
+
+/// A four-bar whose rocker has play in its fixed bearing; the coupler carries a tracer.
+pub fn four_bar() -> MotionRecord {
+    use loosepin::simulate::record::{
+        Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, PointReference, PoseTable,
+    };
+    const GROUND_M: f64 = 0.16;
+    const COUPLER_M: f64 = 0.14;
+    const ROCKER_M: f64 = 0.11;
+    const CLEARANCE_M: f64 = 3e-4;
+    let angles = angles_rad(1.0, 181);
+    // Where coupler and rocker meet: the upper crossing of two circles about (c_x, c_y) and (GROUND_M, 0).
+    let closed = |angle: f64, e: f64| {
+        let (c_x, c_y) = (CRANK_M * angle.cos(), CRANK_M * angle.sin());
+        let (r_x, r_y) = (GROUND_M + e, 0.0);
+        let (d_x, d_y) = (r_x - c_x, r_y - c_y);
+        let distance = d_x.hypot(d_y);
+        let along = (COUPLER_M * COUPLER_M - ROCKER_M * ROCKER_M + distance * distance) / (2.0 * distance);
+        let across = (COUPLER_M * COUPLER_M - along * along).sqrt();
+        let (x, y) = (c_x + (along * d_x - across * d_y) / distance, c_y + (along * d_y + across * d_x) / distance);
+        ((y - c_y).atan2(x - c_x), (y - r_y).atan2(x - r_x))
+    };
+    let poses = |e: f64| {
+        let list = |value: &dyn Fn(f64) -> f64| -> Vec<f64> { angles.iter().map(|angle| value(*angle)).collect() };
+        PoseTable {
+            x_m: vec![list(&|_| 0.0), list(&|_| 0.0), list(&|angle| CRANK_M * angle.cos()), list(&|_| GROUND_M + e)],
+            y_m: vec![list(&|_| 0.0), list(&|_| 0.0), list(&|angle| CRANK_M * angle.sin()), list(&|_| 0.0)],
+            angle_rad: vec![
+                list(&|_| 0.0),
+                list(&|angle| angle),
+                list(&|angle| closed(angle, e).0),
+                list(&|angle| closed(angle, e).1),
+            ],
+            drive_angle_rad: angles.clone(),
+        }
+    };
+    let body = |name: &str, is_ground: bool, points: &[(&str, f64, f64)]| DrawnBody {
+        name: name.to_owned(),
+        is_ground,
+        points: points
+            .iter()
+            .map(|(name, x_m, y_m)| DrawnPoint { name: (*name).to_owned(), x_m: *x_m, y_m: *y_m })
+            .collect(),
+    };
+    let joint = |name: &str, kind, first: (usize, usize), second: (usize, usize), radial_clearance_m| DrawnJoint {
+        name: name.to_owned(),
+        kind,
+        first: PointReference { body: first.0, point: first.1 },
+        second: PointReference { body: second.0, point: second.1 },
+        guide_angle_rad: 0.0,
+        radial_clearance_m,
+    };
+    let over = |value: &dyn Fn(f64) -> f64| -> Vec<f64> { angles.iter().map(|angle| value(*angle)).collect() };
+    let rocker = |angle: f64| closed(angle, 0.0).1;
+    let rate = |angle: f64| (rocker(angle + 1e-5) - rocker(angle - 1e-5)) / 2e-5 * SPEED_RAD_S;
+    let gain = |angle: f64| (closed(angle, 1e-6).1 - rocker(angle)).abs() / 1e-6 + 2.0;
+    MotionRecord {
+        model: "four-bar with a worn rocker bearing".to_owned(),
+        drawing: Drawing {
+            bodies: vec![
+                body("ground", true, &[("a", 0.0, 0.0), ("d", GROUND_M, 0.0)]),
+                body("crank", false, &[("a", 0.0, 0.0), ("b", CRANK_M, 0.0)]),
+                body("coupler", false, &[("b", 0.0, 0.0), ("c", COUPLER_M, 0.0), ("tracer", 0.06, 0.05)]),
+                body("rocker", false, &[("d", 0.0, 0.0), ("c", ROCKER_M, 0.0)]),
+            ],
+            joints: vec![
+                // Written with the ground as the journal, which must be drawn as well as the other way round.
+                joint("a", DrawnJointKind::Revolute, (1, 0), (0, 0), 0.0),
+                joint("b", DrawnJointKind::Revolute, (1, 1), (2, 0), 0.0),
+                joint("c", DrawnJointKind::Revolute, (2, 1), (3, 1), 0.0),
+                joint("d", DrawnJointKind::RevoluteWithClearance, (0, 1), (3, 0), CLEARANCE_M),
+            ],
+            poses: poses(CLEARANCE_M),
+            ideal_poses: poses(0.0),
+        },
+        outputs: vec![OutputMotion {
+            name: "rocker".to_owned(),
+            words: "angle of rocker".to_owned(),
+            unit: SiUnit::ANGLE,
+            value_si: over(&rocker),
+            velocity_si: over(&rate),
+            acceleration_si: over(&|angle| (rate(angle + 1e-4) - rate(angle - 1e-4)) / 2e-4 * SPEED_RAD_S),
+            clearance: ClearanceAnswer {
+                worst_case_si: over(&|angle| CLEARANCE_M * gain(angle)),
+                disc_standard_deviation_si: over(&|angle| 0.5 * CLEARANCE_M * gain(angle)),
+                rim_standard_deviation_si: over(&|angle| CLEARANCE_M * gain(angle) / 2f64.sqrt()),
+                contributors: vec![JointContributor {
+                    joint: "d".to_owned(),
+                    radial_clearance_m: CLEARANCE_M,
+                    worst_case_si: over(&|angle| CLEARANCE_M * gain(angle)),
+                }],
+            },
+            dimensional_standard_deviation_si: Vec::new(),
+            dimensional_contributors: Vec::new(),
+        }],
+        singular_positions: Vec::new(),
+        drive_angle_rad: angles,
+        ..worn_pin()
+    }
+}

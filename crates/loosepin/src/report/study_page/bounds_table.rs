@@ -2,10 +2,10 @@
 
 use maud::{Markup, html};
 
+use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::wording::{deviation_words, guarantee_words, output_words, place_words, statistic_words};
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
-use crate::units::SiUnit;
 
 /// More rows are left to `bounds.csv`.
 const MOST_ROWS: usize = 60;
@@ -52,11 +52,7 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
 }
 
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Markup {
-    let output_unit = result
-        .outputs
-        .iter()
-        .find(|output| output.name == bound.output)
-        .map_or(SiUnit::NONE, |output| output.unit.clone());
+    let output_unit = output_unit(result, &bound.output);
     let witness = |end: &BoundEnd| writer.witness(&end.witness, &result.inputs);
     html! {
         tr {
@@ -88,7 +84,7 @@ pub(in crate::report) fn end_value(
     if bound.statistic.is_probability() {
         writer.percent(end.widened_si, rounding)
     } else {
-        writer.to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
+        writer.down_to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
     }
 }
 

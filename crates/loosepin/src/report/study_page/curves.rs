@@ -31,7 +31,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
     };
     if !curve.mixed.lower_si.is_empty() {
         let (lower, upper) = range(&curve.mixed);
-        let label = format!("{share} of mechanisms, whatever the unknown values");
+        let label = format!("{share}, whatever the unknown values");
         add(label, Role::Mixed, false, EntryValues::band(&lower, &upper));
     }
     if !curve.random.lower_si.is_empty() {

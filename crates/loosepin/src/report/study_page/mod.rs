@@ -9,14 +9,13 @@ use maud::{Markup, html};
 
 pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
 
-use super::answer::{Answer, answer, limits_words};
+use super::answer::{Answer, answer, limits_words, output_unit};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::still_figures::orbit_figure;
 use super::wording::{count, place_words, verdict_words};
 use crate::study::result::{StudyResult, Verdict};
-use crate::units::SiUnit;
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
@@ -116,8 +115,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
             }
             tbody {
                 @for requirement in &result.requirements {
-                    @let unit = result.outputs.iter().find(|output| output.name == requirement.output)
-                        .map_or(SiUnit::NONE, |output| output.unit.clone());
+                    @let unit = output_unit(result, &requirement.output);
                     tr {
                         th scope="row" {
                             (requirement.output) ", " (super::wording::deviation_words(requirement.of)) " "

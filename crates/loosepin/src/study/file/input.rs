@@ -10,10 +10,14 @@ use super::problem::StudyProblem;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
 use crate::model::QuantityId;
 use crate::uncertainty::{Distribution, Interval, RandomVariable};
-use crate::units::{Dimension, Rule, format_value};
+use crate::units::{Dimension, Rule, format_number, format_value};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
 const FIRST_WORDS: [&str; 6] = ["parameter", "body", "joint", "contact", "drive", "assembly"];
+
+/// Shapes of a beta distribution that are accepted. Above, it is a normal distribution a thousand times narrower than
+/// its interval; below, it is two values; and its quantiles take longer than the runs.
+const SHAPES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 
 const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
 const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
@@ -146,11 +150,7 @@ impl StudyReader {
                 Some(Distribution::Triangular { lower, mode, upper })
             }
             _ => {
-                let [alpha, beta] = ["alpha", "beta"].map(|key| {
-                    self.reader
-                        .number(&table, key)
-                        .filter(|value| self.positive(&table, key, *value, Dimension::NUMBER))
-                });
+                let [alpha, beta] = ["alpha", "beta"].map(|key| self.shape(&table, key));
                 let (lower, upper) = self.ends(&table, dimension)?;
                 Some(Distribution::Beta { alpha: alpha?, beta: beta?, lower, upper })
             }
@@ -193,6 +193,17 @@ impl StudyReader {
         }
         self.refuse(table, key, value, dimension, "> 0".to_owned());
         false
+    }
+
+    /// A shape of a beta distribution.
+    fn shape(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+        let shape = self.reader.number(table, key)?;
+        if SHAPES.contains(&shape) {
+            return Some(shape);
+        }
+        let rule = format!("from {} to {}", format_number(*SHAPES.start()), format_number(*SHAPES.end()));
+        self.refuse(table, key, shape, Dimension::NUMBER, rule);
+        None
     }
 
     fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {

@@ -76,8 +76,8 @@ pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
 pub(super) static BETA_KEYS: Keys = Keys::new(
     "a beta distribution between two ends",
     &[
-        required("alpha", Kind::Number { rule: Rule::Finite }, "2", "first shape"),
-        required("beta", Kind::Number { rule: Rule::Finite }, "3", "second shape"),
+        required("alpha", Kind::Number { rule: Rule::Finite }, "2", "first shape, from 0.001 to 1e6"),
+        required("beta", Kind::Number { rule: Rule::Finite }, "3", "second shape, from 0.001 to 1e6"),
         ends!()[0],
         ends!()[1],
     ],

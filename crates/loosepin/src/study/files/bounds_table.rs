@@ -101,7 +101,7 @@ fn optional(value: Option<f64>) -> String {
     value.map(number).unwrap_or_default()
 }
 
-/// Shortest form that reads back to the same bits; the words of [`crate::study::result::extended_number`] otherwise.
+/// Shortest form that reads back to the same bits; the words of [`crate::units::extended`] otherwise.
 fn number(value: f64) -> String {
     if value.is_nan() { "nan".to_owned() } else { format!("{value:?}") }
 }

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::extended_number;
-use crate::units::SiUnit;
+use crate::units::{SiUnit, extended};
 
 /// Lower and upper bound of one statistic over the epistemic inputs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,10 +35,10 @@ pub struct BoundRecord {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BoundEnd {
     /// The value found.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub value_si: f64,
     /// The value moved outwards by what was not resolved; this is the bound to rely on.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub widened_si: f64,
     /// The epistemic inputs that attain the value.
     pub witness: Witness,
@@ -64,13 +63,13 @@ pub enum WitnessValue {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct NumericalError {
     /// From the finite number of random samples.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub sampling_si: f64,
     /// From the search over the epistemic inputs.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub optimisation_si: f64,
     /// From a surrogate model; 0 where none was used.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub surrogate_si: f64,
 }
 

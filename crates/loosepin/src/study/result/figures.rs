@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{DeviationKind, ResponsePoint, TreatmentKind, Witness};
-use crate::units::SiUnit;
+use crate::units::{SiUnit, extended};
 
 /// Deviation of one output over the cycle. All lists have one entry per element of `pose_rad`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -15,16 +15,21 @@ pub struct DeviationCurve {
     /// Unit of the values.
     pub unit: SiUnit,
     /// Probabilities of the two ends of the bands, for example 0.025 and 0.975.
+    #[serde(with = "extended")]
     pub probabilities: [f64; 2],
     /// Epistemic inputs at which the random band stands, usually the middle of their intervals.
     pub centre: Witness,
     /// Largest numerical error of the ends of the mixed band.
+    #[serde(with = "extended")]
     pub numerical_error_si: f64,
     /// Angle of the drive, increasing.
+    #[serde(with = "extended")]
     pub pose_rad: Vec<f64>,
     /// The output of the ideal mechanism.
+    #[serde(with = "extended")]
     pub ideal_si: Vec<f64>,
     /// Deviation with nominal dimensions and the epistemic inputs of `centre`.
+    #[serde(with = "extended")]
     pub nominal_si: Vec<f64>,
     /// Band of the random scatter alone, at `centre`.
     pub random: CurveRange,
@@ -41,8 +46,10 @@ pub struct DeviationCurve {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CurveRange {
     /// Lower values.
+    #[serde(with = "extended")]
     pub lower_si: Vec<f64>,
     /// Upper values.
+    #[serde(with = "extended")]
     pub upper_si: Vec<f64>,
 }
 
@@ -58,16 +65,22 @@ pub struct ProbabilityBox {
     /// Unit of the values.
     pub unit: SiUnit,
     /// Values of the response, increasing.
+    #[serde(with = "extended")]
     pub value_si: Vec<f64>,
     /// Smallest probability over the epistemic inputs that the response stays below the value.
+    #[serde(with = "extended")]
     pub lower: Vec<f64>,
     /// Largest probability over the epistemic inputs that the response stays below the value.
+    #[serde(with = "extended")]
     pub upper: Vec<f64>,
     /// The same probability when every interval is taken as uniformly distributed.
+    #[serde(with = "extended")]
     pub probability_only: Vec<f64>,
     /// A limit that was asked about, where there is one.
+    #[serde(with = "extended")]
     pub limit_si: Option<f64>,
     /// Numerical error of the probabilities, >= 0.
+    #[serde(with = "extended")]
     pub numerical_error: f64,
 }
 
@@ -83,6 +96,7 @@ pub struct TreatmentComparison {
     /// Unit of the bands.
     pub unit: SiUnit,
     /// The share of mechanisms that a band promises to hold, for example 0.95.
+    #[serde(with = "extended")]
     pub promised_coverage: f64,
     /// One entry per treatment.
     pub bands: Vec<TreatmentBand>,
@@ -94,14 +108,19 @@ pub struct TreatmentBand {
     /// The treatment.
     pub treatment: TreatmentKind,
     /// Lower end of the band.
+    #[serde(with = "extended")]
     pub lower_si: f64,
     /// Upper end of the band.
+    #[serde(with = "extended")]
     pub upper_si: f64,
     /// Smallest true share of mechanisms inside the band over the epistemic inputs.
+    #[serde(with = "extended")]
     pub coverage_minimum: f64,
     /// Largest true share.
+    #[serde(with = "extended")]
     pub coverage_maximum: f64,
     /// Numerical error of the shares.
+    #[serde(with = "extended")]
     pub coverage_error: f64,
     /// Share inside the band at each value of the epistemic inputs that was run.
     pub coverage_at: Vec<CoveragePoint>,
@@ -125,6 +144,7 @@ pub struct CoveragePoint {
     /// The epistemic inputs.
     pub at: Witness,
     /// The share, 0 to 1.
+    #[serde(with = "extended")]
     pub coverage: f64,
 }
 
@@ -132,12 +152,16 @@ pub struct CoveragePoint {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EnergyResiduals {
     /// Half of the runs stay below.
+    #[serde(with = "extended")]
     pub median: f64,
     /// 90 % of the runs stay below.
+    #[serde(with = "extended")]
     pub quantile_90: f64,
     /// 99 % of the runs stay below.
+    #[serde(with = "extended")]
     pub quantile_99: f64,
     /// The largest of all.
+    #[serde(with = "extended")]
     pub maximum: f64,
     /// How many runs lie in which decade or part of it, increasing.
     pub histogram: Vec<HistogramBin>,
@@ -147,8 +171,10 @@ pub struct EnergyResiduals {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct HistogramBin {
     /// Lower end, > 0.
+    #[serde(with = "extended")]
     pub from: f64,
     /// Upper end.
+    #[serde(with = "extended")]
     pub to: f64,
     /// Runs inside.
     pub count: u64,
@@ -160,14 +186,19 @@ pub struct JointImpacts {
     /// Name of the joint.
     pub joint: String,
     /// Impacts per turn: smallest, median and largest over the runs.
+    #[serde(with = "extended")]
     pub impacts_per_turn: [f64; 3],
     /// Coefficient of restitution as stated: smallest and largest over the runs.
+    #[serde(with = "extended")]
     pub nominal_restitution: Option<[f64; 2]>,
     /// Coefficient of restitution that free impacts deliver under the law: smallest and largest over the runs.
+    #[serde(with = "extended")]
     pub delivered_restitution: Option<[f64; 2]>,
     /// Share of the impacts outside the validity limit of the law, over all runs.
+    #[serde(with = "extended")]
     pub share_outside_validity: Option<f64>,
     /// Largest contact force of any run.
+    #[serde(with = "extended")]
     pub peak_force_n: f64,
     /// Contacts that began more slowly than the least impact speed, over all runs.
     pub floored_contacts: u64,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::units::SiUnit;
+use crate::units::{SiUnit, extended};
 
 /// One uncertain input.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,6 +43,7 @@ pub struct CorrelationDescription {
     /// Paths of the inputs.
     pub of: Vec<String>,
     /// Spearman's rank correlation, -1 to 1.
+    #[serde(with = "extended")]
     pub rank: f64,
 }
 
@@ -52,12 +53,16 @@ pub struct CycleDescription {
     /// Name of the drive whose angle is the input.
     pub drive: String,
     /// Speed of the drive where it is constant.
+    #[serde(with = "extended")]
     pub drive_speed_rad_s: Option<f64>,
     /// Turns that were run and thrown away.
+    #[serde(with = "extended")]
     pub transient_turns: f64,
     /// Turns that were recorded.
+    #[serde(with = "extended")]
     pub recorded_turns: f64,
     /// Position tolerance of the integration.
+    #[serde(with = "extended")]
     pub tolerance_m: f64,
     /// Name of the integration method.
     pub method: String,

@@ -20,7 +20,7 @@ pub use inputs::{
 };
 
 use crate::simulate::record::{Drawing, JournalOrbit};
-use crate::units::DisplayUnits;
+use crate::units::{DisplayUnits, extended};
 
 /// The finished study. Keys are written in this order, the bulky ones last.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -50,6 +50,7 @@ pub struct StudyResult {
     /// The failed runs by reason, most frequent first.
     pub failures: Vec<FailureGroup>,
     /// Share of the runs whose motion had settled into a period, 0 to 1; absent where it was not examined.
+    #[serde(with = "extended")]
     pub settled_share: Option<f64>,
     /// Requirements and whether they are met.
     pub requirements: Vec<RequirementOutcome>,
@@ -86,14 +87,16 @@ pub struct RequirementOutcome {
     /// Where in the cycle: `whole` means everywhere.
     pub at: ResponsePoint,
     /// Least allowed value; minus infinity where there is none.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub lower_si: f64,
     /// Largest allowed value; infinity where there is none.
-    #[serde(with = "extended_number")]
+    #[serde(with = "extended")]
     pub upper_si: f64,
     /// The least share of mechanisms that must keep the limits.
+    #[serde(with = "extended")]
     pub probability_at_least: f64,
     /// Bounds of that share over the epistemic inputs, widened by their numerical error.
+    #[serde(with = "extended")]
     pub probability: [f64; 2],
     /// The epistemic inputs at which the share is smallest.
     pub witness: Witness,
@@ -111,49 +114,4 @@ pub enum Verdict {
     NotMet,
     /// The numerical error reaches over the limit: more runs decide.
     Undecided,
-}
-
-/// Numbers that may be infinite or missing, which JSON cannot write: `"inf"`, `"-inf"`, `"nan"` stand for them.
-pub mod extended_number {
-    use serde::de::Error;
-    use serde::{Deserialize, Deserializer, Serializer};
-
-    #[derive(Deserialize)]
-    #[serde(untagged)]
-    enum NumberOrWord {
-        Number(f64),
-        Word(String),
-    }
-
-    /// Writes a finite number as itself, others as words.
-    ///
-    /// # Errors
-    /// Those of the serializer.
-    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-        if value.is_finite() {
-            serializer.serialize_f64(*value)
-        } else if value.is_nan() {
-            serializer.serialize_str("nan")
-        } else if *value > 0.0 {
-            serializer.serialize_str("inf")
-        } else {
-            serializer.serialize_str("-inf")
-        }
-    }
-
-    /// Reads what [`serialize`] wrote.
-    ///
-    /// # Errors
-    /// Any other word.
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-        match NumberOrWord::deserialize(deserializer)? {
-            NumberOrWord::Number(value) => Ok(value),
-            NumberOrWord::Word(word) => match word.as_str() {
-                "inf" => Ok(f64::INFINITY),
-                "-inf" => Ok(f64::NEG_INFINITY),
-                "nan" => Ok(f64::NAN),
-                _ => Err(D::Error::custom(format!("'{word}' is not a number; expected a number, inf, -inf or nan"))),
-            },
-        }
-    }
 }

@@ -1,0 +1,64 @@
+//! The polynomial part of a model.
+
+use super::dense::Cholesky;
+
+/// Degree of the polynomial.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Trend {
+    Constant,
+    Linear,
+    Quadratic,
+}
+
+impl Trend {
+    /// The highest degree with at least two points for each coefficient that the points determine, with its terms at the
+    /// points (row by row) and the factor of its normal equations.
+    pub fn for_points(points: &[Vec<f64>]) -> Option<(Self, Vec<f64>, Cholesky)> {
+        let dimensions = points.first()?.len();
+        [Self::Quadratic, Self::Linear, Self::Constant].into_iter().find_map(|trend| {
+            let size = trend.size(dimensions);
+            if 2 * size > points.len() {
+                return None;
+            }
+            let terms: Vec<f64> = points.iter().flat_map(|point| trend.terms(point)).collect();
+            let normal_equations = Cholesky::new(gram(&terms, size), size)?;
+            Some((trend, terms, normal_equations))
+        })
+    }
+
+    /// Number of terms.
+    fn size(self, dimensions: usize) -> usize {
+        match self {
+            Self::Constant => 1,
+            Self::Linear => 1 + dimensions,
+            Self::Quadratic => (dimensions + 1) * (dimensions + 2) / 2,
+        }
+    }
+
+    /// 1, t_i, t_i t_j with t = 2u - 1.
+    pub fn terms(self, point: &[f64]) -> Vec<f64> {
+        let mut terms = vec![1.0];
+        if self != Self::Constant {
+            terms.extend(point.iter().map(|x| 2.0 * x - 1.0));
+        }
+        if self == Self::Quadratic {
+            for (i, x) in point.iter().enumerate() {
+                terms.extend(point[i..].iter().map(|y| (2.0 * x - 1.0) * (2.0 * y - 1.0)));
+            }
+        }
+        terms
+    }
+}
+
+/// AᵀA of a matrix with rows of `size` entries.
+pub(super) fn gram(rows: &[f64], size: usize) -> Vec<f64> {
+    let mut gram = vec![0.0; size * size];
+    for row in rows.chunks(size) {
+        for i in 0..size {
+            for j in 0..size {
+                gram[i * size + j] += row[i] * row[j];
+            }
+        }
+    }
+    gram
+}

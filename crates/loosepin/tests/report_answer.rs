@@ -1,0 +1,212 @@
+//! The sentences that a reader takes away: what they claim, that they never claim more than the bounds hold, and that
+//! they say so when something is missing.
+
+mod report_fixture;
+
+use std::collections::BTreeMap;
+
+use loosepin::report::{motion_text, simulation_text, study_page, study_text};
+use loosepin::simulate::record::StopReason;
+use loosepin::study::result::{
+    CoveragePoint, DeviationKind, GuaranteeKind, InputDescription, InputKind, Reduction, ResponsePoint, StatisticKind,
+    StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+};
+use loosepin::units::SiUnit;
+
+use report_fixture::study::worn_pin;
+
+/// The text on one line, so that a sentence can be looked for wherever it was wrapped.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[track_caller]
+fn assert_says(result: &StudyResult, sentence: &str) {
+    let text = one_line(&study_text(result));
+    assert!(text.contains(sentence), "'{sentence}' is not in: {text}");
+}
+
+fn quantile_bound_m(value: f64, error: f64) -> StudyResult {
+    let mut result = worn_pin();
+    result.bounds.truncate(1);
+    let bound = &mut result.bounds[0];
+    assert_eq!(bound.at, ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude });
+    bound.upper.value_si = value - error;
+    bound.upper.widened_si = value;
+    bound.upper.error.sampling_si = error;
+    bound.upper.error.optimisation_si = 0.0;
+    result
+}
+
+#[test]
+fn analytic_headline_rounds_the_bound_outwards() {
+    let headline = "With the gudgeon radial clearance anywhere between 0.1 and 0.5 mm and the steel pin restitution \
+                    anywhere between 0.7 and 0.9, the slider (x of slider.pin) stays within";
+    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), &format!("{headline} ±0.535 mm of its ideal motion"));
+    assert_says(&quantile_bound_m(5.3421e-4, 4e-5), &format!("{headline} ±0.54 mm of its ideal motion"));
+    assert_says(&quantile_bound_m(5.34e-4, 4e-6), &format!("{headline} ±0.534 mm of its ideal motion"));
+    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "in at least 97.5 % of mechanisms.");
+    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "Numerical error of this answer: at most 0.004 mm");
+}
+
+#[test]
+fn a_bound_that_does_not_exist_makes_no_headline() {
+    // Failed runs leave no bound of a quantile above their share: the curve answers instead.
+    let mut result = worn_pin();
+    result.bounds[0].upper.widened_si = f64::INFINITY;
+    assert_says(&result, "of its ideal motion in at least 95 % of mechanisms, at each angle of crank taken by itself.");
+    let page = study_page(&result);
+    assert!(page.contains("∞"), "the table shows that there is no upper bound");
+}
+
+#[test]
+fn without_quantile_and_curve_a_statistic_answers() {
+    let mut result = worn_pin();
+    result.curves.clear();
+    result.bounds.retain(|bound| bound.statistic == StatisticKind::Mean);
+    result.bounds.truncate(1);
+    assert_says(
+        &result,
+        "the mean of slider (x of slider.pin) (deviation, largest in the cycle, in either direction) lies between",
+    );
+    result.bounds.clear();
+    assert_says(&result, "nothing was asked for.");
+}
+
+#[test]
+fn without_intervals_only_scatter_is_named() {
+    let mut result = worn_pin();
+    result.inputs.retain(|input| input.kind == InputKind::Random);
+    assert_says(&result, "With the stated scatter, the slider");
+}
+
+#[test]
+fn a_choice_of_laws_is_listed() {
+    let mut result = worn_pin();
+    result.inputs = vec![InputDescription {
+        path: "contact.steel_pin.law".to_owned(),
+        kind: InputKind::Choice { of: ["lankarani-nikravesh", "flores", "johnson"].map(str::to_owned).to_vec() },
+        unit: SiUnit::NONE,
+        words: "any of lankarani-nikravesh, flores, johnson".to_owned(),
+    }];
+    assert_says(&result, "With the steel pin law any of lankarani-nikravesh, flores and johnson, the slider");
+}
+
+#[test]
+fn inputs_that_would_read_the_same_keep_their_paths() {
+    let mut result = worn_pin();
+    result.inputs[2].path = "joint.pin.play".to_owned();
+    result.inputs[3].path = "body.pin.play".to_owned();
+    assert_says(&result, "With the joint.pin.play anywhere between 0.1 and 0.5 mm and the body.pin.play anywhere");
+}
+
+#[test]
+fn verdicts_stand_first_and_with_their_numbers() {
+    let mut result = worn_pin();
+    result.requirements.truncate(1);
+    assert_says(
+        &result,
+        "The requirement that the deviation of slider stays within ±0.7 mm over the whole cycle in at least 99.73 % of \
+         mechanisms is met: the true share is 99.96 % to 100 %.",
+    );
+    result.requirements[0].verdict = Verdict::Undecided;
+    result.requirements[0].probability = [0.99712, 0.99741];
+    assert_says(
+        &result,
+        "is undecided, because the numerical error reaches over it: the true share is 99.71 % to 99.75 %.",
+    );
+    assert!(study_page(&result).contains("Requirement undecided"));
+    result.requirements[0].lower_si = f64::NEG_INFINITY;
+    result.requirements[0].of = DeviationKind::Value;
+    assert_says(&result, "The requirement that the value of slider stays below 0.7 mm over the whole cycle");
+}
+
+#[test]
+fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
+    let mut result = worn_pin();
+    result.bounds.truncate(3);
+    result.bounds[1].guarantee = GuaranteeKind::Inner;
+    assert_says(&result, "1 of 3 bounds is not confirmed by the search and may be wider.");
+    assert_says(&result, "3 of them failed and are counted as not known.");
+    result.counts.failed = 0;
+    assert_says(&result, "From 16384 runs; none failed.");
+}
+
+/// Y = X + u, X standard normal, u in [-1, 1], central 95 % band (method: exact case), in millimetres.
+fn sum_of_normal_and_interval() -> StudyResult {
+    const MM: f64 = 1e-3;
+    let band = |treatment, half_width: f64, coverage_minimum, coverage_maximum| TreatmentBand {
+        treatment,
+        lower_si: -half_width * MM,
+        upper_si: half_width * MM,
+        coverage_minimum,
+        coverage_maximum,
+        coverage_error: 0.0,
+        coverage_at: vec![CoveragePoint { at: BTreeMap::new(), coverage: coverage_minimum }],
+    };
+    let mut result = worn_pin();
+    result.treatments = vec![TreatmentComparison {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        at: ResponsePoint::Whole,
+        unit: SiUnit::LENGTH,
+        promised_coverage: 0.95,
+        bands: vec![
+            band(TreatmentKind::ProbabilityOnly, 2.2541, 0.895, 0.976),
+            band(TreatmentKind::IntervalOnly, 4.0, 0.998_65, 0.999_94),
+            band(TreatmentKind::Mixed, 2.9600, 0.974_96, 0.9969),
+        ],
+    }];
+    result
+}
+
+#[test]
+fn analytic_treatments_of_a_normal_plus_an_interval() {
+    let result = sum_of_normal_and_interval();
+    assert_says(
+        &result,
+        "Its band breaks the promise of 95 %: where the truth is unkind, only 89.5 % lie inside, for it is only 0.76 times \
+         as wide as the band that does.",
+    );
+    assert_says(
+        &result,
+        "Its band keeps the promise: at least 99.86 % of mechanisms lie inside, whatever is true, at 1.35 times the width \
+         that is needed.",
+    );
+    assert_says(&result, "Its band keeps the promise: at least 97.4 % of mechanisms lie inside, whatever is true.");
+    assert_says(&result, "Everything as probability -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
+    assert_says(&result, "Each as what it is -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");
+}
+
+#[test]
+fn a_promise_within_its_numerical_error_is_not_called_broken() {
+    let mut result = sum_of_normal_and_interval();
+    let band = &mut result.treatments[0].bands[2];
+    band.coverage_minimum = 0.948;
+    band.coverage_error = 0.003;
+    assert_says(&result, "Each as what it is -2.96 mm to 2.96 mm 5.92 mm 94.8 % to 99.69 % kept");
+    assert_says(
+        &result,
+        "Its band keeps the promise of 95 % within numerical error: where the truth is unkind, 94.8 % ± 0.3 % lie inside.",
+    );
+}
+
+#[test]
+fn a_failed_run_says_why() {
+    let mut record = report_fixture::simulation::worn_pin();
+    record.stop = StopReason::Failed {
+        code: "step_below_minimum".to_owned(),
+        words: "step 8.1e-15 s is under the minimum of 1e-14 s at t = 0.0213 s".to_owned(),
+    };
+    let text = one_line(&simulation_text(&record));
+    assert!(text.contains("the run failed: step 8.1e-15 s is under the minimum of 1e-14 s at t = 0.0213 s"), "{text}");
+}
+
+#[test]
+fn a_mechanism_without_play_says_so() {
+    let mut record = report_fixture::motion::worn_pin();
+    record.outputs[0].clearance = loosepin::accuracy::record::ClearanceAnswer::default();
+    let text = one_line(&motion_text(&record));
+    assert!(text.contains("No joint has play: the mechanism moves ideally."), "{text}");
+    assert!(!text.contains("not known"), "{text}");
+}
