@@ -1,3 +1,29 @@
-//! The `loosepin` command.
+//! The `loosepin` command: parse arguments, call the library, print.
+//!
+//! Data goes to standard output, messages and progress to standard error. Exit status: 0 done; 1 done, and a requirement
+//! of the study is not met; 2 an error; 130 interrupted.
 
-fn main() {}
+mod arguments;
+mod command;
+mod console;
+mod ending;
+mod progress;
+
+use std::process::ExitCode;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let ending = match &arguments.command {
+        Command::New(new) => command::new::run(new),
+        Command::Check(check) => command::check::run(check),
+        Command::Simulate(simulate) => command::simulate::run(simulate),
+        Command::Study(study) => command::study::run(study),
+        Command::Schema(schema) => command::schema::run(schema),
+        Command::Explain(explain) => command::explain::run(explain),
+        Command::Report(report) => command::report::run(report),
+    };
+    ending::exit_code(ending)
+}

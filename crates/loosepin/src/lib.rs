@@ -16,6 +16,7 @@ pub mod math;
 pub mod mechanism;
 pub mod model;
 pub mod report;
+pub mod results;
 pub mod simulate;
 pub mod study;
 pub mod templates;

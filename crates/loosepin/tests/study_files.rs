@@ -20,7 +20,6 @@ fn timing() -> Timing {
     Timing {
         started_utc: "2026-11-20T04:00:00Z".to_owned(),
         elapsed_s: 61.25,
-        run_time_s: 118.5,
         runs_per_second_and_thread: 138.3,
         threads: 2,
         processor: "a processor".to_owned(),

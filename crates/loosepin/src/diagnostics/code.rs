@@ -194,6 +194,9 @@ one of the values that it depends on, or write a number in the model file."
 "A warning: the parameter or contact is defined and nothing refers to it, so that changing it, or making it uncertain, has \
 no effect. Often an expression names another one by mistake."
 
+    SetTwice "E0409" "a value is set twice"
+"Two settings on the command line give values to one quantity. Neither wins in silence; remove one of them."
+
     BreaksRule "E0501" "a value is outside its range"
 "Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
 (0, 1], Poisson's ratio in [0, 0.5]. Values outside are refused, never cut or repaired."
@@ -237,6 +240,82 @@ pose is given by the angle of the drive that the cycle counts."
 
     NothingAsked "E0610" "a study asks nothing"
 "A study needs at least one [[ask]] or [[require]], otherwise there is nothing to compute bounds of."
+
+    SamplingNotPossible "E0611" "the numbers of runs do not fit together"
+"The runs at each point are split into equal replicates, whose spread tells the sampling error: `inner` must be a multiple \
+of `replicates`, best `replicates` times a power of two."
+
+    TooFewDrives "E0701" "the drives do not determine the motion"
+"The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
+that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \
+loop which was meant to be closed is open."
+
+    TooManyDrives "E0702" "drives work against each other"
+"There are more drives than degrees of freedom, counted with every clearance at zero, so that they could not all be obeyed. \
+Remove a drive, or a joint that takes a freedom away."
+
+    DrivenLoop "E0703" "every joint of a loop is driven"
+"Prescribing the coordinates of all joints of a loop leaves nothing that could close it. Remove one of the drives."
+
+    CannotClose "E0704" "the links cannot close a loop"
+"With every clearance at zero no position was found in which all joints hold together: the links are too short or too long \
+for each other, at the start or somewhere on the way. The complaint names the joint that stays open furthest, and how far. \
+Lengths, the positions of fixed points and the start angle are the usual causes. A mechanism that rocks between two dead \
+centres cannot be driven through a full turn."
+
+    SingularPosition "E0705" "a position is singular"
+"In this position the drives no longer determine the motion: a body can move although every drive stands still, as at a dead \
+centre that is driven from the wrong side, or where links lie in one line. Forces are unbounded there and nothing can be \
+computed. Start a few degrees away, or drive another joint."
+
+    DriveStandsStill "E0801" "the drive that counts turns stands still"
+"The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
+
+    StepTooSmall "E0802" "a run needs steps that are too small"
+"The steps of the integration fell below what numbers can resolve, at the time that the complaint names. Most often a \
+contact is far too stiff for the mass behind it, or a body has almost no mass. A looser --tolerance may help where it is \
+very tight."
+
+    RunNotFinite "E0803" "a run left the finite numbers"
+"A position or a velocity became infinite or undefined, at the time that the complaint names. Most often values of very \
+different size meet, such as a mass of 1e-30 kg and a stiffness of 1e12 N/m^1.5."
+
+    RunTooLong "E0804" "a run takes too many evaluations"
+"The run was given up after the number of evaluations that the complaint names, so that it ends at all. Ask for fewer turns \
+or a looser --tolerance; a contact with very many tiny bounces also ends here."
+
+    AllRunsFailed "E0805" "every run of a study failed"
+"No run of the study came to its end, so that there is nothing to compute bounds from. The complaint gives the reason of the \
+first one; `loosepin simulate` with the values of the study shows it alone."
+
+    NoThreads "E0806" "threads cannot be started"
+"The system did not give the program the threads that it asked for. Ask for fewer with --threads."
+
+    Interrupted "E0807" "a study was interrupted"
+"Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
+
+    FolderHoldsOther "E0901" "a folder holds something else"
+"Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
+at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \
+old ones), or say --force: results of ours are replaced, other files are left where they are unless they bear the same name."
+
+    NoResults "E0902" "a folder holds no results"
+"`loosepin report` writes pages again from stored results. A folder of results has a file loosepin.json that says what it \
+holds; this one has none, or the run that filled it did not finish."
+
+    FolderNotUsable "E0903" "a folder or file cannot be written or read"
+"The file system refused, for the reason that the complaint gives: rights, a full disk, or a file where a folder is due."
+
+    FileExists "E0904" "a file is there already"
+"`loosepin new` writes model.toml and study.toml and does not overwrite files of yours. Give another folder, or move them."
+
+    WrongKindOfFile "E0905" "a study stands where a model is due, or the other way round"
+"Some commands take a model (a mechanism with its nominal values), some a study (what is uncertain in it, and what is asked). \
+A file with a key `model` at its top is a study."
+
+    ResultNotStorable "E0906" "a result cannot be laid out as a file"
+"A value of the result has no form in JSON, CSV or Parquet, or its columns do not fit together. This is a slip of ours: please \
+report it with the files that lead to it."
 }
 
 #[cfg(test)]
@@ -258,6 +337,6 @@ mod tests {
     #[test]
     fn an_unknown_code_is_refused() {
         let error = "E9999".parse::<Code>().expect_err("no such code");
-        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0610");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0906");
     }
 }

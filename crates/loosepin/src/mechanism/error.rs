@@ -1,6 +1,7 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
 use crate::model::QuantityError;
+use crate::units::{Dimension, format_value};
 use thiserror::Error;
 
 /// Why a model cannot be compiled.
@@ -42,8 +43,8 @@ pub enum MechanismError {
     },
     /// No configuration closes all loops.
     #[error(
-        "the links cannot close at the start: joint '{joint}' stays {:.4} mm open at best",
-        gap_m * 1e3
+        "the links cannot close at the start: joint '{joint}' stays {} open at best",
+        format_value(*gap_m, Dimension::LENGTH)
     )]
     CannotClose {
         /// The joint with the largest gap.
@@ -52,34 +53,31 @@ pub enum MechanismError {
         gap_m: f64,
     },
     /// The start is a singular position.
-    #[error("the mechanism starts in a singular position: {} can move although every drive stands still", bodies.join(", "))]
+    #[error(
+        "the mechanism starts in a singular position: {} can move although every drive stands still",
+        quoted(bodies)
+    )]
     SingularStart {
         /// Bodies that can move there.
         bodies: Vec<String>,
     },
 }
 
-impl MechanismError {
-    /// The way out, in words.
-    pub fn hint(&self) -> &'static str {
-        match self {
-            Self::Quantity(_) => "change the value, or the expression that gives it",
-            Self::TooFewDrives { .. } => "add a drive, or a joint that holds these bodies",
-            Self::TooManyDrives { .. } => "remove a drive",
-            Self::DrivenLoop { .. } => "remove one of the drives of this loop",
-            Self::CannotClose { .. } => {
-                "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the true one"
-            }
-            Self::SingularStart { .. } => "start the drive a few degrees away",
-        }
-    }
-}
-
 fn undetermined_words(bodies: &[String]) -> String {
     match bodies {
         [] => "a motion is".to_owned(),
-        [one] => format!("the motion of {one} is"),
-        many => format!("the motions of {} are", many.join(", ")),
+        [one] => format!("the motion of '{one}' is"),
+        many => format!("the motions of {} are", quoted(many)),
+    }
+}
+
+/// `'crank', 'rod' and 'slider'`.
+fn quoted(bodies: &[String]) -> String {
+    let quoted: Vec<String> = bodies.iter().map(|body| format!("'{body}'")).collect();
+    match quoted.as_slice() {
+        [] => "a body".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 
@@ -90,7 +88,7 @@ pub enum SampleError {
     #[error(transparent)]
     Quantity(#[from] QuantityError),
     /// A clearance is zero in one and above zero in the other of sample and compiled mechanism.
-    #[error("joint '{joint}' has a radial clearance of {clearance_m} m; the compiled mechanism treats it as {}", if *compiled_with_play { "a joint with play" } else { "ideal" })]
+    #[error("joint '{joint}' has a radial clearance of {}; the compiled mechanism treats it as {}", format_value(*clearance_m, Dimension::LENGTH), if *compiled_with_play { "a joint with play" } else { "ideal" })]
     ClearanceChangesTopology {
         /// The joint.
         joint: String,
@@ -100,7 +98,11 @@ pub enum SampleError {
         compiled_with_play: bool,
     },
     /// The loops cannot be closed at this instant.
-    #[error("the links cannot close at {time_s} s: joint '{joint}' stays {gap_m:e} m open")]
+    #[error(
+        "the links cannot close at {}: joint '{joint}' stays {} open",
+        format_value(*time_s, Dimension::TIME),
+        format_value(*gap_m, Dimension::LENGTH)
+    )]
     CannotClose {
         /// The joint with the largest gap.
         joint: String,
@@ -110,7 +112,7 @@ pub enum SampleError {
         time_s: f64,
     },
     /// A singular position is met.
-    #[error("singular position at {time_s} s: the drives no longer determine the motion")]
+    #[error("singular position at {}: the drives no longer determine the motion", format_value(*time_s, Dimension::TIME))]
     Singular {
         /// The time, s.
         time_s: f64,

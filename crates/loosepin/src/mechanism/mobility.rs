@@ -103,9 +103,5 @@ fn moving_bodies(
             moves[link.body.0] |= twist.linear.length() > 1e-6 || twist.angular.abs() > 1e-6;
         }
     }
-    (0..model.bodies.len())
-        .map(BodyId)
-        .filter(|b| moves[b.0])
-        .map(|b| format!("'{}'", model.bodies[b.0].name))
-        .collect()
+    (0..model.bodies.len()).map(BodyId).filter(|b| moves[b.0]).map(|b| model.bodies[b.0].name.clone()).collect()
 }

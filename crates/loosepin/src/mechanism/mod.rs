@@ -4,6 +4,7 @@
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
 mod assembly;
+mod complaint;
 pub mod constraints;
 mod error;
 mod geometry;

@@ -12,6 +12,7 @@ mod output;
 mod parameter;
 mod problem;
 mod quantity;
+mod set_values;
 mod setting;
 mod topology;
 
@@ -20,6 +21,7 @@ pub use file::model_schema;
 pub(crate) use keys::CYCLE_NUMBERS;
 pub use problem::ModelProblem;
 pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
+pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError};
 pub use topology::{
     Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, FrictionLaw, Guess,

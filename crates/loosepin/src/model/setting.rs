@@ -82,6 +82,22 @@ pub enum SettingError {
     /// A value that breaks a rule.
     #[error(transparent)]
     Rule(#[from] QuantityError),
+    /// A quantity set twice.
+    #[error("'{path}' is set a second time")]
+    Twice {
+        /// The path.
+        path: String,
+    },
+    /// An argument outside its range.
+    #[error("{name} is {found}; must be {rule}")]
+    ArgumentBreaksRule {
+        /// The argument.
+        name: String,
+        /// Its value with unit.
+        found: String,
+        /// The range.
+        rule: &'static str,
+    },
 }
 
 impl Problem for PathError {
@@ -119,6 +135,8 @@ impl Problem for SettingError {
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::Rule(error) => error.code(),
+            Self::Twice { .. } => Code::SetTwice,
+            Self::ArgumentBreaksRule { .. } => Code::BreaksRule,
         }
     }
 
@@ -134,6 +152,7 @@ impl Problem for SettingError {
                 ))
             }
             Self::Rule(error) => error.hint(),
+            Self::Twice { .. } | Self::ArgumentBreaksRule { .. } => None,
         }
     }
 }

@@ -1,6 +1,9 @@
 //! Why a run ends without a result.
 
+use crate::diagnostics::{Code, Complaint, Problem};
 use crate::mechanism::SampleError;
+use crate::model::Model;
+use crate::units::{Dimension, format_value};
 use thiserror::Error;
 
 /// The one reason why a run failed.
@@ -10,7 +13,10 @@ pub enum RunFailure {
     #[error(transparent)]
     Sample(#[from] SampleError),
     /// The step became too small.
-    #[error("at {time_s} s the step fell to {step_s:e} s, below the smallest of {smallest_s:e} s")]
+    #[error(
+        "at {} the step fell to {step_s:.1e} s, below the smallest of {smallest_s:.1e} s",
+        format_value(*time_s, Dimension::TIME)
+    )]
     StepTooSmall {
         /// Time, s.
         time_s: f64,
@@ -20,7 +26,7 @@ pub enum RunFailure {
         smallest_s: f64,
     },
     /// A position or velocity is not a number.
-    #[error("at {time_s} s a position or velocity is not a finite number")]
+    #[error("at {} a position or velocity is not a finite number", format_value(*time_s, Dimension::TIME))]
     NotFinite {
         /// Time, s.
         time_s: f64,
@@ -32,7 +38,7 @@ pub enum RunFailure {
         drive: String,
     },
     /// The limit of evaluations is reached.
-    #[error("at {time_s} s the limit of {limit} evaluations was reached")]
+    #[error("at {} the limit of {limit} evaluations was reached", format_value(*time_s, Dimension::TIME))]
     TooManyEvaluations {
         /// Time, s.
         time_s: f64,
@@ -76,5 +82,41 @@ impl RunFailure {
     /// The short name of a number that [`Self::number`] gave.
     pub fn code_of(number: u16) -> &'static str {
         CODES.get(usize::from(number)).copied().unwrap_or("unknown")
+    }
+}
+
+impl Problem for RunFailure {
+    fn code(&self) -> Code {
+        match self {
+            Self::Sample(error) => error.code(),
+            Self::StandsStill { .. } => Code::DriveStandsStill,
+            Self::StepTooSmall { .. } => Code::StepTooSmall,
+            Self::NotFinite { .. } => Code::RunNotFinite,
+            Self::TooManyEvaluations { .. } => Code::RunTooLong,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Sample(error) => error.hint(),
+            Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
+            Self::StepTooSmall { .. } | Self::NotFinite { .. } => {
+                Some("look for a stiffness, mass or inertia far from those of a real part".to_owned())
+            }
+            Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
+        }
+    }
+}
+
+impl RunFailure {
+    /// The complaint about the model whose run failed, at what it is about.
+    pub fn complaint(&self, model: &Model) -> Complaint {
+        match self {
+            Self::Sample(error) => error.complaint(model),
+            Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
+            Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
+                Complaint::error(self, None)
+            }
+        }
     }
 }

@@ -350,7 +350,7 @@ impl<'a> Recorder<'a> {
             },
             extremes,
             joints,
-            display_units: DisplayUnits::default(),
+            display_units: DisplayUnits::for_duration_s(self.window.end_s),
             drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
             outputs,
             contact_forces: (0..self.contact_forces.len())

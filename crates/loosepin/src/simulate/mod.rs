@@ -18,7 +18,7 @@ pub use column::{Arms, Column, Reading, columns};
 pub use drawing::{add_pose, skeleton};
 pub use engine::{Counters, EnergyAccount, PlaySummary, RunReport, run};
 pub use failure::RunFailure;
-pub use history::{BodyStates, Plan, Simulation, simulate};
+pub use history::{BodyStates, Plan, Simulation, simulate, turn_s};
 pub use observer::{Observer, Onset, Separation, Step};
 pub use reference::IdealReference;
 pub use search::{Peak, maximum_within};

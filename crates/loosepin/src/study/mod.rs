@@ -2,10 +2,12 @@
 
 mod assemble;
 mod columns;
+mod complaint;
 mod conduct;
 mod file;
 pub mod files;
 mod ideal_curve;
+mod input_file;
 mod recorder;
 mod response;
 pub mod result;
@@ -16,3 +18,4 @@ pub use file::{
     Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
     study_schema,
 };
+pub use input_file::{InputFile, InputFileProblem};

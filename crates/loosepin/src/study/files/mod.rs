@@ -49,7 +49,7 @@ pub enum FilesError {
         source: io::Error,
     },
     /// The text is not what this version writes.
-    #[error("{what} cannot be read: {source}\nhint: run the study again, or use the version that wrote it")]
+    #[error("{what} cannot be read: {source}")]
     Layout {
         /// What was read, for example `summary.json`.
         what: String,

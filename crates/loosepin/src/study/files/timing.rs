@@ -1,5 +1,7 @@
 //! What does not repeat from run to run, kept apart so that everything else can be compared byte for byte.
 
+use std::time::SystemTime;
+
 use serde::{Deserialize, Serialize};
 
 /// Times, machine and thread counts of one study.
@@ -9,8 +11,6 @@ pub struct Timing {
     pub started_utc: String,
     /// From start to end, in wall time.
     pub elapsed_s: f64,
-    /// Time in runs, added over threads.
-    pub run_time_s: f64,
     /// Finished runs per second and thread.
     pub runs_per_second_and_thread: f64,
     /// Threads used.
@@ -19,4 +19,27 @@ pub struct Timing {
     pub processor: String,
     /// Operating system and architecture.
     pub platform: String,
+}
+
+impl Timing {
+    /// The times of a study that began at `started`, ends now, and made `runs` runs on `threads` threads.
+    pub fn since(started: SystemTime, runs: usize, threads: usize) -> Timing {
+        // A clock that was set back meanwhile gives no time rather than a wrong one.
+        let elapsed_s = started.elapsed().map_or(f64::NAN, |elapsed| elapsed.as_secs_f64());
+        Timing {
+            started_utc: humantime::format_rfc3339_seconds(started).to_string(),
+            elapsed_s,
+            runs_per_second_and_thread: runs as f64 / (elapsed_s * threads as f64),
+            threads,
+            processor: processor(),
+            platform: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+        }
+    }
+}
+
+/// What Linux calls the processor; empty elsewhere.
+fn processor() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with("model name"));
+    line.and_then(|line| line.split_once(':')).map(|(_, name)| name.trim().to_owned()).unwrap_or_default()
 }

@@ -1,0 +1,189 @@
+//! What may be typed. One line of help a flag, with unit and default.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use loosepin::diagnostics::Code;
+use loosepin::model::Rule;
+use loosepin::templates::{TEMPLATES, Template, find_template};
+
+/// How accurately does a mechanism move, when its parts scatter and its joints have play?
+#[derive(Debug, Parser)]
+#[command(
+    name = "loosepin",
+    version,
+    propagate_version = false,
+    max_term_width = 110,
+    disable_help_subcommand = true,
+    after_help = "Start with:\n  \
+        loosepin new slider-crank my_mechanism\n  \
+        loosepin check my_mechanism/model.toml\n  \
+        loosepin simulate my_mechanism/model.toml\n\n\
+        Exit status: 0 done; 1 done, and a requirement of the study is not met; 2 an error; 130 interrupted."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    New(NewArguments),
+    Check(CheckArguments),
+    Simulate(SimulateArguments),
+    Study(StudyArguments),
+    Report(ReportArguments),
+    Schema(SchemaArguments),
+    Explain(ExplainArguments),
+}
+
+/// Write a commented model.toml and study.toml to start from
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  loosepin new --list\n  loosepin new four-bar my_mechanism")]
+pub struct NewArguments {
+    /// The mechanism to start from; --list shows which there are
+    #[arg(required_unless_present = "list", value_parser = template())]
+    pub template: Option<&'static Template>,
+    /// Folder to write into, made where there is none [default: the name of the template]
+    #[arg(value_name = "DIR")]
+    pub folder: Option<PathBuf>,
+    /// List the templates
+    #[arg(long, conflicts_with_all = ["template", "folder"])]
+    pub list: bool,
+}
+
+/// Say in words what models and studies are, and what is wrong with them
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Reads, counts the degrees of freedom, closes the loops, moves the ideal mechanism through its cycle \
+    and tries a first stretch of the dynamic run. For a study also: how many runs, and about how long they take.\n\n\
+    Examples:\n  loosepin check model.toml\n  loosepin check model.toml study.toml"
+)]
+pub struct CheckArguments {
+    /// Model or study files
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+}
+
+/// Run one mechanism with its play and impacts: history, impacts, energy, a report
+#[derive(Debug, Args)]
+#[command(after_help = "Writes history.csv, impacts.csv, summary.json and report.html.\n\n\
+    Examples:\n  \
+    loosepin simulate model.toml\n  \
+    loosepin simulate model.toml --set joint.gudgeon.radial_clearance=0.3mm --turns 3\n  \
+    loosepin simulate model.toml --states --samples 1000 --out run1")]
+pub struct SimulateArguments {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// Give a quantity of the model another value, with its unit; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Also record position, velocity and acceleration of every body
+    #[arg(long)]
+    pub states: bool,
+    /// Turns to record [default: as in the model]
+    #[arg(long, value_name = "N", value_parser = recorded_turns, allow_negative_numbers = true)]
+    pub turns: Option<f64>,
+    /// Turns to run before recording [default: as in the model]
+    #[arg(long, value_name = "N", value_parser = transient_turns, allow_negative_numbers = true)]
+    pub transient: Option<f64>,
+    /// Rows to record in a turn, 1 to 1000000 [default: as in the model]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), allow_negative_numbers = true)]
+    pub samples: Option<u32>,
+    /// Accuracy of positions over the first half turn, with its unit
+    #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
+    pub tolerance: String,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Bound how far the mechanism moves from the ideal, over everything that is uncertain
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
+    for any number of threads. Ctrl-C ends it and keeps the finished runs.\n\n\
+    Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
+    Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds"
+)]
+pub struct StudyArguments {
+    /// Study file
+    #[arg(value_name = "STUDY")]
+    pub study: PathBuf,
+    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
+    pub threads: Option<u32>,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Where results go.
+#[derive(Debug, Args)]
+pub struct OutputArguments {
+    /// Folder for the results [default: results/NAME/HASH, HASH from all inputs]
+    #[arg(long = "out", value_name = "DIR")]
+    pub folder: Option<PathBuf>,
+    /// Run again although the results are there, and replace what is in the way
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Write the pages of stored results again
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  loosepin report results/worn-pin/1a2b3c4d")]
+pub struct ReportArguments {
+    /// Folder of results
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+}
+
+/// Print the JSON Schema of model or study files, for editors
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  loosepin schema model > model.schema.json")]
+pub struct SchemaArguments {
+    /// Kind of file
+    #[arg(value_enum)]
+    pub kind: FileKind,
+}
+
+/// The kinds of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FileKind {
+    /// A mechanism with its nominal values
+    Model,
+    /// What is uncertain in a model, and what is asked
+    Study,
+}
+
+/// Explain an error code at length
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  loosepin explain E0303")]
+pub struct ExplainArguments {
+    /// The code in the brackets behind `error`, for example E0303
+    #[arg(required_unless_present = "list")]
+    pub code: Option<Code>,
+    /// List all codes
+    #[arg(long, conflicts_with = "code")]
+    pub list: bool,
+}
+
+/// The templates by their names.
+fn template() -> impl TypedValueParser<Value = &'static Template> {
+    let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description));
+    PossibleValuesParser::new(names).try_map(|name| find_template(&name).ok_or("no such template"))
+}
+
+fn recorded_turns(text: &str) -> Result<f64, String> {
+    turns(text, Rule::SomeTurns)
+}
+
+fn transient_turns(text: &str) -> Result<f64, String> {
+    turns(text, Rule::Turns)
+}
+
+fn turns(text: &str, rule: Rule) -> Result<f64, String> {
+    text.parse().ok().filter(|&turns| rule.allows(turns)).ok_or_else(|| format!("must be a number {}", rule.words()))
+}

@@ -1,0 +1,280 @@
+//! A mechanism in words.
+
+use std::fmt::Write;
+
+use loosepin::mechanism::{Mechanism, Sample};
+use loosepin::model::{BodyId, Clearance, DriveId, Friction, Joint, JointId, JointKind, Model, PointId};
+use loosepin::model::{SlidingVelocity, Stiffness, Values};
+use loosepin::simulate::columns;
+use loosepin::units::{Dimension, format_number, format_value};
+
+use super::trial::Trial;
+use crate::console::{counted, listed};
+
+/// Angles in sentences are shown to this, rad: a hundredth of a degree picks an assembly well enough.
+const SHOWN_ANGLE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
+/// Lengths of positions are shown to this, m.
+const SHOWN_LENGTH_M: f64 = 1e-8;
+
+/// All that is known of a mechanism before it runs.
+pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
+    let model = &mechanism.model;
+    let mut text = format!("{}\n", model.name);
+    push_bodies(&mut text, model, values);
+    push_joints(&mut text, mechanism, values);
+    push_mobility(&mut text, mechanism);
+    push_start(&mut text, mechanism, values, tried);
+    push_cycle(&mut text, mechanism, tried);
+    text
+}
+
+fn push_bodies(text: &mut String, model: &Model, values: &Values) {
+    let moving = &model.bodies[1..];
+    let _ = writeln!(text, "\n{} on the ground", counted(moving.len(), "moving body", "moving bodies"));
+    let width = moving.iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
+    for body in moving {
+        let value = |id: Option<_>, dimension| id.map(|id| format_value(values[id], dimension)).unwrap_or_default();
+        let _ = writeln!(
+            text,
+            "  {:width$}  {}, {}",
+            body.name,
+            value(body.mass_kg, Dimension::MASS),
+            value(body.inertia_kg_m2, Dimension::INERTIA)
+        );
+    }
+    let _ = writeln!(text, "  gravity {} along -y", format_value(values[model.gravity_m_s2], Dimension::ACCELERATION));
+}
+
+fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
+    let model = &mechanism.model;
+    let _ = writeln!(text, "\n{}, {} with play", counted(model.joints.len(), "joint", "joints"), mechanism.plays.len());
+    let width = model.joints.iter().map(|joint| joint.name.chars().count()).max().unwrap_or(0);
+    let sample = Sample::<f64>::new(mechanism, values).ok();
+    for (index, joint) in model.joints.iter().enumerate() {
+        let joint_id = JointId(index);
+        let _ = writeln!(
+            text,
+            "  {:width$}  {}{}",
+            joint.name,
+            kind_words(model, joint, values),
+            drive_words(model, joint_id, values)
+        );
+        let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
+        let indent = " ".repeat(width + 4);
+        let Some(play) = mechanism.plays.iter().position(|play| *play == joint_id) else {
+            let _ = writeln!(text, "{indent}ideal, since its radial clearance is 0 mm");
+            continue;
+        };
+        let numbers = sample.as_ref().map(|sample| &sample.plays[play]);
+        for line in play_lines(model, clearance, values, numbers) {
+            let _ = writeln!(text, "{indent}{line}");
+        }
+    }
+}
+
+fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
+    let point =
+        |id: PointId| format!("{}.{}", model.bodies[id.body.0].name, model.bodies[id.body.0].points[id.point].name);
+    match &joint.kind {
+        JointKind::Revolute { bearing, journal, .. } => {
+            format!("revolute: {} turns in {}", point(*journal), point(*bearing))
+        }
+        JointKind::Prismatic { guide, guide_angle_rad, slider, .. } => format!(
+            "prismatic: {} slides on a line through {} at {}",
+            point(*slider),
+            point(*guide),
+            angle(values[*guide_angle_rad])
+        ),
+        JointKind::Rigid { first, second, .. } => format!("rigid: {} is fixed to {}", point(*second), point(*first)),
+    }
+}
+
+fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
+    let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
+    let (speed, start) = match model.joints[joint.0].kind {
+        JointKind::Prismatic { .. } => (Dimension::VELOCITY, Dimension::LENGTH),
+        _ => (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE),
+    };
+    let speed = format_value(values[drive.speed], speed);
+    format!(", driven by '{}' at {speed} from {}", drive.name, format_value(values[drive.start], start))
+}
+
+fn play_lines(
+    model: &Model,
+    clearance: &Clearance,
+    values: &Values,
+    numbers: Option<&loosepin::mechanism::PlayGeometry<f64>>,
+) -> Vec<String> {
+    let contact = &model.contacts[clearance.contact.0];
+    let length = |id| format_value(values[id], Dimension::LENGTH);
+    let mut lines = vec![format!(
+        "play: radial clearance {} in a bearing of radius {}",
+        length(clearance.radial_clearance_m),
+        length(clearance.bearing_radius_m)
+    )];
+    let restitution = format_number(values[contact.restitution]);
+    let (mut delivered, mut stiffness) = (String::new(), String::new());
+    if let Some(numbers) = numbers {
+        delivered = format!(" (a free impact delivers {:.4})", numbers.delivered_restitution);
+        let exponent = numbers.normal.exponent;
+        let k = format_value(numbers.normal.stiffness_n_m_n, Dimension::contact_stiffness(exponent));
+        let origin = match contact.stiffness {
+            Stiffness::Material { .. } => "from the materials",
+            Stiffness::Given { .. } => "as given",
+        };
+        stiffness = format!("stiffness {k} {origin}; ");
+    }
+    lines.push(format!("contact '{}': {}, restitution {restitution}{delivered}", contact.name, contact.law.name()));
+    let friction = match &contact.friction {
+        None => "no friction".to_owned(),
+        Some(friction) => friction_words(friction, values),
+    };
+    lines.push(format!("{stiffness}{friction}"));
+    if let Some(limit_m_s) =
+        numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
+    {
+        lines.push(format!("the law is meant for impacts up to {limit_m_s:.2} m/s; a run tells the share beyond"));
+    }
+    lines
+}
+
+fn friction_words(friction: &Friction, values: &Values) -> String {
+    let reading = match friction.sliding_velocity {
+        SlidingVelocity::Material => "",
+        SlidingVelocity::Literal => ", sliding velocity by the literal reading",
+    };
+    format!(
+        "friction coefficient {}, growing from {} to {} of sliding{reading}",
+        format_number(values[friction.coefficient]),
+        format_value(values[friction.lower_speed_m_s], Dimension::VELOCITY),
+        format_value(values[friction.upper_speed_m_s], Dimension::VELOCITY)
+    )
+}
+
+fn push_mobility(text: &mut String, mechanism: &Mechanism) {
+    let model = &mechanism.model;
+    let name = |joint: &JointId| format!("'{}'", model.joints[joint.0].name);
+    let loops = mechanism.ideal.cuts.len();
+    let held = mechanism.real.cuts.len();
+    let _ = writeln!(text);
+    let loop_words = match (loops, mechanism.plays.as_slice()) {
+        (0, _) => "no closed loop".to_owned(),
+        (_, []) => format!("{}, held by ideal joints", counted(loops, "closed loop", "closed loops")),
+        (_, plays) => {
+            let opened = format!("opened by the play of {}", listed(&plays.iter().map(name).collect::<Vec<_>>()));
+            match (loops, held) {
+                (1, 0) => format!("1 closed loop, {opened}"),
+                (_, 0) => format!("{loops} closed loops, all of them {opened}"),
+                (_, held) => {
+                    let others = if loops - held == 1 { "the other is" } else { "the others are" };
+                    format!("{loops} closed loops; ideal joints alone hold {held} of them, {others} {opened}")
+                }
+            }
+        }
+    };
+    let _ = writeln!(text, "{loop_words}");
+    let _ = writeln!(
+        text,
+        "{} with every clearance at zero, {}: the motion is determined",
+        counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
+        counted(model.drives.len(), "drive", "drives")
+    );
+    let loose = mechanism.real.free - mechanism.real_rows().len();
+    if !mechanism.plays.is_empty() {
+        let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
+    }
+    for (joint, count) in &mechanism.redundant {
+        let _ = writeln!(
+            text,
+            "joint {} repeats what the others impose already: {} of it {} redundant",
+            name(joint),
+            counted(*count, "constraint", "constraints"),
+            if *count == 1 { "is" } else { "are" }
+        );
+    }
+    for root in mechanism.real.floating_roots.iter().filter(|_| !mechanism.plays.is_empty()) {
+        let _ = writeln!(text, "body '{}' is held by joints with play alone", model.bodies[root.0].name);
+    }
+}
+
+fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: &Trial) {
+    let model = &mechanism.model;
+    let drives: Vec<String> =
+        (0..model.drives.len()).map(|index| start_of_drive(model, DriveId(index), values)).collect();
+    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&drives));
+    let width = model.bodies[1..].iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
+    for (body, start) in model.bodies.iter().zip(&tried.start).skip(1) {
+        let points: Vec<String> = body
+            .points
+            .iter()
+            .zip(&start.points_m)
+            .map(|(point, position_m)| {
+                format!("{} ({}, {}) mm", point.name, millimetres(position_m[0]), millimetres(position_m[1]))
+            })
+            .collect();
+        let _ = writeln!(text, "  {:width$}  at {}: {}", body.name, angle(start.angle_rad), points.join(", "));
+    }
+    let others: Vec<&Vec<f64>> = mechanism.other_assemblies_rad.iter().collect();
+    if others.is_empty() {
+        return;
+    }
+    let ways = if others.len() == 1 { "in one other way" } else { "in other ways" };
+    let _ = writeln!(text, "The loops close at this start {ways} as well; to choose, write under [assembly]");
+    for other in others {
+        let _ = writeln!(text, "  {}", guess_words(model, other, tried));
+    }
+}
+
+fn start_of_drive(model: &Model, drive: DriveId, values: &Values) -> String {
+    let drive = &model.drives[drive.0];
+    let start = match model.joints[drive.joint.0].kind {
+        JointKind::Prismatic { .. } => format_value(values[drive.start], Dimension::LENGTH),
+        _ => format_value(values[drive.start], Dimension::ANGLE),
+    };
+    format!("'{}' at {start}", drive.name)
+}
+
+/// The guess that picks another assembly: the angles of all bodies that stand differently in it.
+fn guess_words(model: &Model, other_rad: &[f64], tried: &Trial) -> String {
+    let turned = |body: usize| ((other_rad[body] - tried.start[body].angle_rad) / 2.0).sin().abs() > SHOWN_ANGLE_RAD;
+    let guesses: Vec<String> = (1..model.bodies.len())
+        .map(BodyId)
+        .filter(|body| turned(body.0))
+        .map(|body| format!("{} = \"{}\"", model.bodies[body.0].name, angle(other_rad[body.0])))
+        .collect();
+    format!("guess = {{ {} }}", guesses.join(", "))
+}
+
+fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
+    let model = &mechanism.model;
+    let cycle = &model.cycle;
+    let turns = |turns: f64, what: &str| {
+        format!("{} {}{what}", format_number(turns), if turns == 1.0 { "turn" } else { "turns" })
+    };
+    let _ = writeln!(
+        text,
+        "\nA run: {} to settle, {} of {} each, {}",
+        turns(cycle.transient_turns, ""),
+        turns(cycle.recorded_turns, " recorded"),
+        format_value(tried.turn_s, Dimension::TIME),
+        counted(cycle.samples_per_turn, "row a turn", "rows a turn")
+    );
+    let columns = columns(mechanism);
+    let width = columns.iter().map(|column| column.name.chars().count()).max().unwrap_or(0);
+    for column in &columns {
+        let _ = writeln!(text, "  {:width$}  {}", column.name, column.words);
+    }
+    let _ = writeln!(text, "The loops close all the way round, and the first steps of the run succeed.");
+}
+
+/// An angle in degrees to a hundredth, within half a turn of zero.
+fn angle(angle_rad: f64) -> String {
+    let turn = std::f64::consts::TAU;
+    let within = angle_rad - turn * (angle_rad / turn).round();
+    format_value((within / SHOWN_ANGLE_RAD).round() * SHOWN_ANGLE_RAD, Dimension::ANGLE)
+}
+
+/// A length in mm, without the unit, free of round-off.
+fn millimetres(length_m: f64) -> String {
+    format_number((length_m / SHOWN_LENGTH_M).round() * SHOWN_LENGTH_M * 1e3)
+}

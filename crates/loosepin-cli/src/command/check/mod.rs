@@ -1,0 +1,54 @@
+//! `loosepin check`.
+
+mod mechanism;
+mod study;
+mod trial;
+
+use std::path::Path;
+
+use loosepin::diagnostics::Complaints;
+use loosepin::mechanism::Mechanism;
+use loosepin::model::{Model, Values};
+use loosepin::study::InputFile;
+
+use super::inputs::warn;
+use crate::arguments::CheckArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+
+/// Says what each file is; a file that is wrong does not keep the others from being looked at.
+pub fn run(arguments: &CheckArguments) -> Ending {
+    let mut complaints = Complaints::new();
+    for (index, path) in arguments.files.iter().enumerate() {
+        let gap = if index > 0 { "\n" } else { "" };
+        match describe(path) {
+            Ok(text) => console::print(&format!("{gap}{}: {text}", path.display()))?,
+            Err(Failure::Complaints(found)) => complaints.extend(found),
+            Err(failure) => return Err(failure),
+        }
+    }
+    if complaints.is_empty() { Ok(Done::Well) } else { Err(complaints.into()) }
+}
+
+fn describe(path: &Path) -> Result<String, Failure> {
+    match InputFile::from_path(path)? {
+        InputFile::Model(model) => {
+            warn(&model.warnings);
+            let values = model.quantities.nominal();
+            let (mechanism, tried) = compile_and_try(&model, &values)?;
+            Ok(mechanism::words(&mechanism, &values, &tried))
+        }
+        InputFile::Study(study) => {
+            warn(&study.warnings);
+            let values = study::middle_values(&study)?;
+            let (mechanism, tried) = compile_and_try(&study.model, &values)?;
+            study::words(&study, &mechanism, &values, &tried)
+        }
+    }
+}
+
+fn compile_and_try(model: &Model, values: &Values) -> Result<(Mechanism, trial::Trial), Failure> {
+    let mechanism = Mechanism::new(model, values).map_err(|error| error.complaint(model))?;
+    let tried = trial::try_out(&mechanism, values).map_err(|failure| failure.complaint(model))?;
+    Ok((mechanism, tried))
+}

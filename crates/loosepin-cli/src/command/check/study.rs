@@ -1,0 +1,111 @@
+//! A study in words.
+
+use std::fmt::Write;
+
+use loosepin::mechanism::Mechanism;
+use loosepin::model::{QuantityError, QuantityId, Values};
+use loosepin::study::{Study, plan_runs};
+use loosepin::uncertainty::Distribution;
+use loosepin::units::{Dimension, format_number, format_value};
+
+use super::trial::{Trial, run_time_s};
+use crate::console::{counted, duration};
+use crate::ending::Failure;
+
+/// The values of the model with every interval input in the middle of its interval.
+///
+/// # Errors
+/// They are impossible together.
+pub fn middle_values(study: &Study) -> Result<Values, Failure> {
+    let middle: Vec<(QuantityId, f64)> =
+        study.epistemic.iter().map(|input| (input.quantity, input.interval.at(0.5))).collect();
+    let complain =
+        |error: QuantityError| loosepin::diagnostics::Complaint::error(&error, study.model.place(error.path()));
+    study.model.quantities.evaluate(&middle).map_err(|error| complain(error).into())
+}
+
+/// What is uncertain, what is asked, and how long it takes.
+///
+/// # Errors
+/// The study cannot be planned, or its nominal run fails.
+pub fn words(study: &Study, mechanism: &Mechanism, values: &Values, tried: &Trial) -> Result<String, Failure> {
+    let mut text = format!("{}\n\nof {}: {}\n", study.name, study.model_path.display(), study.model.name);
+    push_inputs(&mut text, study);
+    let _ = writeln!(
+        text,
+        "\n{} and {}",
+        counted(study.asks.len(), "question", "questions"),
+        counted(study.requirements.len(), "requirement", "requirements")
+    );
+    let most_runs = plan_runs(study).map_err(|error| error.complaint(study))?;
+    let run_s = run_time_s(mechanism, values, &study.cycle, study.sampling.tolerance_m)
+        .map_err(|failure| failure.complaint(&study.model))?;
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let _ = writeln!(
+        text,
+        "\nA run: {} turns to settle, {} recorded, of {} each, positions to {:e} m",
+        format_number(study.cycle.transient_turns),
+        format_number(study.cycle.recorded_turns),
+        format_value(tried.turn_s, Dimension::TIME),
+        study.sampling.tolerance_m
+    );
+    let _ = writeln!(
+        text,
+        "At most {most_runs} runs: about {} on {}",
+        duration(run_s * most_runs as f64 / threads as f64),
+        counted(threads, "thread", "threads")
+    );
+    Ok(text)
+}
+
+fn push_inputs(text: &mut String, study: &Study) {
+    let paths = study.random.iter().map(|input| &input.path).chain(study.epistemic.iter().map(|input| &input.path));
+    let width = paths.map(|path| path.chars().count()).max().unwrap_or(0);
+    let dimension = |id: QuantityId| study.model.quantities[id].dimension;
+    let _ = writeln!(text, "\n{}", counted(study.random.len(), "random input", "random inputs"));
+    for input in &study.random {
+        let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
+        let _ = writeln!(text, "  {:width$}  {shown}", input.path);
+    }
+    let _ = writeln!(text, "\n{}", counted(study.epistemic.len(), "interval input", "interval inputs"));
+    for input in &study.epistemic {
+        let dimension = dimension(input.quantity);
+        let _ = writeln!(
+            text,
+            "  {:width$}  between {} and {}",
+            input.path,
+            format_value(input.interval.lower(), dimension),
+            format_value(input.interval.upper(), dimension)
+        );
+    }
+}
+
+fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
+    let value = |value_si: f64| format_value(value_si, dimension);
+    match *distribution {
+        Distribution::Normal { mean, standard_deviation } => {
+            format!("normal, mean {}, standard deviation {}", value(mean), value(standard_deviation))
+        }
+        Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => format!(
+            "normal, mean {}, standard deviation {}, cut to {} .. {}",
+            value(mean),
+            value(standard_deviation),
+            value(lower),
+            value(upper)
+        ),
+        Distribution::Uniform { lower, upper } => format!("uniform from {} to {}", value(lower), value(upper)),
+        Distribution::Lognormal { mean, standard_deviation } => {
+            format!("lognormal, mean {}, standard deviation {}", value(mean), value(standard_deviation))
+        }
+        Distribution::Triangular { lower, mode, upper } => {
+            format!("triangular from {} over {} to {}", value(lower), value(mode), value(upper))
+        }
+        Distribution::Beta { alpha, beta, lower, upper } => format!(
+            "beta from {} to {}, shapes {} and {}",
+            value(lower),
+            value(upper),
+            format_number(alpha),
+            format_number(beta)
+        ),
+    }
+}

@@ -1,0 +1,98 @@
+//! Moving a mechanism for the first time.
+
+use std::f64::consts::TAU;
+
+use loosepin::mechanism::{Mechanism, Sample};
+use loosepin::model::{Cycle, Values};
+use loosepin::simulate::{IdealReference, Plan, RunFailure, Settings, Window, run, turn_s};
+use loosepin::simulate::{Observer, Step};
+
+/// Positions of a turn in which the ideal mechanism is closed.
+const POSITIONS_PER_TURN: usize = 360;
+/// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
+const MOST_TURNS: f64 = 20.0;
+/// Share of a turn that the dynamic trial lasts.
+const TRIAL_TURNS: f64 = 1.0 / 360.0;
+
+/// What the trial showed.
+#[derive(Debug)]
+pub struct Trial {
+    /// Positions of all points of each body at the start, m, and the angle of the body, rad; the ground first.
+    pub start: Vec<BodyStart>,
+    /// Duration of a turn of the cycle's drive, s.
+    pub turn_s: f64,
+}
+
+/// Where a body is at the start.
+#[derive(Debug)]
+pub struct BodyStart {
+    /// Angle of the body's x axis from the ground's, rad.
+    pub angle_rad: f64,
+    /// Positions of its points seen from the ground, m.
+    pub points_m: Vec<[f64; 2]>,
+}
+
+/// Closes the ideal mechanism all around its cycle, and runs the first stretch of the real one.
+///
+/// # Errors
+/// The first position that does not close, or why the run failed.
+pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailure> {
+    let cycle = &mechanism.model.cycle;
+    let turn_s = turn_s(mechanism, values, cycle)?;
+    let sample = Sample::new(mechanism, values)?;
+    let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
+    let mut motion = IdealReference::new(&ideal, &ideal_sample)?;
+    let start = body_starts(mechanism, values, motion.at(0.0, false)?);
+    let turns = (cycle.transient_turns + cycle.recorded_turns).min(MOST_TURNS);
+    let positions = (turns * POSITIONS_PER_TURN as f64).ceil() as usize;
+    for position in 1..=positions {
+        motion.at(turns * turn_s * position as f64 / positions as f64, false)?;
+    }
+    let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
+    run(mechanism, &sample, &window, &Settings::for_simulation(), &mut Unobserved)?;
+    Ok(Trial { start, turn_s })
+}
+
+/// Seconds that one nominal run takes on this machine, by the clock.
+///
+/// # Errors
+/// Why it failed.
+pub fn run_time_s(mechanism: &Mechanism, values: &Values, cycle: &Cycle, tolerance_m: f64) -> Result<f64, RunFailure> {
+    let settings = Settings { tolerance_m, ..Settings::for_study() };
+    let plan = Plan { cycle: cycle.clone(), settings, with_states: false, overrides: Vec::new() };
+    let began = std::time::Instant::now();
+    loosepin::simulate::simulate(mechanism, values, &plan)?;
+    Ok(began.elapsed().as_secs_f64())
+}
+
+fn body_starts(
+    mechanism: &Mechanism,
+    values: &Values,
+    ideal: &loosepin::dynamics::Dynamics<'_, f64>,
+) -> Vec<BodyStart> {
+    let bodies = mechanism.model.bodies.iter().enumerate();
+    bodies
+        .map(|(index, body)| {
+            let pose = &ideal.kinematics.poses[mechanism.ideal.slot_of_body[index]];
+            let point_m = |x: f64, y: f64| {
+                let point = pose.point_m(loosepin::math::Vec2::new(x, y));
+                [point.x, point.y]
+            };
+            BodyStart {
+                // Whole turns say nothing about a position.
+                angle_rad: pose.angle_rad - TAU * (pose.angle_rad / TAU).round(),
+                points_m: body
+                    .points
+                    .iter()
+                    .map(|point| point_m(values[point.position_m[0]], values[point.position_m[1]]))
+                    .collect(),
+            }
+        })
+        .collect()
+}
+
+struct Unobserved;
+
+impl Observer for Unobserved {
+    fn step(&mut self, _step: &mut Step<'_, '_>) {}
+}

@@ -1,0 +1,11 @@
+//! One module for each command.
+
+pub mod check;
+pub mod explain;
+mod inputs;
+pub mod new;
+pub mod report;
+pub mod schema;
+pub mod simulate;
+mod stored;
+pub mod study;

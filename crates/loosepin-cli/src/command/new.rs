@@ -1,0 +1,24 @@
+//! `loosepin new`.
+
+use std::path::PathBuf;
+
+use loosepin::templates::{TEMPLATES, Template, write_template};
+
+use crate::arguments::NewArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+
+/// Lists the templates, or writes one.
+pub fn run(arguments: &NewArguments) -> Ending {
+    let Some(template) = arguments.template else {
+        let width = TEMPLATES.iter().map(|template| template.name.len()).max().unwrap_or(0);
+        let line = |template: &Template| format!("{:width$}  {}\n", template.name, template.description);
+        console::print(&TEMPLATES.iter().map(line).collect::<String>())?;
+        return Ok(Done::Well);
+    };
+    let folder: PathBuf = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(template.name));
+    let files = write_template(template, &folder).map_err(|error| Failure::of(&error))?;
+    let [model, study] = files.map(|file| file.display().to_string());
+    console::message(&format!("wrote {model} and {study}\nnext: loosepin check {model} {study}"));
+    Ok(Done::Well)
+}

@@ -1,0 +1,99 @@
+//! `loosepin simulate`.
+
+use loosepin::mechanism::Mechanism;
+use loosepin::model::{Model, Rule, SetValues, measured_argument};
+use loosepin::report::{simulation_page, simulation_text};
+use loosepin::results::{Claim, HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind};
+use loosepin::results::{ResultsFolder, SUMMARY_FILE};
+use loosepin::simulate::record::SimulationRecord;
+use loosepin::simulate::{Plan, Settings, history_csv, impacts_csv, simulate};
+use loosepin::units::Dimension;
+
+use super::inputs::{overrides, read_model};
+use super::stored::{place, read_json, to_json};
+use crate::arguments::SimulateArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+
+/// Runs the model, or shows the run that is there.
+pub fn run(arguments: &SimulateArguments) -> Ending {
+    let model = read_model(&arguments.model)?;
+    let set = model.set_values(&arguments.set)?;
+    let plan = plan(arguments, &model)?;
+    let claim = Claim {
+        kind: ResultKind::Simulation,
+        name: model.name.clone(),
+        inputs: inputs(&model, arguments, &plan),
+        place: place(&arguments.output),
+        with_force: arguments.output.force,
+    };
+    // Compiled first, so that a model that cannot run leaves no folder behind.
+    let mechanism = Mechanism::new(&model, &set.values).map_err(|error| error.complaint(&model))?;
+    let mut folder = claim.take()?;
+    if folder.is_finished() {
+        console::message(&format!(
+            "{} holds this run already: the report is written again (--force runs it anew)",
+            folder.path().display()
+        ));
+        return show_again(&mut folder);
+    }
+    let record = run_and_write(&mechanism, &set, &plan, &mut folder)?;
+    tell(&record, &folder)
+}
+
+/// Writes the page again from the stored record, and prints the table.
+pub fn show_again(folder: &mut ResultsFolder) -> Ending {
+    let record: SimulationRecord = read_json(folder, SUMMARY_FILE)?;
+    folder.write(REPORT_FILE, simulation_page(&record).as_bytes())?;
+    tell(&record, folder)
+}
+
+fn run_and_write(
+    mechanism: &Mechanism,
+    set: &SetValues,
+    plan: &Plan,
+    folder: &mut ResultsFolder,
+) -> Result<SimulationRecord, Failure> {
+    let simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(&mechanism.model))?;
+    folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
+    folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
+    folder.write(SUMMARY_FILE, to_json(&simulation.record, folder, SUMMARY_FILE)?.as_bytes())?;
+    folder.write(REPORT_FILE, simulation_page(&simulation.record).as_bytes())?;
+    folder.finish()?;
+    Ok(simulation.record)
+}
+
+fn tell(record: &SimulationRecord, folder: &ResultsFolder) -> Ending {
+    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
+    console::print(&simulation_text(record))?;
+    Ok(Done::Well)
+}
+
+fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
+    let mut cycle = model.cycle.clone();
+    cycle.recorded_turns = arguments.turns.unwrap_or(cycle.recorded_turns);
+    cycle.transient_turns = arguments.transient.unwrap_or(cycle.transient_turns);
+    cycle.samples_per_turn = arguments.samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
+    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
+    Ok(Plan {
+        cycle,
+        settings: Settings { tolerance_m, ..Settings::for_simulation() },
+        with_states: arguments.states,
+        overrides: overrides(&arguments.set),
+    })
+}
+
+fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan) -> InputsHash {
+    let mut hasher = InputsHasher::new(ResultKind::Simulation);
+    hasher.add("model", model.source().text());
+    for set in &arguments.set {
+        hasher.add("set", set);
+    }
+    hasher
+        .add_number("transient_turns", plan.cycle.transient_turns)
+        .add_number("recorded_turns", plan.cycle.recorded_turns)
+        .add("samples_per_turn", plan.cycle.samples_per_turn.to_string())
+        .add_number("tolerance_m", plan.settings.tolerance_m)
+        .add("with_states", plan.with_states.to_string())
+        .finish()
+}

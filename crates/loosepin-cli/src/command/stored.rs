@@ -1,0 +1,39 @@
+//! Results that are stored and read again.
+
+use std::path::PathBuf;
+
+use loosepin::results::{Place, ResultsFolder};
+use loosepin::study::files;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::arguments::OutputArguments;
+use crate::ending::Failure;
+
+/// Folder below the present one in which results get a folder of their own.
+const RESULTS_ROOT: &str = "results";
+
+/// Where results are to go.
+pub fn place(output: &OutputArguments) -> Place {
+    match &output.folder {
+        Some(folder) => Place::Folder(folder.clone()),
+        None => Place::Below(PathBuf::from(RESULTS_ROOT)),
+    }
+}
+
+/// A record as JSON.
+///
+/// # Errors
+/// A value that has no form in JSON.
+pub fn to_json<T: Serialize>(record: &T, folder: &ResultsFolder, file_name: &str) -> Result<String, Failure> {
+    files::to_json(record).map_err(|error| folder.foreign_file(file_name, error).into())
+}
+
+/// A record from a stored file.
+///
+/// # Errors
+/// A file that is not there, or that another version wrote.
+pub fn read_json<T: DeserializeOwned>(folder: &ResultsFolder, file_name: &str) -> Result<T, Failure> {
+    let text = folder.read(file_name)?;
+    serde_json::from_str(&text).map_err(|error| folder.foreign_file(file_name, error).into())
+}

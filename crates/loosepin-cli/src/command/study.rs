@@ -1,0 +1,119 @@
+//! `loosepin study`.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::SystemTime;
+
+use loosepin::report::{study_page, study_text};
+use loosepin::results::{Claim, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder};
+use loosepin::study::files::{
+    BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, read_summary, runs_parquet, write_study,
+};
+use loosepin::study::result::{StudyResult, Verdict};
+use loosepin::study::runs::RunsTable;
+use loosepin::study::{Conducted, Study, StudyError, conduct};
+
+use super::inputs::read_study;
+use super::stored::place;
+use crate::arguments::StudyArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+use crate::progress::Bar;
+
+/// Conducts the study, or shows the one that is there.
+pub fn run(arguments: &StudyArguments) -> Ending {
+    let study = read_study(&arguments.study)?;
+    let claim = Claim {
+        kind: ResultKind::Study,
+        name: study.name.clone(),
+        inputs: InputsHasher::new(ResultKind::Study)
+            .add("study", study.source().text())
+            .add("model", study.model.source().text())
+            .finish(),
+        place: place(&arguments.output),
+        with_force: arguments.output.force,
+    };
+    // Planned first, so that a study that cannot begin leaves no folder behind.
+    loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
+    let mut folder = claim.take()?;
+    if folder.is_finished() {
+        console::message(&format!(
+            "{} holds this study already: the report is written again (--force runs it anew)",
+            folder.path().display()
+        ));
+        return show_again(&mut folder);
+    }
+    let threads = arguments
+        .threads
+        .map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), |threads| threads as usize);
+    let started = SystemTime::now();
+    let stop = stop_on_signals();
+    let bar = Bar::new();
+    let outcome = conduct(&study, &claim.inputs.to_string(), threads, &bar, &stop);
+    bar.finish();
+    match outcome {
+        Ok(Conducted { result, runs }) => {
+            let count = runs.columns.first().map_or(0, |column| column.data.len());
+            write(&mut folder, &result, &runs, &Timing::since(started, count, threads))?;
+            tell(&result, &folder)
+        }
+        Err(StudyError::Interrupted { finished, most_runs }) => keep(&mut folder, &finished, most_runs),
+        Err(error) => Err(failure_of(&study, &error)),
+    }
+}
+
+/// Writes the page again from the stored result, and prints the tables.
+pub fn show_again(folder: &mut ResultsFolder) -> Ending {
+    let result = read_summary(folder.path()).map_err(|error| Failure::of(&error))?;
+    folder.write(REPORT_FILE, study_page(&result).as_bytes())?;
+    tell(&result, folder)
+}
+
+fn failure_of(study: &Study, error: &StudyError) -> Failure {
+    error.complaint(study).into()
+}
+
+fn write(folder: &mut ResultsFolder, result: &StudyResult, runs: &RunsTable, timing: &Timing) -> Result<(), Failure> {
+    write_study(folder.path(), result, runs, timing).map_err(|error| Failure::of(&error))?;
+    for file_name in [BOUNDS_FILE, RUNS_FILE, TIMING_FILE, SUMMARY_FILE] {
+        folder.add_file(file_name);
+    }
+    folder.write(REPORT_FILE, study_page(result).as_bytes())?;
+    Ok(folder.finish()?)
+}
+
+/// Keeps the runs that were finished when the study was interrupted.
+fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> Ending {
+    let count = finished.columns.first().map_or(0, |column| column.data.len());
+    let parquet = runs_parquet(finished).map_err(|error| Failure::of(&error))?;
+    folder.write(RUNS_FILE, &parquet)?;
+    folder.leave_unfinished()?;
+    console::message(&format!(
+        "interrupted after {count} of at most {most_runs} runs; they are kept in {}\n\
+         hint: the same command begins again",
+        folder.path().join(RUNS_FILE).display()
+    ));
+    Ok(Done::Interrupted)
+}
+
+fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
+    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
+    console::print(&study_text(result))?;
+    let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
+    Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
+}
+
+/// Set by the first Ctrl-C; the second ends the program at once.
+fn stop_on_signals() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&stop);
+    let handler = move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    };
+    if let Err(error) = ctrlc::set_handler(handler) {
+        console::message(&format!("warning: Ctrl-C will end the study without keeping its runs: {error}"));
+    }
+    stop
+}

@@ -1,0 +1,75 @@
+//! Standard output for data, standard error for messages.
+
+use std::env;
+use std::io::{self, IsTerminal, Write};
+
+use loosepin::diagnostics::{Colour, Complaints};
+use loosepin::report::TERMINAL_COLUMNS;
+
+use crate::ending::Failure;
+
+/// Writes data.
+///
+/// # Errors
+/// Standard output is closed or full.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut output = io::stdout().lock();
+    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(Failure::Output)
+}
+
+/// Writes a line for people. Where nobody can be told, nothing is lost that matters.
+pub fn message(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Says what is wrong: with the lines of the files on a terminal, otherwise one line each for programs.
+pub fn complain(complaints: &Complaints) {
+    if !io::stderr().is_terminal() {
+        message(&complaints.to_string());
+        return;
+    }
+    message(complaints.render(colour()).trim_end());
+    if let Some(complaint) = complaints.sorted().first() {
+        message(&format!("\n`loosepin explain {}` says more", complaint.code));
+    }
+}
+
+/// Colours on a terminal that has them, unless NO_COLOR is set.
+fn colour() -> Colour {
+    let is_plain = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+        || env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
+    if is_plain { Colour::Never } else { Colour::Always }
+}
+
+/// A paragraph in lines that a terminal holds.
+pub fn wrapped(paragraph: &str) -> String {
+    textwrap::fill(paragraph, usize::from(TERMINAL_COLUMNS))
+}
+
+/// `1 joint`, `4 joints`, `no joint`.
+pub fn counted(count: usize, singular: &str, plural: &str) -> String {
+    match count {
+        0 => format!("no {singular}"),
+        1 => format!("1 {singular}"),
+        _ => format!("{count} {plural}"),
+    }
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub fn listed(items: &[String]) -> String {
+    match items {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// A duration as one would say it: `less than a second`, `40 s`, `3 min`, `2.5 h`.
+pub fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 1.0 => "less than a second".to_owned(),
+        s if s < 90.0 => format!("{s:.0} s"),
+        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}

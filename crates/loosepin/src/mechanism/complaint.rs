@@ -1,0 +1,96 @@
+//! Compile and sample errors as complaints at a place of the model file.
+
+use super::error::{MechanismError, SampleError};
+use crate::diagnostics::{Code, Complaint, Place, Problem};
+use crate::model::Model;
+
+impl Problem for MechanismError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Quantity(error) => error.code(),
+            Self::TooFewDrives { .. } => Code::TooFewDrives,
+            Self::TooManyDrives { .. } => Code::TooManyDrives,
+            Self::DrivenLoop { .. } => Code::DrivenLoop,
+            Self::CannotClose { .. } => Code::CannotClose,
+            Self::SingularStart { .. } => Code::SingularPosition,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        let hint = match self {
+            Self::Quantity(error) => return error.hint(),
+            Self::TooFewDrives { .. } => "add a drive, or a joint that holds what can still move",
+            Self::TooManyDrives { .. } => "remove a drive",
+            Self::DrivenLoop { .. } => "remove one of the drives of this loop",
+            Self::CannotClose { .. } => {
+                "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the \
+                 true one"
+            }
+            Self::SingularStart { .. } => "start the drive a few degrees away",
+        };
+        Some(hint.to_owned())
+    }
+}
+
+impl MechanismError {
+    /// The complaint about the model that could not be compiled, at the joint, body or drive that it is about.
+    pub fn complaint(&self, model: &Model) -> Complaint {
+        match self {
+            Self::Quantity(error) => Complaint::error(error, model.place(error.path())),
+            Self::TooFewDrives { undetermined: bodies, .. } | Self::SingularStart { bodies } => {
+                labelled(self, bodies.iter().map(|body| model.place(&format!("body.{body}"))), "this can move too")
+            }
+            Self::TooManyDrives { .. } => {
+                // The last drive is as good as any; the others are shown beside it.
+                let drives = model.drives.iter().rev().map(|drive| model.place(&format!("drive.{}", drive.name)));
+                labelled(self, drives, "this is driven too")
+            }
+            Self::DrivenLoop { joint } | Self::CannotClose { joint, .. } => {
+                Complaint::error(self, model.place(&format!("joint.{joint}")))
+            }
+        }
+    }
+}
+
+/// A complaint at the first place, with the others beside it.
+fn labelled(error: &MechanismError, mut places: impl Iterator<Item = Option<Place>>, text: &str) -> Complaint {
+    let complaint = Complaint::error(error, places.next().flatten());
+    places.flatten().fold(complaint, |complaint, place| complaint.with_label(place, text))
+}
+
+impl Problem for SampleError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Quantity(error) => error.code(),
+            Self::ClearanceChangesTopology { .. } => Code::ClearanceTouchesZero,
+            Self::CannotClose { .. } => Code::CannotClose,
+            Self::Singular { .. } => Code::SingularPosition,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Quantity(error) => error.hint(),
+            Self::ClearanceChangesTopology { .. } => {
+                Some("with and without play are two mechanisms; run them one by one".to_owned())
+            }
+            Self::CannotClose { .. } => {
+                Some("this link cannot turn that far; check the lengths, or drive another joint".to_owned())
+            }
+            Self::Singular { .. } => Some("drive another joint, or stay away from this position".to_owned()),
+        }
+    }
+}
+
+impl SampleError {
+    /// The complaint about the model whose values give no motion.
+    pub fn complaint(&self, model: &Model) -> Complaint {
+        let path = match self {
+            Self::Quantity(error) => return Complaint::error(error, model.place(error.path())),
+            Self::ClearanceChangesTopology { joint, .. } => format!("joint.{joint}.radial_clearance"),
+            Self::CannotClose { joint, .. } => format!("joint.{joint}"),
+            Self::Singular { .. } => format!("drive.{}", model.drives[model.cycle.drive.0].name),
+        };
+        Complaint::error(self, model.place(&path))
+    }
+}

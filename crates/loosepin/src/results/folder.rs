@@ -1,0 +1,263 @@
+//! Claiming a folder for a result, and writing into it.
+
+use std::fs;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+use super::error::ResultsError;
+use super::inputs::InputsHash;
+use super::marker::{MARKER_FILE, Marker, ResultKind};
+
+/// Longest part of a folder name that is made from a name in a file, characters.
+const LONGEST_NAME_CHARS: usize = 60;
+
+/// Where results are to go.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// `ROOT/NAME/HASH`: a folder for each set of inputs, so that nothing is ever in the way.
+    Below(PathBuf),
+    /// This folder.
+    Folder(PathBuf),
+}
+
+/// A result that asks for a folder.
+#[derive(Debug, Clone)]
+pub struct Claim {
+    /// What is to be written.
+    pub kind: ResultKind,
+    /// Name of the model or study.
+    pub name: String,
+    /// What it is computed from.
+    pub inputs: InputsHash,
+    /// Where it is to go.
+    pub place: Place,
+    /// Whether results and files that are in the way are replaced.
+    pub with_force: bool,
+}
+
+/// A folder of results.
+#[derive(Debug)]
+pub struct ResultsFolder {
+    path: PathBuf,
+    marker: Marker,
+}
+
+impl Claim {
+    /// The folder that results go to.
+    pub fn path(&self) -> PathBuf {
+        match &self.place {
+            Place::Below(root) => root.join(folder_name(&self.name)).join(self.inputs.short()),
+            Place::Folder(path) => path.clone(),
+        }
+    }
+
+    /// Takes the folder, making it where there is none. A finished result of the same inputs is left as it is (see
+    /// [`ResultsFolder::is_finished`]), an unfinished one is taken over. With force the result is always made anew.
+    ///
+    /// # Errors
+    /// The folder holds something else, or the file system refuses.
+    pub fn take(&self) -> Result<ResultsFolder, ResultsError> {
+        let path = self.path();
+        if path.exists() && !path.is_dir() {
+            return Err(ResultsError::NotAFolder { path });
+        }
+        fs::create_dir_all(&path).map_err(|source| ResultsError::Write { path: path.clone(), source })?;
+        match read_marker(&path) {
+            Ok(held) if held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string() => {
+                if held.is_finished && !self.with_force {
+                    return Ok(ResultsFolder { path, marker: held });
+                }
+                remove_files(&path, &held)?;
+            }
+            Ok(held) if self.with_force => remove_files(&path, &held)?,
+            Ok(held) => {
+                return Err(ResultsError::HoldsOtherResults {
+                    folder: path,
+                    held: held.kind,
+                    wanted: self.kind,
+                    name: held.name,
+                    inputs_blake3: held.inputs_blake3,
+                    version: held.version,
+                });
+            }
+            Err(ResultsError::NoMarker { .. }) => {
+                if let Some(example) = first_entry(&path)?.filter(|_| !self.with_force) {
+                    return Err(ResultsError::HoldsOtherFiles { folder: path, example });
+                }
+            }
+            Err(ResultsError::ForeignMarker { .. }) if self.with_force => {}
+            Err(error) => return Err(error),
+        }
+        let marker = Marker {
+            kind: self.kind,
+            name: self.name.clone(),
+            inputs_blake3: self.inputs.to_string(),
+            version: crate::VERSION.to_owned(),
+            is_finished: false,
+            files: Vec::new(),
+        };
+        let folder = ResultsFolder { path, marker };
+        folder.write_marker()?;
+        Ok(folder)
+    }
+}
+
+impl ResultsFolder {
+    /// Opens the folder of a finished result.
+    ///
+    /// # Errors
+    /// There is none, or it did not finish.
+    pub fn open(path: &Path) -> Result<ResultsFolder, ResultsError> {
+        if !path.exists() {
+            return Err(ResultsError::NoSuchFolder { folder: path.to_owned() });
+        }
+        if !path.is_dir() {
+            return Err(ResultsError::NotAFolder { path: path.to_owned() });
+        }
+        let marker = read_marker(path)?;
+        if marker.is_finished {
+            Ok(ResultsFolder { path: path.to_owned(), marker })
+        } else {
+            Err(ResultsError::Unfinished { folder: path.to_owned(), kind: marker.kind, name: marker.name })
+        }
+    }
+
+    /// The folder.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The kind of its result.
+    pub fn kind(&self) -> ResultKind {
+        self.marker.kind
+    }
+
+    /// Whether it holds the finished result already.
+    pub fn is_finished(&self) -> bool {
+        self.marker.is_finished
+    }
+
+    /// Writes a file of the result, whole or not at all.
+    ///
+    /// # Errors
+    /// What the file system refuses.
+    pub fn write(&mut self, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
+        write_whole(&self.path.join(file_name), contents)?;
+        self.add_file(file_name);
+        Ok(())
+    }
+
+    /// Notes a file of the result that was written by other means.
+    pub fn add_file(&mut self, file_name: &str) {
+        if !self.marker.files.iter().any(|known| known == file_name) {
+            self.marker.files.push(file_name.to_owned());
+        }
+    }
+
+    /// The text of a file of the result.
+    ///
+    /// # Errors
+    /// What the file system refuses.
+    pub fn read(&self, file_name: &str) -> Result<String, ResultsError> {
+        let path = self.path.join(file_name);
+        fs::read_to_string(&path).map_err(|source| ResultsError::Read { path, source })
+    }
+
+    /// The error for a file whose contents cannot be understood.
+    pub fn foreign_file(&self, file_name: &str, reason: impl std::fmt::Display) -> ResultsError {
+        ResultsError::ForeignFile { path: self.path.join(file_name), reason: reason.to_string() }
+    }
+
+    /// Says that all files are there.
+    ///
+    /// # Errors
+    /// What the file system refuses.
+    pub fn finish(&mut self) -> Result<(), ResultsError> {
+        self.marker.is_finished = true;
+        self.write_marker()
+    }
+
+    /// Keeps what was written so far of a result that did not finish: the next run replaces it.
+    ///
+    /// # Errors
+    /// What the file system refuses.
+    pub fn leave_unfinished(&mut self) -> Result<(), ResultsError> {
+        self.marker.is_finished = false;
+        self.write_marker()
+    }
+
+    fn write_marker(&self) -> Result<(), ResultsError> {
+        let mut text = serde_json::to_string_pretty(&self.marker).map_err(|source| ResultsError::Layout { source })?;
+        text.push('\n');
+        write_whole(&self.path.join(MARKER_FILE), text.as_bytes())
+    }
+}
+
+/// Writes a file so that it is there whole or not at all: under another name first, then renamed.
+///
+/// # Errors
+/// What the file system refuses.
+pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), ResultsError> {
+    let mut partial_name = path.as_os_str().to_owned();
+    partial_name.push(".partial");
+    let partial = PathBuf::from(partial_name);
+    fs::write(&partial, contents)
+        .and_then(|()| fs::rename(&partial, path))
+        .map_err(|source| ResultsError::Write { path: path.to_owned(), source })
+}
+
+fn read_marker(folder: &Path) -> Result<Marker, ResultsError> {
+    let path = folder.join(MARKER_FILE);
+    match fs::read_to_string(&path) {
+        Ok(text) => serde_json::from_str(&text).map_err(|source| ResultsError::ForeignMarker { path, source }),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(ResultsError::NoMarker { folder: folder.to_owned() })
+        }
+        Err(source) => Err(ResultsError::Read { path, source }),
+    }
+}
+
+/// Removes what a marker lists, and nothing outside the folder.
+fn remove_files(folder: &Path, held: &Marker) -> Result<(), ResultsError> {
+    for file_name in &held.files {
+        let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
+        let path = folder.join(file_name);
+        if is_inside && path.is_file() {
+            fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
+        }
+    }
+    Ok(())
+}
+
+/// The first entry of a folder by name; none where it is empty.
+fn first_entry(folder: &Path) -> Result<Option<String>, ResultsError> {
+    let not_readable = |source| ResultsError::Read { path: folder.to_owned(), source };
+    let mut first: Option<String> = None;
+    for entry in fs::read_dir(folder).map_err(not_readable)? {
+        let name = entry.map_err(not_readable)?.file_name().to_string_lossy().into_owned();
+        if first.as_ref().is_none_or(|known| name < *known) {
+            first = Some(name);
+        }
+    }
+    Ok(first)
+}
+
+/// A name as part of a path: small letters and digits, everything else a single hyphen.
+fn folder_name(name: &str) -> String {
+    let mut folder = String::new();
+    for character in name.chars().flat_map(char::to_lowercase) {
+        if character.is_alphanumeric() {
+            folder.push(character);
+        } else if !folder.is_empty() && !folder.ends_with('-') {
+            folder.push('-');
+        }
+    }
+    let folder: String = folder.chars().take(LONGEST_NAME_CHARS).collect();
+    match folder.trim_end_matches('-') {
+        "" => "unnamed".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

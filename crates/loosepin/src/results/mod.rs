@@ -1,0 +1,23 @@
+//! Folders of results: where they are, whose they are, and what must not be overwritten.
+//!
+//! A folder of results has a small file [`MARKER_FILE`] that says what it holds and from which inputs. `docs/files.md`
+//! describes the files beside it.
+
+mod error;
+mod folder;
+mod inputs;
+mod marker;
+
+pub use error::ResultsError;
+pub use folder::{Claim, Place, ResultsFolder, write_whole};
+pub use inputs::{InputsHash, InputsHasher};
+pub use marker::{MARKER_FILE, Marker, ResultKind};
+
+/// Name of the page that people read.
+pub const REPORT_FILE: &str = "report.html";
+/// Name of the file with the whole result, SI.
+pub const SUMMARY_FILE: &str = "summary.json";
+/// Name of the file with one row a sample of a run.
+pub const HISTORY_FILE: &str = "history.csv";
+/// Name of the file with one impact a row.
+pub const IMPACTS_FILE: &str = "impacts.csv";

@@ -1,0 +1,81 @@
+//! Errors of a study as complaints.
+
+use super::conduct::StudyError;
+use super::file::Study;
+use super::files::FilesError;
+use super::response::PrepareError;
+use crate::diagnostics::{Code, Complaint, Place, Problem};
+
+impl Problem for StudyError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Prepare(PrepareError::Mechanism(error)) => error.code(),
+            Self::Prepare(PrepareError::Nominal(failure)) | Self::Drawing(failure) => Problem::code(failure),
+            Self::Plan(_) => Code::SamplingNotPossible,
+            Self::Threads(_) => Code::NoThreads,
+            Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
+            Self::Interrupted { .. } => Code::Interrupted,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Prepare(PrepareError::Mechanism(error)) => error.hint(),
+            Self::Prepare(PrepareError::Nominal(failure))
+            | Self::Drawing(failure)
+            | Self::AllFailed { reason: failure, .. } => failure.hint(),
+            Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
+            Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
+            Self::Plan(_) | Self::Table(_) => None,
+        }
+    }
+}
+
+impl StudyError {
+    /// The complaint about the study, or about its model, at what it is about.
+    pub fn complaint(&self, study: &Study) -> Complaint {
+        match self {
+            Self::Prepare(PrepareError::Mechanism(error)) => error.complaint(&study.model),
+            Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => {
+                // The words are those of the study, the place is that of the model.
+                Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
+            }
+            Self::Plan(_) => {
+                let mut complaint = Complaint::error(self, Some(Place::new(study.source(), 0..0)));
+                // These errors bring their way out with them.
+                if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
+                    complaint.message = message.to_owned();
+                    complaint.hint = Some(hint.to_owned());
+                }
+                complaint
+            }
+            Self::Threads(_) | Self::Table(_) | Self::Drawing(_) | Self::Interrupted { .. } => {
+                Complaint::error(self, None)
+            }
+        }
+    }
+}
+
+impl Problem for FilesError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Write { .. } | Self::Read { .. } => Code::FolderNotUsable,
+            Self::Layout { .. } | Self::ForeignColumn { .. } => Code::NoResults,
+            Self::Json { .. }
+            | Self::Csv { .. }
+            | Self::UnequalColumns { .. }
+            | Self::RepeatedColumn { .. }
+            | Self::Parquet { .. }
+            | Self::Arrow { .. } => Code::ResultNotStorable,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Layout { .. } | Self::ForeignColumn { .. } => {
+                Some("run the study again, or use the version that wrote it".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
