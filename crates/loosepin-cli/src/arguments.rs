@@ -19,7 +19,8 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
     after_help = "Start with:\n  \
         loosepin new slider-crank my_mechanism\n  \
         loosepin check my_mechanism/model.toml\n  \
-        loosepin simulate my_mechanism/model.toml\n\n\
+        loosepin simulate my_mechanism/model.toml\n  \
+        loosepin study my_mechanism/study.toml\n\n\
         Exit status: 0 done; 1 done, and a requirement of the study is not met; 2 an error; 130 interrupted."
 )]
 pub struct Arguments {
@@ -33,6 +34,7 @@ pub struct Arguments {
 pub enum Command {
     New(NewArguments),
     Check(CheckArguments),
+    Motion(MotionArguments),
     Simulate(SimulateArguments),
     Study(StudyArguments),
     Report(ReportArguments),
@@ -66,6 +68,24 @@ pub struct CheckArguments {
     /// Model or study files
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+}
+
+/// Show the ideal motion over a turn, and what play and scatter do to it without dynamics
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Takes an instant: worst case of the play, its standard deviation, and which joint contributes what; from a \
+    study also the root of the sum of squares of what scatters. Writes summary.json and report.html.\n\n\
+    Examples:\n  loosepin motion model.toml\n  loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"
+)]
+pub struct MotionArguments {
+    /// Model or study file
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Give a quantity of the model another value, with its unit; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    #[command(flatten)]
+    pub output: OutputArguments,
 }
 
 /// Run one mechanism with its play and impacts: history, impacts, energy, a report

@@ -19,6 +19,7 @@ fn main() -> ExitCode {
     let ending = match &arguments.command {
         Command::New(new) => command::new::run(new),
         Command::Check(check) => command::check::run(check),
+        Command::Motion(motion) => command::motion::run(motion),
         Command::Simulate(simulate) => command::simulate::run(simulate),
         Command::Study(study) => command::study::run(study),
         Command::Schema(schema) => command::schema::run(schema),

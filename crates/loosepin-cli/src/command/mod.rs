@@ -3,6 +3,7 @@
 pub mod check;
 pub mod explain;
 mod inputs;
+pub mod motion;
 pub mod new;
 pub mod report;
 pub mod schema;

@@ -1,5 +1,6 @@
 //! `loosepin simulate`.
 
+use loosepin::accuracy::check_quasi_static;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
@@ -10,7 +11,7 @@ use loosepin::simulate::{Plan, Settings, history_csv, impacts_csv, simulate};
 use loosepin::units::Dimension;
 
 use super::inputs::{overrides, read_model};
-use super::stored::{place, read_json, to_json};
+use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::SimulateArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -31,14 +32,16 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
     let mechanism = Mechanism::new(&model, &set.values).map_err(|error| error.complaint(&model))?;
     let mut folder = claim.take()?;
     if folder.is_finished() {
-        console::message(&format!(
-            "{} holds this run already: the report is written again (--force runs it anew)",
-            folder.path().display()
-        ));
+        tell_again(&folder);
         return show_again(&mut folder);
     }
-    let record = run_and_write(&mechanism, &set, &plan, &mut folder)?;
-    tell(&record, &folder)
+    match run_and_write(&mechanism, &set, &plan, &mut folder) {
+        Ok(record) => tell(&record, &folder),
+        Err(failure) => {
+            folder.abandon()?;
+            Err(failure)
+        }
+    }
 }
 
 /// Writes the page again from the stored record, and prints the table.
@@ -54,7 +57,9 @@ fn run_and_write(
     plan: &Plan,
     folder: &mut ResultsFolder,
 ) -> Result<SimulationRecord, Failure> {
-    let simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(&mechanism.model))?;
+    let model = &mechanism.model;
+    let mut simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(model))?;
+    check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;
     folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
     folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
     folder.write(SUMMARY_FILE, to_json(&simulation.record, folder, SUMMARY_FILE)?.as_bytes())?;
@@ -64,8 +69,8 @@ fn run_and_write(
 }
 
 fn tell(record: &SimulationRecord, folder: &ResultsFolder) -> Ending {
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     console::print(&simulation_text(record))?;
+    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     Ok(Done::Well)
 }
 

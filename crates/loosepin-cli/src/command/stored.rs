@@ -8,6 +8,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::arguments::OutputArguments;
+use crate::console;
 use crate::ending::Failure;
 
 /// Folder below the present one in which results get a folder of their own.
@@ -19,6 +20,15 @@ pub fn place(output: &OutputArguments) -> Place {
         Some(folder) => Place::Folder(folder.clone()),
         None => Place::Below(PathBuf::from(RESULTS_ROOT)),
     }
+}
+
+/// Says that a result is there already.
+pub fn tell_again(folder: &ResultsFolder) {
+    console::message(&format!(
+        "{} holds this {} already: the report is written again (--force runs it anew)",
+        folder.path().display(),
+        folder.kind().words()
+    ));
 }
 
 /// A record as JSON.

@@ -11,10 +11,10 @@ use loosepin::study::files::{
 };
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::runs::RunsTable;
-use loosepin::study::{Conducted, Study, StudyError, conduct};
+use loosepin::study::{Conducted, StudyError, conduct};
 
 use super::inputs::read_study;
-use super::stored::place;
+use super::stored::{place, tell_again};
 use crate::arguments::StudyArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -37,10 +37,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
     let mut folder = claim.take()?;
     if folder.is_finished() {
-        console::message(&format!(
-            "{} holds this study already: the report is written again (--force runs it anew)",
-            folder.path().display()
-        ));
+        tell_again(&folder);
         return show_again(&mut folder);
     }
     let threads = arguments
@@ -58,7 +55,10 @@ pub fn run(arguments: &StudyArguments) -> Ending {
             tell(&result, &folder)
         }
         Err(StudyError::Interrupted { finished, most_runs }) => keep(&mut folder, &finished, most_runs),
-        Err(error) => Err(failure_of(&study, &error)),
+        Err(error) => {
+            folder.abandon()?;
+            Err(error.complaint(&study).into())
+        }
     }
 }
 
@@ -67,10 +67,6 @@ pub fn show_again(folder: &mut ResultsFolder) -> Ending {
     let result = read_summary(folder.path()).map_err(|error| Failure::of(&error))?;
     folder.write(REPORT_FILE, study_page(&result).as_bytes())?;
     tell(&result, folder)
-}
-
-fn failure_of(study: &Study, error: &StudyError) -> Failure {
-    error.complaint(study).into()
 }
 
 fn write(folder: &mut ResultsFolder, result: &StudyResult, runs: &RunsTable, timing: &Timing) -> Result<(), Failure> {
@@ -97,8 +93,8 @@ fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> E
 }
 
 fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     console::print(&study_text(result))?;
+    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
     Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
 }

@@ -2,6 +2,7 @@
 
 use crate::mechanism::SampleError;
 use crate::model::QuantityError;
+use crate::units::{Dimension, format_value};
 use thiserror::Error;
 
 /// Why the ideal motion or the quasi-static answer cannot be given.
@@ -37,7 +38,8 @@ pub enum AccuracyError {
     },
     /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
     #[error(
-        "the links cannot close when the journals are displaced within their clearances: joint '{joint}' stays {gap_m:e} m open"
+        "the links cannot close when the journals are displaced within their clearances: joint '{joint}' stays {} open",
+        format_value(*gap_m, Dimension::LENGTH)
     )]
     CannotCloseWithPlay {
         /// The joint with the largest gap.

@@ -4,6 +4,7 @@
 //! equations by the implicit function theorem on dual numbers. The same way gives the effect of every dimension.
 
 mod check;
+mod complaint;
 mod cycle;
 mod dimension;
 mod error;

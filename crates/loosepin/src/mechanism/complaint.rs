@@ -75,7 +75,7 @@ impl Problem for SampleError {
                 Some("with and without play are two mechanisms; run them one by one".to_owned())
             }
             Self::CannotClose { .. } => {
-                Some("this link cannot turn that far; check the lengths, or drive another joint".to_owned())
+                Some("the lengths do not allow the whole turn; check them, or drive another joint".to_owned())
             }
             Self::Singular { .. } => Some("drive another joint, or stay away from this position".to_owned()),
         }

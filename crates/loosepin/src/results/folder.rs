@@ -186,6 +186,19 @@ impl ResultsFolder {
         self.write_marker()
     }
 
+    /// Removes what was written of a result that cannot be finished, and the folder if nothing else is in it.
+    ///
+    /// # Errors
+    /// What the file system refuses.
+    pub fn abandon(self) -> Result<(), ResultsError> {
+        remove_files(&self.path, &self.marker)?;
+        let path = self.path.join(MARKER_FILE);
+        fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
+        // A folder with something else in it stays, as it should; so does one that is not ours to remove.
+        let _ = fs::remove_dir(&self.path);
+        Ok(())
+    }
+
     fn write_marker(&self) -> Result<(), ResultsError> {
         let mut text = serde_json::to_string_pretty(&self.marker).map_err(|source| ResultsError::Layout { source })?;
         text.push('\n');

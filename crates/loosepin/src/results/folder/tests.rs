@@ -122,3 +122,18 @@ fn a_marker_cannot_remove_files_elsewhere() {
     fs::write(path.join(MARKER_FILE), "{}").expect("writable");
     assert!(matches!(claim(&path, "b", false).take(), Err(ResultsError::ForeignMarker { .. })));
 }
+
+#[test]
+fn an_abandoned_result_leaves_nothing_behind() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    let mut folder = claim(&path, "a", false).take().expect("a new folder");
+    folder.write("history.csv", b"half").expect("writable");
+    folder.abandon().expect("removable");
+    assert!(!path.exists());
+    fs::create_dir(&path).expect("writable");
+    fs::write(path.join("notes.txt"), "mine").expect("writable");
+    claim(&path, "a", true).take().expect("forced").abandon().expect("removable");
+    assert!(path.join("notes.txt").exists());
+    assert!(!path.join(MARKER_FILE).exists());
+}

@@ -1,0 +1,94 @@
+//! `loosepin motion`.
+
+use loosepin::accuracy::record::MotionRecord;
+use loosepin::accuracy::{MotionPlan, Scatter, motion};
+use loosepin::mechanism::Mechanism;
+use loosepin::model::Model;
+use loosepin::report::{motion_page, motion_text};
+use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
+use loosepin::study::InputFile;
+
+use super::inputs::{overrides, warn};
+use super::stored::{place, read_json, tell_again, to_json};
+use crate::arguments::MotionArguments;
+use crate::console;
+use crate::ending::{Done, Ending};
+
+/// Positions in a turn: every degree.
+const POSITIONS: usize = 360;
+
+/// Shows the ideal motion and what play and scatter do to it without dynamics.
+pub fn run(arguments: &MotionArguments) -> Ending {
+    let file = InputFile::from_path(&arguments.file)?;
+    let model = file.model();
+    warn(match &file {
+        InputFile::Model(model) => &model.warnings,
+        InputFile::Study(study) => &study.warnings,
+    });
+    let set = model.set_values(&arguments.set)?;
+    let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.complaint(model))?;
+    let plan = MotionPlan {
+        drive: model.cycle.drive,
+        positions: POSITIONS,
+        scatter: scatter(&file),
+        overrides: overrides(&arguments.set),
+    };
+    let record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
+    let claim = Claim {
+        kind: ResultKind::Motion,
+        name: model.name.clone(),
+        inputs: inputs(model, &file, arguments),
+        place: place(&arguments.output),
+        with_force: arguments.output.force,
+    };
+    let mut folder = claim.take()?;
+    if folder.is_finished() {
+        tell_again(&folder);
+        return show_again(&mut folder);
+    }
+    let summary = to_json(&record, &folder, SUMMARY_FILE)?;
+    folder.write(SUMMARY_FILE, summary.as_bytes())?;
+    folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
+    folder.finish()?;
+    tell(&record, &folder)
+}
+
+/// Writes the page again from the stored record, and prints the table.
+pub fn show_again(folder: &mut ResultsFolder) -> Ending {
+    let record: MotionRecord = read_json(folder, SUMMARY_FILE)?;
+    folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
+    tell(&record, folder)
+}
+
+fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
+    console::print(&motion_text(record))?;
+    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
+    Ok(Done::Well)
+}
+
+/// What scatters, where a study says so.
+fn scatter(file: &InputFile) -> Vec<Scatter> {
+    match file {
+        InputFile::Model(_) => Vec::new(),
+        InputFile::Study(study) => study
+            .random
+            .iter()
+            .map(|input| Scatter {
+                quantity: input.quantity,
+                standard_deviation_si: input.variable.standard_deviation(),
+            })
+            .collect(),
+    }
+}
+
+fn inputs(model: &Model, file: &InputFile, arguments: &MotionArguments) -> InputsHash {
+    let mut hasher = InputsHasher::new(ResultKind::Motion);
+    hasher.add("model", model.source().text());
+    if let InputFile::Study(study) = file {
+        hasher.add("study", study.source().text());
+    }
+    for set in &arguments.set {
+        hasher.add("set", set);
+    }
+    hasher.finish()
+}

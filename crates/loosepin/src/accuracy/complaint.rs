@@ -1,0 +1,45 @@
+//! Errors of the quasi-static answer as complaints at a place of the model file.
+
+use super::error::AccuracyError;
+use crate::diagnostics::{Code, Complaint, Problem};
+use crate::model::Model;
+
+impl Problem for AccuracyError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Sample(error) => error.code(),
+            Self::Quantity(error) => error.code(),
+            Self::StandsStill { .. } => Code::DriveStandsStill,
+            Self::TooFewPositions { .. } => Code::BadCount,
+            Self::BadStandardDeviation { .. } => Code::BadDistribution,
+            Self::CannotCloseWithPlay { .. } => Code::CannotClose,
+            Self::SingularWithPlay => Code::SingularPosition,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Sample(error) => error.hint(),
+            Self::Quantity(error) => error.hint(),
+            Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
+            Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } => None,
+            Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
+                Some("so near a dead point only a dynamic run tells what the play does".to_owned())
+            }
+        }
+    }
+}
+
+impl AccuracyError {
+    /// The complaint about the model, at what it is about.
+    pub fn complaint(&self, model: &Model) -> Complaint {
+        match self {
+            Self::Sample(error) => error.complaint(model),
+            Self::Quantity(error) => Complaint::error(error, model.place(error.path())),
+            Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
+            Self::BadStandardDeviation { path, .. } => Complaint::error(self, model.place(path)),
+            Self::CannotCloseWithPlay { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::TooFewPositions { .. } | Self::SingularWithPlay => Complaint::error(self, None),
+        }
+    }
+}
