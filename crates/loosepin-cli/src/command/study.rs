@@ -35,6 +35,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
+    let stop = stop_on_signals();
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
@@ -44,7 +45,6 @@ pub fn run(arguments: &StudyArguments) -> Ending {
         .threads
         .map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), |threads| threads as usize);
     let started = SystemTime::now();
-    let stop = stop_on_signals();
     let bar = Bar::new();
     let outcome = conduct(&study, &claim.inputs.to_string(), threads, &bar, &stop);
     bar.finish();

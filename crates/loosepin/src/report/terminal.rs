@@ -170,7 +170,34 @@ pub fn motion_text(record: &MotionRecord) -> String {
         }
     }
     push_table(&mut text, &contributors);
+    push_table(&mut text, &scatter_table(record, &writer));
     with_plain_spaces(text)
+}
+
+/// The scatter of the dimensions where it moves each output most: their root of the sum of squares, and their parts.
+fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
+    let mut scatter = table(&["output", "scatters", "standard deviation", "at", "share of variance"], &[2, 3, 4]);
+    for output in &record.outputs {
+        if output.dimensional_standard_deviation_si.is_empty() {
+            continue;
+        }
+        let (angle_rad, total_si) = motion_page::largest(record, &output.dimensional_standard_deviation_si);
+        let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
+        let mut row = |name: &str, part_si: f64| {
+            scatter.add_row([
+                output.name.clone(),
+                name.to_owned(),
+                writer.rounded(part_si, &output.unit, 4, Rounding::Up),
+                writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest),
+                writer.percent((part_si / total_si).powi(2), Rounding::Nearest),
+            ]);
+        };
+        row("all, root of the sum of squares", total_si);
+        for dimension in &output.dimensional_contributors {
+            row(&dimension.path, dimension.standard_deviation_si.get(pose).copied().unwrap_or(f64::NAN));
+        }
+    }
+    scatter
 }
 
 fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {

@@ -40,6 +40,8 @@ pub struct Claim {
 pub struct ResultsFolder {
     path: PathBuf,
     marker: Marker,
+    /// Folders that were made for it, the innermost first.
+    made: Vec<PathBuf>,
 }
 
 impl Claim {
@@ -61,11 +63,12 @@ impl Claim {
         if path.exists() && !path.is_dir() {
             return Err(ResultsError::NotAFolder { path });
         }
+        let made = path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
         fs::create_dir_all(&path).map_err(|source| ResultsError::Write { path: path.clone(), source })?;
         match read_marker(&path) {
             Ok(held) if held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string() => {
                 if held.is_finished && !self.with_force {
-                    return Ok(ResultsFolder { path, marker: held });
+                    return Ok(ResultsFolder { path, marker: held, made });
                 }
                 remove_files(&path, &held)?;
             }
@@ -96,7 +99,7 @@ impl Claim {
             is_finished: false,
             files: Vec::new(),
         };
-        let folder = ResultsFolder { path, marker };
+        let folder = ResultsFolder { path, marker, made };
         folder.write_marker()?;
         Ok(folder)
     }
@@ -116,7 +119,7 @@ impl ResultsFolder {
         }
         let marker = read_marker(path)?;
         if marker.is_finished {
-            Ok(ResultsFolder { path: path.to_owned(), marker })
+            Ok(ResultsFolder { path: path.to_owned(), marker, made: Vec::new() })
         } else {
             Err(ResultsError::Unfinished { folder: path.to_owned(), kind: marker.kind, name: marker.name })
         }
@@ -186,7 +189,7 @@ impl ResultsFolder {
         self.write_marker()
     }
 
-    /// Removes what was written of a result that cannot be finished, and the folder if nothing else is in it.
+    /// Removes what was written of a result that cannot be finished, and the folders that were made for it.
     ///
     /// # Errors
     /// What the file system refuses.
@@ -194,8 +197,12 @@ impl ResultsFolder {
         remove_files(&self.path, &self.marker)?;
         let path = self.path.join(MARKER_FILE);
         fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
-        // A folder with something else in it stays, as it should; so does one that is not ours to remove.
-        let _ = fs::remove_dir(&self.path);
+        for folder in &self.made {
+            // A folder with something else in it meanwhile is not empty and stays, as it should.
+            if fs::remove_dir(folder).is_err() {
+                break;
+            }
+        }
         Ok(())
     }
 

@@ -100,9 +100,10 @@ impl Problem for RunFailure {
         match self {
             Self::Sample(error) => error.hint(),
             Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
-            Self::StepTooSmall { .. } | Self::NotFinite { .. } => {
-                Some("look for a stiffness, mass or inertia far from those of a real part".to_owned())
-            }
+            Self::StepTooSmall { .. } | Self::NotFinite { .. } => Some(
+                "look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off"
+                    .to_owned(),
+            ),
             Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
         }
     }

@@ -5,6 +5,7 @@ use super::file::Study;
 use super::files::FilesError;
 use super::response::PrepareError;
 use crate::diagnostics::{Code, Complaint, Place, Problem};
+use crate::document::parse_toml;
 
 impl Problem for StudyError {
     fn code(&self) -> Code {
@@ -41,7 +42,7 @@ impl StudyError {
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
             Self::Plan(_) => {
-                let mut complaint = Complaint::error(self, Some(Place::new(study.source(), 0..0)));
+                let mut complaint = Complaint::error(self, Some(place_of_sampling(study)));
                 // These errors bring their way out with them.
                 if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
                     complaint.message = message.to_owned();
@@ -54,6 +55,14 @@ impl StudyError {
             }
         }
     }
+}
+
+/// The header of `[sampling]`; the top of the file where all its numbers are left out.
+fn place_of_sampling(study: &Study) -> Place {
+    let span = parse_toml(study.source())
+        .ok()
+        .and_then(|toml| toml.get_ref().get_key_value("sampling").map(|(key, _)| key.span()));
+    Place::new(study.source(), span.unwrap_or_default())
 }
 
 impl Problem for FilesError {

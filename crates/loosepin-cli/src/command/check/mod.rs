@@ -19,10 +19,13 @@ use crate::ending::{Done, Ending, Failure};
 /// Says what each file is; a file that is wrong does not keep the others from being looked at.
 pub fn run(arguments: &CheckArguments) -> Ending {
     let mut complaints = Complaints::new();
-    for (index, path) in arguments.files.iter().enumerate() {
-        let gap = if index > 0 { "\n" } else { "" };
+    let mut gap = "";
+    for path in &arguments.files {
         match describe(path) {
-            Ok(text) => console::print(&format!("{gap}{}: {text}", path.display()))?,
+            Ok(text) => {
+                console::print(&format!("{gap}{}: {text}", path.display()))?;
+                gap = "\n";
+            }
             Err(Failure::Complaints(found)) => complaints.extend(found),
             Err(failure) => return Err(failure),
         }

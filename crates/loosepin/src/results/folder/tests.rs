@@ -126,12 +126,12 @@ fn a_marker_cannot_remove_files_elsewhere() {
 #[test]
 fn an_abandoned_result_leaves_nothing_behind() {
     let root = tempfile::tempdir().expect("a folder");
-    let path = root.path().join("out");
+    let path = root.path().join("deep").join("out");
     let mut folder = claim(&path, "a", false).take().expect("a new folder");
     folder.write("history.csv", b"half").expect("writable");
     folder.abandon().expect("removable");
-    assert!(!path.exists());
-    fs::create_dir(&path).expect("writable");
+    assert!(!root.path().join("deep").exists() && root.path().exists());
+    fs::create_dir_all(&path).expect("writable");
     fs::write(path.join("notes.txt"), "mine").expect("writable");
     claim(&path, "a", true).take().expect("forced").abandon().expect("removable");
     assert!(path.join("notes.txt").exists());

@@ -1,0 +1,129 @@
+//! `loosepin study`: exit status, files, the same bytes for any number of threads, an orderly end on Ctrl-C.
+
+mod command_line;
+
+use std::fs;
+use std::io::Read;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use command_line::{Desk, Said, case_text};
+
+/// A study of a tenth of a turn, so that its thousand runs take seconds.
+const SHORT_STUDY: &str = r#"
+name = "a tenth of a turn"
+model = "model.toml"
+seed = 7
+
+[cycle]
+transient_turns = 0
+recorded_turns = 0.1
+samples_per_turn = 40
+
+[sampling]
+outer = 9
+inner = 16
+replicates = 4
+
+[random]
+"parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "0.02 mm" } }
+
+[epistemic]
+"joint.gudgeon.radial_clearance" = { interval = ["0.1 mm", "0.5 mm"] }
+
+[[ask]]
+output = "slider"
+of = "total"
+reduce = "maximum_absolute"
+statistics = ["mean"]
+"#;
+
+/// A requirement that every run of the short study keeps.
+const KEPT: &str = "\n[[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"5 mm\"\nover = \"cycle\"\nprobability_at_least = 0.5\n";
+/// One that no run keeps.
+const BROKEN: &str = "\n[[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"1e-6 mm\"\nover = \"cycle\"\nprobability_at_least = 0.5\n";
+
+fn desk(study: &str) -> Desk {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    desk.write("study.toml", study);
+    desk
+}
+
+#[test]
+fn identity_one_and_two_threads_write_the_same_bytes() {
+    let desk = desk(&format!("{SHORT_STUDY}{KEPT}"));
+    let one = desk.succeed(&["study", "study.toml", "--threads", "1", "--out", "one"]);
+    let two = desk.succeed(&["study", "study.toml", "--threads", "2", "--out", "two"]);
+    assert_eq!(one.output, two.output);
+    assert!(one.output.starts_with("a tenth of a turn\n"));
+    assert_eq!(one.messages, "report: one/report.html\n", "no progress where there is no terminal");
+    for file in ["summary.json", "bounds.csv", "runs.parquet", "report.html", "loosepin.json"] {
+        let bytes = |folder: &str| fs::read(desk.path(folder).join(file)).expect("written");
+        assert!(bytes("one") == bytes("two"), "{file} differs");
+    }
+    let timing: serde_json::Value = serde_json::from_str(&desk.read("two/timing.json")).expect("JSON");
+    assert_eq!(timing["threads"], 2);
+}
+
+#[test]
+fn a_requirement_that_is_not_met_is_exit_status_1() {
+    let desk = desk(&format!("{SHORT_STUDY}{BROKEN}"));
+    let said = desk.run(&["study", "study.toml", "--out", "bounds"]);
+    assert_eq!(said.status, 1, "{}", said.messages);
+    assert!(said.output.contains(" is not met"), "{}", said.output);
+    // The stored result says the same.
+    let again = desk.run(&["study", "study.toml", "--out", "bounds"]);
+    assert_eq!((again.status, &again.output), (1, &said.output));
+    assert_eq!(
+        again.messages,
+        "bounds holds this study already: the report is written again (--force runs it anew)\nreport: bounds/report.html\n"
+    );
+    let report = desk.run(&["report", "bounds"]);
+    assert_eq!((report.status, &report.output), (1, &said.output));
+    // Another study does not go into the same folder.
+    desk.write("study.toml", &SHORT_STUDY.replace("seed = 7", "seed = 8"));
+    let refused = desk.run(&["study", "study.toml", "--out", "bounds"]);
+    assert_eq!(refused.status, 2);
+    assert!(
+        refused.messages.starts_with("error[E0901]: bounds holds another study, 'a tenth of a turn' (inputs "),
+        "{}",
+        refused.messages
+    );
+    assert!(refused.messages.ends_with("hint: give another folder, or --force to replace these results\n"));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_a_study_and_keeps_its_runs() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    desk.write("study.toml", &case_text("slider_crank_worn_pin", "study.toml"));
+    let mut child = desk
+        .command(&["study", "study.toml", "--out", "bounds"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    while !desk.path("bounds/loosepin.json").exists() {
+        sleep(Duration::from_millis(20));
+    }
+    sleep(Duration::from_millis(300));
+    let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill is there");
+    assert!(interrupt.success());
+    let mut messages = String::new();
+    child.stderr.take().expect("piped").read_to_string(&mut messages).expect("UTF-8");
+    assert_eq!(child.wait().expect("it ends").code(), Some(130), "{messages}");
+    assert!(messages.starts_with("interrupted after ") && messages.contains(" of at most 17536 runs; "), "{messages}");
+    assert!(
+        messages.ends_with("they are kept in bounds/runs.parquet\nhint: the same command begins again\n"),
+        "{messages}"
+    );
+    assert!(desk.path("bounds/runs.parquet").exists());
+    let Said { messages, status, .. } = desk.run(&["report", "bounds"]);
+    assert_eq!(status, 2);
+    assert_eq!(
+        messages,
+        "error[E0902]: the study 'worn pin at 5000 rpm' in bounds did not finish\n\
+         hint: run it again: the same command writes into the same folder\n"
+    );
+}

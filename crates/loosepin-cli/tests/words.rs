@@ -1,0 +1,141 @@
+//! What the other commands print, and how they end.
+
+mod command_line;
+
+use std::io::Read;
+use std::process::Stdio;
+
+use command_line::{Desk, case_text};
+
+#[test]
+fn check_says_in_words_what_a_mechanism_is() {
+    let desk = Desk::with_model("six_bar");
+    let said = desk.succeed(&["check", "model.toml"]);
+    assert_eq!(said.output, include_str!("expected/check_six_bar.txt"));
+    assert_eq!(said.messages, "");
+}
+
+#[test]
+fn check_says_what_a_study_comes_to() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    desk.write("study.toml", &case_text("slider_crank_worn_pin", "study.toml"));
+    let said = desk.succeed(&["check", "study.toml"]);
+    // How long it takes depends on the machine.
+    let (words, duration) = said.output.split_once(" runs: about ").expect("how many runs, and how long");
+    assert_eq!(words, include_str!("expected/check_worn_pin.txt").trim_end());
+    assert!(duration.trim_end().ends_with("thread") || duration.trim_end().ends_with("threads"));
+}
+
+#[test]
+fn the_guess_that_check_names_picks_the_other_assembly() {
+    let desk = Desk::with_model("six_bar");
+    let said = desk.succeed(&["check", "model.toml"]);
+    let guess = said.output.lines().find_map(|line| line.strip_prefix("  guess = ")).expect("another assembly");
+    let text = case_text("six_bar", "model.toml");
+    let (before, rest) = text.split_once("[assembly]").expect("a guess in the case");
+    let (_, after) = rest.split_once("\n[").expect("a table behind it");
+    desk.write("other.toml", &format!("{before}[assembly]\nguess = {guess}\n\n[{after}"));
+    let said = desk.succeed(&["check", "other.toml"]);
+    assert!(said.output.contains("link     at -47.81 deg"), "{}", said.output);
+}
+
+#[test]
+fn templates_are_listed_written_and_good() {
+    let desk = Desk::new();
+    let listed = desk.succeed(&["new", "--list"]).output;
+    assert_eq!(
+        listed,
+        "slider-crank  crank, rod and slider at 5000 rpm with play in the gudgeon pin (Flores)\n\
+         four-bar      crank, coupler and rocker at 600 rpm with play between coupler and rocker\n"
+    );
+    for name in listed.lines().filter_map(|line| line.split_whitespace().next()) {
+        let said = desk.succeed(&["new", name]);
+        assert_eq!(
+            said.messages,
+            format!(
+                "wrote {name}/model.toml and {name}/study.toml\nnext: loosepin check {name}/model.toml {name}/study.toml\n"
+            )
+        );
+        desk.succeed(&["check", &format!("{name}/model.toml"), &format!("{name}/study.toml")]);
+        desk.fail(
+            &["new", name],
+            &format!(
+                "error[E0904]: {name}/model.toml is there already; it is not overwritten\n\
+                 hint: give another folder, for example: loosepin new TEMPLATE my_mechanism"
+            ),
+        );
+    }
+    desk.fail(
+        &["new", "four-br"],
+        "error: invalid value 'four-br' for '[TEMPLATE]'\n  [possible values: slider-crank, four-bar]\n\n  \
+         tip: a similar value exists: 'four-bar'\n\nFor more information, try '--help'.",
+    );
+}
+
+#[test]
+fn codes_are_explained() {
+    let desk = Desk::new();
+    assert_eq!(
+        desk.succeed(&["explain", "e0303"]).output,
+        "E0303: a unit is missing\n\
+         \n\
+         A bare number where a unit is due is refused, zero included: no unit is assumed, since a clearance\n\
+         of 0.5 could mean millimetres to one reader and metres to another. Write the value as text with its\n\
+         unit: \"0.5 mm\".\n"
+    );
+    assert!(desk.succeed(&["explain", "--list"]).output.contains("\nE0704  the links cannot close a loop\n"));
+    let said = desk.run(&["explain", "E9999"]);
+    assert_eq!(said.status, 2);
+    assert!(
+        said.messages
+            .starts_with("error: invalid value 'E9999' for '[CODE]': there is no code 'E9999'; codes run from")
+    );
+}
+
+#[test]
+fn schemas_are_json() {
+    let desk = Desk::new();
+    for kind in ["model", "study"] {
+        let schema: serde_json::Value = serde_json::from_str(&desk.succeed(&["schema", kind]).output).expect("JSON");
+        assert_eq!(schema["title"], format!("loosepin {kind}"));
+    }
+}
+
+#[test]
+fn version_and_help() {
+    let desk = Desk::new();
+    assert_eq!(desk.succeed(&["--version"]).output, format!("loosepin {}\n", env!("CARGO_PKG_VERSION")));
+    assert_eq!(desk.succeed(&["--help"]).output, include_str!("expected/help.txt"));
+    assert_eq!(desk.succeed(&["simulate", "--help"]).output, include_str!("expected/help_simulate.txt"));
+    for command in ["new", "check", "motion", "study", "report", "schema", "explain"] {
+        let help = desk.succeed(&[command, "--help"]).output;
+        assert!(help.contains("Example"), "{command} --help ends with examples");
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let desk = Desk::with_model("slider_crank_5000");
+    for arguments in [&["simulate", "model.toml", "--turns", "0.2"][..], &["schema", "model"], &["--help"]] {
+        let mut child =
+            desk.command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
+        drop(child.stdout.take());
+        let mut messages = String::new();
+        child.stderr.take().expect("piped").read_to_string(&mut messages).expect("UTF-8");
+        let status = child.wait().expect("it ends");
+        assert!(!messages.contains("panicked"), "{messages}");
+        assert_eq!(status.code(), Some(0), "{arguments:?}: {messages}");
+    }
+}
+
+#[test]
+fn motion_of_a_model_and_of_a_study() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    desk.write("study.toml", &case_text("slider_crank_worn_pin", "study.toml"));
+    let said = desk.succeed(&["motion", "model.toml", "--out", "motion"]);
+    assert_eq!(said.messages, "report: motion/report.html\n");
+    assert_eq!(said.output, include_str!("expected/motion_worn_pin.txt"));
+    assert!(desk.read("motion/report.html").contains("<html"));
+    assert_eq!(desk.succeed(&["report", "motion"]).output, said.output);
+    desk.succeed(&["motion", "study.toml"]);
+}
