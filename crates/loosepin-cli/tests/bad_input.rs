@@ -164,6 +164,54 @@ fn drives_that_are_too_few_or_too_many() {
 }
 
 #[test]
+fn a_singular_position_on_the_way() {
+    let desk = Desk::new();
+    // A rod as long as the crank is upright at 90° and can fall to either side: 10° after the start, in 1/3 ms.
+    let text = case_text("slider_crank_5000", "model.toml");
+    let text = text.replace("rod_length = \"120 mm\"", "rod_length = \"50 mm\"");
+    desk.write("model.toml", &text.replace("start_angle = \"0 deg\"", "start_angle = \"80 deg\""));
+    for command in ["check", "simulate"] {
+        let said = desk.run(&[command, "model.toml"]);
+        assert_eq!((said.status, said.output.as_str()), (2, ""));
+        let (first, hint) = said.messages.trim_end().split_once('\n').expect("two lines");
+        assert!(first.starts_with("model.toml:59:8: error[E0705]: singular position at 0.33333"), "{first}");
+        assert!(first.ends_with(" ms: the drives no longer determine the motion"), "{first}");
+        assert_eq!(hint, "hint: drive another joint, or stay away from this position");
+    }
+    assert!(desk.succeed(&["motion", "model.toml"]).output.contains("\nSingular at 90° of crank: "));
+}
+
+#[test]
+fn a_loop_in_which_every_joint_is_driven() {
+    let play = "bearing_radius = \"8 mm\"\nradial_clearance = \"0.2 mm\"\ncontact = \"steel_pin\"\n";
+    let text = case_text("four_bar_600", "model.toml");
+    assert!(text.contains(play));
+    let drives: String = ["crank_pin", "coupler_pin", "rocker_pivot"]
+        .map(|joint| format!("[drive.{joint}]\njoint = \"{joint}\"\nspeed = \"7 rpm\"\nstart_angle = \"1 rad\"\n\n"))
+        .concat();
+    let desk = Desk::new();
+    desk.write("model.toml", &text.replace(play, "").replace("[assembly]\n", &format!("{drives}[assembly]\n")));
+    desk.fail(
+        &["check", "model.toml"],
+        "model.toml:34:10: warning[E0408]: contact 'steel_pin' is used by nothing\n\
+         hint: changing it has no effect on the results\n\
+         model.toml:56:8: error[E0703]: joint 'rocker_pivot' closes a loop in which every joint is driven\n\
+         hint: remove one of the drives of this loop",
+    );
+}
+
+#[test]
+fn a_tolerance_below_round_off() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let said = desk.run(&["simulate", "model.toml", "--tolerance", "1e-30 m"]);
+    assert_eq!(said.status, 2);
+    assert!(said.messages.starts_with("error[E0802]: at "), "{}", said.messages);
+    assert!(said.messages.ends_with(
+        "hint: look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off\n"
+    ));
+}
+
+#[test]
 fn a_drive_that_stands_still() {
     let desk = Desk::new();
     let text = case_text("slider_crank_5000", "model.toml");
