@@ -17,6 +17,12 @@ use super::treatment::TreatmentComparison;
 /// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
 const LEAST_SHARE_BETWEEN: f64 = 0.5;
 
+/// By this share of the range of all responses a bound may lie beyond the furthest of them.
+const RESPONSE_MARGIN: f64 = 0.1;
+
+/// Fewer runs at a point than this do not show the range of the response.
+const LEAST_RUNS_FOR_RANGE: usize = 8;
+
 impl DoubleLoop {
     /// What the runs in `table` say. The plan need not be finished, but the first round must be.
     ///
@@ -138,7 +144,10 @@ impl Evidence<'_> {
             0.0
         } else {
             let further = modelled.furthest(search, samples, direction, (witness, estimate.value));
-            (direction.sign() * (further - estimate.value)).max(0.0)
+            let possible = measure.kind.possible(samples, direction);
+            (direction.sign() * (further - estimate.value))
+                .max(0.0)
+                .min((direction.sign() * (possible - estimate.value)).max(0.0))
         };
         let error = BoundError { sampling, optimisation, surrogate: 0.0 };
         Bound {
@@ -152,6 +161,27 @@ impl Evidence<'_> {
 }
 
 impl MeasureKind {
+    /// The furthest that the statistic can go when no response lies further than those seen at all points together and a
+    /// margin: means and quantiles stay within the range of the responses, deviations within half of it. Infinite where
+    /// the runs at a point are too few to show that range. Where the motion is chaotic the statistic is so uneven over u
+    /// that a model of it alone would concede what no mechanism does.
+    fn possible(self, samples: &[&Sample], direction: Direction) -> f64 {
+        let unlimited = direction.sign() * f64::INFINITY;
+        if samples.iter().any(|sample| sample.values().len() < LEAST_RUNS_FOR_RANGE) {
+            return unlimited;
+        }
+        let seen = samples.iter().flat_map(|sample| sample.values());
+        let (low, high) = seen.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
+        let margin = RESPONSE_MARGIN * (high - low);
+        match (self, direction) {
+            (Self::Plain, Direction::Minimum) => low - margin,
+            (Self::Plain, Direction::Maximum) => high + margin,
+            (Self::Deviation, Direction::Minimum) => 0.0,
+            (Self::Deviation, Direction::Maximum) => 0.5 * (high - low) + margin,
+            (Self::Probability(_), _) => unlimited,
+        }
+    }
+
     /// `value` moved into the range that the statistic can have at all.
     fn limited(self, value: f64) -> f64 {
         match self {

@@ -16,6 +16,10 @@ pub struct LinkGeometry<T> {
     pub parent_angle_rad: T,
     /// Angle of the same direction in the link's frame, rad.
     pub own_angle_rad: T,
+    /// Cosine and sine of `parent_angle_rad`: the shared direction in the parent's frame.
+    pub parent_direction: Vec2<T>,
+    /// Cosine and sine of the constant angle of a link that does not turn against its parent.
+    pub turn_from_parent: Vec2<T>,
     /// Revolute: the link's point minus the parent's point, in the ground's frame, m. Zero unless a clearance joint is
     /// treated as ideal with a displaced journal.
     pub eccentricity_m: Vec2<T>,
@@ -68,6 +72,8 @@ impl<T: Real> Geometry<T> {
                     own_arm_m: Vec2::zero(),
                     parent_angle_rad: T::zero(),
                     own_angle_rad: T::zero(),
+                    parent_direction: direction(T::zero()),
+                    turn_from_parent: direction(T::zero()),
                     eccentricity_m: Vec2::zero(),
                     centre_of_mass_m: body
                         .centre_of_mass_m
@@ -84,6 +90,8 @@ impl<T: Real> Geometry<T> {
                     geometry.own_arm_m = arms[own];
                     geometry.parent_angle_rad = angles[parent];
                     geometry.own_angle_rad = angles[own];
+                    geometry.parent_direction = direction(angles[parent]);
+                    geometry.turn_from_parent = direction(angles[parent] - angles[own]);
                 }
                 geometry
             })
@@ -120,6 +128,12 @@ impl<T: Real> Geometry<T> {
             }
         }
     }
+}
+
+/// Cosine and sine of an angle.
+fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
+    let (sine, cosine) = angle_rad.sin_cos();
+    Vec2::new(cosine, sine)
 }
 
 /// Position of a point in its body's frame, m.

@@ -3,7 +3,7 @@
 //! Everything is linear in the rates: the velocity of a body origin is Σ partial_k · rate_k, its angular velocity
 //! Σ turning_k · rate_k (Kane's partial velocities). Accelerations are that plus a bias from the rates alone.
 
-use super::geometry::Geometry;
+use super::geometry::{Geometry, LinkGeometry};
 use super::tree::{Attachment, Tree};
 use crate::math::{Real, Vec2};
 
@@ -150,10 +150,9 @@ impl<T: Real> Kinematics<T> {
                     self.partials[offset + inherited - 1] = if forward { -arm } else { arm };
                 }
                 Attachment::Prismatic { coordinate, forward, .. } => {
-                    let line = pose(parent.angle_rad + numbers.parent_angle_rad);
-                    let direction = Vec2::new(line.cosine, line.sine);
+                    let direction = parent.turn(numbers.parent_direction);
                     let direction = if forward { direction } else { -direction };
-                    let mut own = pose(parent.angle_rad + numbers.parent_angle_rad - numbers.own_angle_rad);
+                    let mut own = turned_with(&parent, numbers);
                     let own_arm = own.turn(numbers.own_arm_m);
                     own.position_m = parent.position_m + parent_arm + direction * coordinates[coordinate] - own_arm;
                     self.poses[slot] = own;
@@ -162,7 +161,7 @@ impl<T: Real> Kinematics<T> {
                     self.partials[offset + inherited - 1] = direction;
                 }
                 Attachment::Rigid { .. } => {
-                    let mut own = pose(parent.angle_rad + numbers.parent_angle_rad - numbers.own_angle_rad);
+                    let mut own = turned_with(&parent, numbers);
                     own.position_m = parent.position_m + parent_arm - own.turn(numbers.own_arm_m);
                     self.poses[slot] = own;
                     self.carry_partials(tree, link.parent_slot, slot, inherited);
@@ -257,6 +256,18 @@ impl<T: Real> Kinematics<T> {
     #[inline]
     fn turning_of_parent(&self, tree: &Tree, parent_slot: usize, k: usize) -> f64 {
         tree.links[parent_slot - 1].dependences[k].turning
+    }
+}
+
+/// A pose at the origin of a link that does not turn against its parent: sine and cosine by the addition theorem.
+#[inline]
+fn turned_with<T: Real>(parent: &Pose<T>, numbers: &LinkGeometry<T>) -> Pose<T> {
+    let direction = parent.turn(numbers.turn_from_parent);
+    Pose {
+        position_m: Vec2::zero(),
+        angle_rad: parent.angle_rad + numbers.parent_angle_rad - numbers.own_angle_rad,
+        sine: direction.y,
+        cosine: direction.x,
     }
 }
 

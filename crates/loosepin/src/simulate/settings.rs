@@ -15,7 +15,10 @@ pub struct Settings {
 }
 
 /// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
-pub const STEP_SHARE: f64 = 3e-3;
+pub const STEP_SHARE: f64 = 1e-3;
+
+/// Distance from δ = 0 at which a contact begins or ends over the tolerance asked for: measured like [`STEP_SHARE`].
+pub const EVENT_SHARE: f64 = 1e-3;
 
 impl Settings {
     /// Default settings for one simulation.
@@ -29,7 +32,7 @@ impl Settings {
 
     /// A contact begins or ends where |δ| is below this, m.
     pub fn event_tolerance_m(&self) -> f64 {
-        (self.tolerance_m * 1e-3).max(1e-15)
+        (self.tolerance_m * EVENT_SHARE).max(1e-15)
     }
 }
 
