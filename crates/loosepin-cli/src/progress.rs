@@ -1,39 +1,74 @@
 //! How far a study is, on a terminal.
 
-use std::time::Duration;
+use std::fmt::Write;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use loosepin::study::Progress;
+
+use crate::console::duration;
 
 /// How often the remaining time is shown anew.
 const TICK: Duration = Duration::from_millis(500);
 
 /// A bar with the remaining time on standard error; nothing where that is no terminal.
-pub struct Bar(ProgressBar);
+pub struct Bar {
+    bar: ProgressBar,
+    pace: Arc<Mutex<Pace>>,
+}
+
+/// When so many runs were finished. Runs are reported in batches, so that a rate between reports would swing.
+struct Pace {
+    began: Instant,
+    last: Option<(Instant, usize, usize)>,
+}
+
+impl Pace {
+    /// Time that is left at the mean rate up to the last report; nothing before the first runs are done.
+    fn remaining_s(&self) -> Option<f64> {
+        let (reported, finished, most) = self.last.filter(|(_, finished, _)| *finished > 0)?;
+        let seconds_a_run = (reported - self.began).as_secs_f64() / finished as f64;
+        Some((seconds_a_run * (most - finished) as f64 - reported.elapsed().as_secs_f64()).max(0.0))
+    }
+}
 
 impl Bar {
     /// A bar that shows nothing before it hears of runs.
     pub fn new() -> Bar {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), last: None }));
+        let shown = Arc::clone(&pace);
+        let remaining = move |_: &ProgressState, text: &mut dyn Write| {
+            let remaining_s = shown.lock().ok().and_then(|pace| pace.remaining_s());
+            let _ = match remaining_s {
+                None => write!(text, "the first ones are under way"),
+                Some(remaining_s) => write!(text, "at most {} left", duration(remaining_s)),
+            };
+        };
         // The template is fixed, so that the plain bar is never needed.
-        let style = ProgressStyle::with_template("{bar:30} {pos} of at most {len} runs, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
+        let style = ProgressStyle::with_template("[{bar:30}] {pos} of at most {len} runs, {remaining}")
+            .unwrap_or_else(|_| ProgressStyle::default_bar())
+            .with_key("remaining", remaining);
         bar.set_style(style.progress_chars("=> "));
-        Bar(bar)
+        Bar { bar, pace }
     }
 
     /// Removes the bar.
     pub fn finish(&self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }
 
 impl Progress for Bar {
     fn runs(&self, finished: usize, most: usize) {
-        if self.0.length().is_none() {
-            self.0.enable_steady_tick(TICK);
+        if let Ok(mut pace) = self.pace.lock() {
+            pace.last = Some((Instant::now(), finished, most));
         }
-        self.0.set_length(most as u64);
-        self.0.set_position(finished as u64);
+        if self.bar.length().is_none() {
+            self.bar.enable_steady_tick(TICK);
+        }
+        self.bar.set_length(most as u64);
+        self.bar.set_position(finished as u64);
     }
 }
