@@ -294,6 +294,11 @@ first one; `loosepin simulate` with the values of the study shows it alone."
     Interrupted "E0807" "a study was interrupted"
 "Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
+    PinLeavesBearing "E0808" "a pin is pressed out of its hole"
+"The penetration of a contact grew so deep that the centre of the pin left the hole. No contact law holds there: the parts are \
+far too soft, or the drive far too fast, for the masses that they carry. Look at the stiffness or Young's modulus, the speed and \
+the masses."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

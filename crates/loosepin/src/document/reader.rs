@@ -29,7 +29,12 @@ pub(crate) fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
         Complaints::one(&DocumentProblem::NotReadable { file: name.clone(), reason }, None)
     };
     // Asked first, so that a device or an enormous file is not read into memory.
-    let size_bytes = usize::try_from(std::fs::metadata(path).map_err(not_readable)?.len()).unwrap_or(usize::MAX);
+    let metadata = std::fs::metadata(path).map_err(not_readable)?;
+    if !metadata.is_file() && !metadata.is_dir() {
+        let reason = "it is neither a file nor a folder".to_owned();
+        return Err(Complaints::one(&DocumentProblem::NotReadable { file: name, reason }, None));
+    }
+    let size_bytes = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
     let check_size = |size_bytes| {
         let problem = DocumentProblem::TooLarge { file: name.clone(), size_bytes };
         if size_bytes > LARGEST_FILE_BYTES { Err(Complaints::one(&problem, None)) } else { Ok(()) }

@@ -7,7 +7,7 @@ use super::geometry::Geometry;
 use super::kinematics::{Kinematics, Twist};
 use super::sample::DriveMotion;
 use super::tree::Tree;
-use crate::math::solve_square;
+use crate::math::{Elimination, solve_square};
 use crate::model::Model;
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
@@ -37,6 +37,8 @@ pub struct IdealMotion<'a> {
     matrix: Vec<f64>,
     right_hand_side: Vec<f64>,
     pivot_ratio: f64,
+    /// Constraint rows that are solved. Where joints repeat each other, which rows carry the motion changes along the way.
+    rows: Vec<usize>,
 }
 
 impl<'a> IdealMotion<'a> {
@@ -66,6 +68,7 @@ impl<'a> IdealMotion<'a> {
             matrix: vec![0.0; n * n],
             right_hand_side: vec![0.0; n],
             pivot_ratio: 1.0,
+            rows: mechanism.ideal_rows.clone(),
         };
         motion.close(0.0)?;
         motion.set_rates_and_accelerations();
@@ -151,6 +154,12 @@ impl<'a> IdealMotion<'a> {
             self.set_positions();
             constraints::residuals(tree, self.geometry, &self.kinematics, &mut self.residuals);
             constraints::jacobian(tree, self.geometry, &self.kinematics, &mut self.jacobian);
+            if n < tree.constraint_rows() {
+                self.rows = independent_rows(tree, &self.jacobian, n);
+                if self.rows.len() < n {
+                    return Err(SampleError::Singular { time_s });
+                }
+            }
             let worst = self.residuals.iter().fold(0.0_f64, |w, r| w.max(r.abs()));
             if polished || n == 0 {
                 return if worst <= NEARLY_CLOSED * self.mechanism.size_m { Ok(()) } else { Err(self.cannot_close()) };
@@ -158,7 +167,7 @@ impl<'a> IdealMotion<'a> {
             polished = worst <= NEARLY_CLOSED * self.mechanism.size_m;
             let mut matrix = std::mem::take(&mut self.matrix);
             self.copy_matrix(&mut matrix);
-            for (row, &independent) in self.mechanism.ideal_rows.iter().enumerate() {
+            for (row, &independent) in self.rows.iter().enumerate() {
                 self.right_hand_side[row] = -self.residuals[independent];
             }
             self.pivot_ratio = solve_square(&mut matrix, n, &mut self.right_hand_side);
@@ -184,7 +193,7 @@ impl<'a> IdealMotion<'a> {
             self.rates[n + k] = self.drives[drive.0].speed;
         }
         let mut matrix = std::mem::take(&mut self.matrix);
-        for (row, &independent) in self.mechanism.ideal_rows.iter().enumerate() {
+        for (row, &independent) in self.rows.iter().enumerate() {
             self.right_hand_side[row] =
                 -(n..columns).map(|c| self.jacobian[independent * columns + c] * self.rates[c]).sum::<f64>();
         }
@@ -195,7 +204,7 @@ impl<'a> IdealMotion<'a> {
         self.kinematics.set_velocities(tree, &self.rates);
         self.kinematics.set_biases(tree, self.geometry, &self.rates, &self.driven_accelerations);
         constraints::biases(tree, self.geometry, &self.kinematics, &mut self.residuals);
-        for (row, &independent) in self.mechanism.ideal_rows.iter().enumerate() {
+        for (row, &independent) in self.rows.iter().enumerate() {
             self.right_hand_side[row] = -self.residuals[independent];
         }
         self.copy_matrix(&mut matrix);
@@ -207,7 +216,7 @@ impl<'a> IdealMotion<'a> {
     fn copy_matrix(&self, matrix: &mut [f64]) {
         let tree = &self.mechanism.ideal;
         let (n, columns) = (tree.free, tree.coordinates());
-        for (row, &independent) in self.mechanism.ideal_rows.iter().enumerate() {
+        for (row, &independent) in self.rows.iter().enumerate() {
             matrix[row * n..(row + 1) * n]
                 .copy_from_slice(&self.jacobian[independent * columns..independent * columns + n]);
         }
@@ -217,6 +226,15 @@ impl<'a> IdealMotion<'a> {
         let (joint, gap_m) = worst_joint(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
         SampleError::CannotClose { joint, gap_m, time_s: self.time_s }
     }
+}
+
+/// The rows that full pivoting takes first: the `wanted` most independent ones, ascending.
+fn independent_rows(tree: &Tree, jacobian: &[f64], wanted: usize) -> Vec<usize> {
+    let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
+    let free: Vec<f64> =
+        (0..rows).flat_map(|row| jacobian[row * columns..row * columns + tree.free].iter().copied()).collect();
+    let dependent = Elimination::new(&free, rows, tree.free, SINGULAR_PIVOT_RATIO).dependent_rows();
+    (0..rows).filter(|row| !dependent.contains(row)).take(wanted).collect()
 }
 
 /// The cut joint with the largest residual, and that residual.

@@ -42,6 +42,8 @@ pub struct ResultsFolder {
     marker: Marker,
     /// Folders that were made for it, the innermost first.
     made: Vec<PathBuf>,
+    /// Files of a finished result that wait under another name until this one is finished.
+    set_aside: Vec<String>,
 }
 
 impl Claim {
@@ -65,14 +67,15 @@ impl Claim {
         }
         let made = path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
         fs::create_dir_all(&path).map_err(|source| ResultsError::Write { path: path.clone(), source })?;
+        let mut set_aside = Vec::new();
         match read_marker(&path) {
             Ok(held) if held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string() => {
                 if held.is_finished && !self.with_force {
-                    return Ok(ResultsFolder { path, marker: held, made });
+                    return Ok(ResultsFolder { path, marker: held, made, set_aside: Vec::new() });
                 }
-                remove_files(&path, &held)?;
+                set_aside = clear(&path, &held)?;
             }
-            Ok(held) if self.with_force => remove_files(&path, &held)?,
+            Ok(held) if self.with_force => set_aside = clear(&path, &held)?,
             Ok(held) => {
                 return Err(ResultsError::HoldsOtherResults {
                     folder: path,
@@ -99,7 +102,7 @@ impl Claim {
             is_finished: false,
             files: Vec::new(),
         };
-        let folder = ResultsFolder { path, marker, made };
+        let folder = ResultsFolder { path, marker, made, set_aside };
         folder.write_marker()?;
         Ok(folder)
     }
@@ -119,7 +122,7 @@ impl ResultsFolder {
         }
         let marker = read_marker(path)?;
         if marker.is_finished {
-            Ok(ResultsFolder { path: path.to_owned(), marker, made: Vec::new() })
+            Ok(ResultsFolder { path: path.to_owned(), marker, made: Vec::new(), set_aside: Vec::new() })
         } else {
             Err(ResultsError::Unfinished { folder: path.to_owned(), kind: marker.kind, name: marker.name })
         }
@@ -177,7 +180,13 @@ impl ResultsFolder {
     /// What the file system refuses.
     pub fn finish(&mut self) -> Result<(), ResultsError> {
         self.marker.is_finished = true;
-        self.write_marker()
+        self.write_marker()?;
+        // What was replaced goes only now that its successor is whole.
+        for file_name in self.set_aside.drain(..) {
+            let path = self.path.join(file_name + SET_ASIDE);
+            fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
+        }
+        Ok(())
     }
 
     /// Keeps what was written so far of a result that did not finish: the next run replaces it.
@@ -189,13 +198,22 @@ impl ResultsFolder {
         self.write_marker()
     }
 
-    /// Removes what was written of a result that cannot be finished, and the folders that were made for it.
+    /// Removes what was written of a result that cannot be finished, and the folders that were made for it; a finished result
+    /// that it was to replace comes back.
     ///
     /// # Errors
     /// What the file system refuses.
     pub fn abandon(self) -> Result<(), ResultsError> {
         remove_files(&self.path, &self.marker)?;
         let path = self.path.join(MARKER_FILE);
+        if !self.set_aside.is_empty() {
+            for file_name in &self.set_aside {
+                let path = self.path.join(file_name);
+                let aside = self.path.join(format!("{file_name}{SET_ASIDE}"));
+                fs::rename(aside, &path).map_err(|source| ResultsError::Write { path, source })?;
+            }
+            return Ok(());
+        }
         fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
         for folder in &self.made {
             // A folder with something else in it meanwhile is not empty and stays, as it should.
@@ -235,6 +253,29 @@ fn read_marker(folder: &Path) -> Result<Marker, ResultsError> {
         }
         Err(source) => Err(ResultsError::Read { path, source }),
     }
+}
+
+/// What is added to the names of files of a finished result until its successor is finished.
+const SET_ASIDE: &str = ".replaced";
+
+/// Clears a folder of what a marker lists: a finished result is set aside until its successor is whole, an unfinished one
+/// goes at once. Gives the names of the files that were set aside.
+fn clear(folder: &Path, held: &Marker) -> Result<Vec<String>, ResultsError> {
+    if !held.is_finished {
+        remove_files(folder, held)?;
+        return Ok(Vec::new());
+    }
+    let mut set_aside = Vec::new();
+    for file_name in held.files.iter().map(String::as_str).chain([MARKER_FILE]) {
+        let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
+        let path = folder.join(file_name);
+        if is_inside && path.is_file() {
+            let aside = folder.join(format!("{file_name}{SET_ASIDE}"));
+            fs::rename(&path, aside).map_err(|source| ResultsError::Write { path, source })?;
+            set_aside.push(file_name.to_owned());
+        }
+    }
+    Ok(set_aside)
 }
 
 /// Removes what a marker lists, and nothing outside the folder.

@@ -246,6 +246,7 @@ impl<'a> Engine<'a> {
             let reached_end = event.is_none() && step_s == left_s;
             let taken_s = self.stepper.step_s();
             let end_s = if reached_end { window.end_s } else { self.time_s + taken_s };
+            self.check_bearings()?;
             if end_s > window.start_s {
                 self.note_penetrations(taken_s);
             }
@@ -365,6 +366,23 @@ impl<'a> Engine<'a> {
     fn redo(&mut self, step_s: f64) {
         self.stepper.attempt(&mut self.motion, step_s, &self.tolerances);
         self.finish_step();
+    }
+
+    /// No pin may be pressed so deep that its centre leaves the hole.
+    fn check_bearings(&self) -> Result<(), RunFailure> {
+        for (play, jet) in self.end_jets.iter().enumerate() {
+            let numbers = &self.sample.plays[play];
+            let (radius_m, clearance_m) = (numbers.bearing_radius_m, numbers.clearance_m);
+            if jet.jet[0] > radius_m * radius_m - clearance_m * clearance_m {
+                return Err(RunFailure::LeavesBearing {
+                    joint: self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone(),
+                    penetration_m: penetration_m(jet.jet[0], clearance_m),
+                    bearing_radius_m: radius_m,
+                    time_s: self.time_s,
+                });
+            }
+        }
+        Ok(())
     }
 
     fn note_penetrations(&mut self, step_s: f64) {

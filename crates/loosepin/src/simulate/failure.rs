@@ -37,6 +37,28 @@ pub enum RunFailure {
         /// The drive.
         drive: String,
     },
+    /// More rows are asked for than a person or a program reads.
+    #[error("{rows:e} rows are asked for; must be at most {LARGEST_ROWS:e}")]
+    TooManyRows {
+        /// Turns times samples a turn.
+        rows: f64,
+    },
+    /// The penetration is so deep that the pin's centre leaves the hole: no contact law means anything there.
+    #[error(
+        "at {time_s} s the pin of joint '{joint}' is pressed {:.4} mm into its hole of radius {:.4} mm: beyond any contact law",
+        penetration_m * 1e3,
+        bearing_radius_m * 1e3
+    )]
+    LeavesBearing {
+        /// The joint.
+        joint: String,
+        /// Penetration, m.
+        penetration_m: f64,
+        /// Radius of the bearing, m.
+        bearing_radius_m: f64,
+        /// Time, s.
+        time_s: f64,
+    },
     /// The limit of evaluations is reached.
     #[error("at {} the limit of {limit} evaluations was reached", format_value(*time_s, Dimension::TIME))]
     TooManyEvaluations {
@@ -47,8 +69,11 @@ pub enum RunFailure {
     },
 }
 
+/// Rows of a history, at most.
+pub const LARGEST_ROWS: f64 = 1e7;
+
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 8] = [
+const CODES: [&str; 10] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -57,6 +82,8 @@ const CODES: [&str; 8] = [
     "not_finite",
     "drive_stands_still",
     "too_many_evaluations",
+    "too_many_rows",
+    "pin_leaves_bearing",
 ];
 
 impl RunFailure {
@@ -76,6 +103,8 @@ impl RunFailure {
             Self::NotFinite { .. } => 5,
             Self::StandsStill { .. } => 6,
             Self::TooManyEvaluations { .. } => 7,
+            Self::TooManyRows { .. } => 8,
+            Self::LeavesBearing { .. } => 9,
         }
     }
 
@@ -92,7 +121,8 @@ impl Problem for RunFailure {
             Self::StandsStill { .. } => Code::DriveStandsStill,
             Self::StepTooSmall { .. } => Code::StepTooSmall,
             Self::NotFinite { .. } => Code::RunNotFinite,
-            Self::TooManyEvaluations { .. } => Code::RunTooLong,
+            Self::TooManyEvaluations { .. } | Self::TooManyRows { .. } => Code::RunTooLong,
+            Self::LeavesBearing { .. } => Code::PinLeavesBearing,
         }
     }
 
@@ -105,6 +135,8 @@ impl Problem for RunFailure {
                     .to_owned(),
             ),
             Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
+            Self::TooManyRows { .. } => Some("ask for fewer turns or fewer samples a turn".to_owned()),
+            Self::LeavesBearing { .. } => Some("the contact is too soft, or the drive too fast, for these masses".to_owned()),
         }
     }
 }
@@ -115,9 +147,11 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
-                Complaint::error(self, None)
-            }
+            Self::LeavesBearing { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::StepTooSmall { .. }
+            | Self::NotFinite { .. }
+            | Self::TooManyEvaluations { .. }
+            | Self::TooManyRows { .. } => Complaint::error(self, model.place("name")),
         }
     }
 }

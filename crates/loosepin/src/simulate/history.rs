@@ -3,7 +3,7 @@
 use super::column::{Arms, Column, columns};
 use super::drawing::{add_pose, skeleton};
 use super::engine::{RunReport, run};
-use super::failure::RunFailure;
+use super::failure::{LARGEST_ROWS, RunFailure};
 use super::observer::{Observer, Onset, Separation, Step};
 use super::record::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
@@ -84,8 +84,15 @@ pub struct BodyStates {
 /// The one reason why the run failed.
 pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
     let window = plan.window(mechanism, values)?;
+    let rows = plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64;
+    if rows > LARGEST_ROWS {
+        return Err(RunFailure::TooManyRows { rows });
+    }
     let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
+    // A loop that cannot turn fully is better told now than where the dynamics run against it.
+    let turns = (plan.cycle.transient_turns + plan.cycle.recorded_turns).min(1.0);
+    IdealReference::new(&ideal, &ideal_sample)?.at(turns * turn_s(mechanism, values, &plan.cycle)?, false)?;
     let reference = IdealReference::new(&ideal, &ideal_sample)?;
     let mut recorder = Recorder::new(mechanism, values, reference, plan, &window);
     let report = run(mechanism, &sample, &window, &plan.settings, &mut recorder)?;

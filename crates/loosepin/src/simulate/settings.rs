@@ -10,7 +10,7 @@ pub struct Settings {
     pub tolerance_m: f64,
     /// The embedded pair. Default: DOP853 (`docs/integrators.md` has the measurement).
     pub method: &'static Tableau,
-    /// Evaluations of the equations of motion after which a run is given up (default: 2e9).
+    /// Evaluations of the equations of motion after which a run is given up. Default: 3e8 for one simulation, a minute or so; 1e8 in a study.
     pub largest_evaluations: u64,
 }
 
@@ -23,7 +23,7 @@ pub const EVENT_SHARE: f64 = 1e-3;
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {
-        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 2_000_000_000 }
+        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000 }
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {

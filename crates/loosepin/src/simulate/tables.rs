@@ -12,8 +12,10 @@ pub fn history_csv(simulation: &Simulation) -> String {
     text.push_str(&record.settings.drive);
     text.push_str("_rad");
     for output in &record.outputs {
-        let unit = unit_suffix(output.unit.symbol());
-        let _ = write!(text, ",{}{unit}", output.name.replace(' ', "_"));
+        let name = format!("{}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()));
+        // An angle output may bear the name of the drive, whose column comes first.
+        let is_taken = name == format!("{}_rad", record.settings.drive);
+        let _ = write!(text, ",{name}{}", if is_taken { "_output" } else { "" });
     }
     if let Some(states) = &simulation.states {
         for quantities in

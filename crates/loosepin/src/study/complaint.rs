@@ -15,6 +15,7 @@ impl Problem for StudyError {
             Self::Prepare(
                 PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
+                | PrepareError::TooManyPoses { .. }
                 | PrepareError::PoseNotRecorded { .. },
             ) => Code::AskNotPossible,
             Self::Plan(_) => Code::SamplingNotPossible,
@@ -33,6 +34,9 @@ impl Problem for StudyError {
             }
             Self::Prepare(PrepareError::SpeedThroughZero { .. }) => {
                 Some("keep the whole range on one side of zero".to_owned())
+            }
+            Self::Prepare(PrepareError::TooManyPoses { .. }) => {
+                Some("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve".to_owned())
             }
             Self::Prepare(PrepareError::PoseNotRecorded { .. }) => {
                 Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
@@ -65,6 +69,7 @@ impl StudyError {
             Self::Prepare(
                 PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
+                | PrepareError::TooManyPoses { .. }
                 | PrepareError::PoseNotRecorded { .. },
             ) => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => Complaint::error(self, None),

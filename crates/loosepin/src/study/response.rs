@@ -1,13 +1,16 @@
 //! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
 
 use super::columns::{ColumnPlan, Spot};
-use super::file::Study;
+use super::file::{Study, Where};
 use super::ideal_curve::IdealCurve;
 use super::recorder::{Recorder, Shared};
 use crate::bounds::{Failure, Response};
 use crate::mechanism::{Mechanism, MechanismError, Sample};
 use crate::model::{QuantityError, QuantityId, Values};
 use crate::simulate::{Arms, IdealReference, RunFailure, Settings, Window, run};
+
+/// Poses of a curve, at most: every one has bounds of its own.
+pub const LARGEST_POSES: f64 = 2000.0;
 
 /// Why a study cannot begin.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -38,6 +41,12 @@ pub enum PrepareError {
         angle_deg: f64,
         /// Recorded turns.
         recorded_turns: f64,
+    },
+    /// More poses than a study can bound.
+    #[error("curves of {poses} poses are asked for; must be at most {LARGEST_POSES}")]
+    TooManyPoses {
+        /// Recorded turns times samples a turn.
+        poses: f64,
     },
     /// The nominal run.
     #[error("the nominal mechanism, epistemic inputs in the middle of their intervals: {0}")]
@@ -165,6 +174,10 @@ impl StudyResponse {
             .map(|input| (input.quantity, 0.5 * (input.interval.lower() + input.interval.upper())))
             .collect();
         check_drive(study)?;
+        let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
+        if poses > LARGEST_POSES && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
+            return Err(PrepareError::TooManyPoses { poses });
+        }
         let nominal = study.model.quantities.evaluate(&middle)?;
         let mechanism = Mechanism::new(&study.model, &nominal)?;
         let drive = &study.model.drives[study.cycle.drive.0];
