@@ -422,6 +422,16 @@ fn arguments_outside_their_range() {
 }
 
 #[test]
+fn more_rows_than_a_history_can_hold() {
+    let desk = Desk::with_model("slider_crank_5000");
+    desk.fail(
+        &["simulate", "model.toml", "--turns", "1e6", "--samples", "1000000"],
+        "model.toml:67:2: error[E0208]: 1000000000000 rows would be recorded; must be at most 1000000\n\
+         hint: ask for fewer turns or fewer samples a turn",
+    );
+}
+
+#[test]
 fn commands_that_do_not_exist() {
     let desk = Desk::new();
     desk.fail(

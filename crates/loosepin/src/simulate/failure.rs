@@ -45,10 +45,18 @@ pub enum RunFailure {
         /// The limit.
         limit: u64,
     },
+    /// More rows than a history can hold.
+    #[error("{rows} rows would be recorded; must be at most {most}")]
+    TooManyRows {
+        /// Turns times rows a turn.
+        rows: f64,
+        /// The limit.
+        most: usize,
+    },
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 8] = [
+const CODES: [&str; 9] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -57,6 +65,7 @@ const CODES: [&str; 8] = [
     "not_finite",
     "drive_stands_still",
     "too_many_evaluations",
+    "too_many_rows",
 ];
 
 impl RunFailure {
@@ -76,6 +85,7 @@ impl RunFailure {
             Self::NotFinite { .. } => 5,
             Self::StandsStill { .. } => 6,
             Self::TooManyEvaluations { .. } => 7,
+            Self::TooManyRows { .. } => 8,
         }
     }
 
@@ -93,6 +103,7 @@ impl Problem for RunFailure {
             Self::StepTooSmall { .. } => Code::StepTooSmall,
             Self::NotFinite { .. } => Code::RunNotFinite,
             Self::TooManyEvaluations { .. } => Code::RunTooLong,
+            Self::TooManyRows { .. } => Code::BadCount,
         }
     }
 
@@ -105,6 +116,7 @@ impl Problem for RunFailure {
                     .to_owned(),
             ),
             Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
+            Self::TooManyRows { .. } => Some("ask for fewer turns or fewer samples a turn".to_owned()),
         }
     }
 }
@@ -115,6 +127,7 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
+            Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
             Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
                 Complaint::error(self, None)
             }

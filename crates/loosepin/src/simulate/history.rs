@@ -57,6 +57,9 @@ pub fn turn_s(mechanism: &Mechanism, values: &Values, cycle: &Cycle) -> Result<f
     }
 }
 
+/// Rows of a history, at most: a million rows of ten columns are 200 MB of text.
+const MOST_ROWS: usize = 1_000_000;
+
 /// A finished run.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -83,6 +86,10 @@ pub struct BodyStates {
 /// # Errors
 /// The one reason why the run failed.
 pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
+    let rows = plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64;
+    if !(rows <= MOST_ROWS as f64) {
+        return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
+    }
     let window = plan.window(mechanism, values)?;
     let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
