@@ -2,7 +2,7 @@
 
 use super::PointLaw;
 
-/// Lankarani and Nikravesh 1990, the law of the source paper, [SC16] eq. (8), and the default: χ = 3(1 - c_e²)/4.
+/// Lankarani and Nikravesh 1990, the law of the source paper, \[SC16\] eq. (8), and the default: χ = 3(1 - c_e²)/4.
 #[derive(Debug)]
 pub struct LankaraniNikravesh;
 

@@ -2,12 +2,12 @@
 
 /// h = (1 - ν²)/E, 1/Pa, without 1/π.
 ///
-/// [SC16] breaks off after eq. (9), whose printed form has no π: a definition of h with 1/π would make K wrong by π.
+/// \[SC16\] breaks off after eq. (9), whose printed form has no π: a definition of h with 1/π would make K wrong by π.
 pub fn compliance_1_pa(youngs_modulus_pa: f64, poisson_ratio: f64) -> f64 {
     (1.0 - poisson_ratio * poisson_ratio) / youngs_modulus_pa
 }
 
-/// K = 4/(3(h_i + h_j)) · √(R_i R_j/(R_i - R_j)), N/m^1.5 ([SC16] eq. (9)), with R_j = R_i - c.
+/// K = 4/(3(h_i + h_j)) · √(R_i R_j/(R_i - R_j)), N/m^1.5 (\[SC16\] eq. (9)), with R_j = R_i - c.
 ///
 /// `compliances_1_pa` are h_i (bearing) and h_j (journal); the bearing radius R_i is held and the journal radius follows the
 /// clearance, both in m.

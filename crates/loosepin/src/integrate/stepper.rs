@@ -130,7 +130,7 @@ impl Stepper {
             let mut sum = 0.0;
             for (k, term) in (0..terms).rev().enumerate() {
                 sum += self.dense[term * n + i];
-                sum *= if (terms - 1 - k) % 2 == 0 { share } else { 1.0 - share };
+                sum *= if (terms - 1 - k).is_multiple_of(2) { share } else { 1.0 - share };
             }
             state[i] = self.start[i] + sum;
         }

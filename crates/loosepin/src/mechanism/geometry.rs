@@ -116,10 +116,10 @@ impl<T: Real> Geometry<T> {
     /// A joint that the tree treats as a force element is left alone.
     pub fn set_eccentricity(&mut self, tree: &Tree, joint: JointId, eccentricity_m: Vec2<T>) {
         for (link, geometry) in tree.links.iter().zip(&mut self.links) {
-            if let Attachment::Revolute { joint: own, forward, .. } = link.attachment {
-                if own == joint {
-                    geometry.eccentricity_m = if forward { eccentricity_m } else { -eccentricity_m };
-                }
+            if let Attachment::Revolute { joint: own, forward, .. } = link.attachment
+                && own == joint
+            {
+                geometry.eccentricity_m = if forward { eccentricity_m } else { -eccentricity_m };
             }
         }
         for (cut, geometry) in tree.cuts.iter().zip(&mut self.cuts) {

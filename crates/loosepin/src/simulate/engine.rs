@@ -332,7 +332,7 @@ impl<'a> Engine<'a> {
             if let Some(other) = self.earliest_event(try_s).filter(|other| other.play != event.play) {
                 // Another joint was hidden behind this one.
                 high_s = try_s;
-                try_s = other.share * try_s;
+                try_s *= other.share;
                 event = other;
                 low_s = low_s.min(try_s);
                 continue;

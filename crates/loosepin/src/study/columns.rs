@@ -49,8 +49,6 @@ pub struct PlannedAsk {
 pub struct PlannedRequirement {
     /// The requirement.
     pub requirement: Requirement,
-    /// Index in [`ColumnPlan::outputs`].
-    pub output: usize,
     /// Its columns: one, or one for each pose.
     pub columns: Vec<usize>,
 }
@@ -115,7 +113,7 @@ impl ColumnPlan {
                     other => spots(other),
                 };
                 let columns = plan.add(output, requirement.deviation, &spots);
-                plan.requirements.push(PlannedRequirement { requirement: requirement.clone(), output, columns });
+                plan.requirements.push(PlannedRequirement { requirement: requirement.clone(), columns });
             }
         }
         plan
