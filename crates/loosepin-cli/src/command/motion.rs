@@ -7,6 +7,7 @@ use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
 use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::study::InputFile;
+use loosepin::units::{Dimension, format_value};
 
 use super::inputs::{overrides, warn};
 use super::stored::{place, read_json, tell_again, to_json};
@@ -25,13 +26,14 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
     });
-    let set = model.set_values(&arguments.set)?;
+    let settings: Vec<String> = widest_play(&file).into_iter().chain(arguments.set.iter().cloned()).collect();
+    let set = model.set_values(&settings)?;
     let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.complaint(model))?;
     let plan = MotionPlan {
         drive: model.cycle.drive,
         positions: POSITIONS,
         scatter: scatter(&file),
-        overrides: overrides(&arguments.set),
+        overrides: overrides(&settings),
     };
     let record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
     let claim = Claim {
@@ -64,6 +66,18 @@ fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
     console::print(&motion_text(record))?;
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     Ok(Done::Well)
+}
+
+/// Where a study knows a clearance as an interval only, the worst case is that of its upper end.
+fn widest_play(file: &InputFile) -> Vec<String> {
+    let InputFile::Study(study) = file else { return Vec::new() };
+    let is_clearance = |path: &str| path.starts_with("joint.") && path.ends_with(".radial_clearance");
+    study
+        .epistemic
+        .iter()
+        .filter(|input| is_clearance(&input.path))
+        .map(|input| format!("{}={}", input.path, format_value(input.interval.upper(), Dimension::LENGTH)))
+        .collect()
 }
 
 /// What scatters, where a study says so.

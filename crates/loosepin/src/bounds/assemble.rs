@@ -140,19 +140,21 @@ impl Evidence<'_> {
             Direction::Minimum => estimate.below,
             Direction::Maximum => estimate.above,
         };
+        let sign = direction.sign();
         let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
         } else {
             let further = modelled.furthest(search, samples, direction, (witness, estimate.value));
-            let possible = measure.kind.possible(samples, direction);
-            (direction.sign() * (further - estimate.value))
-                .max(0.0)
-                .min((direction.sign() * (possible - estimate.value)).max(0.0))
+            (sign * (further - estimate.value)).max(0.0)
         };
-        let error = BoundError { sampling, optimisation, surrogate: 0.0 };
+        // What is conceded ends where no response goes; of the two parts the sampling error keeps what it needs.
+        let possible = measure.kind.possible(samples, direction);
+        let room = (sign * (measure.kind.limited(possible) - estimate.value)).max(0.0);
+        let sampling = sampling.min(room);
+        let error = BoundError { sampling, optimisation: optimisation.min(room - sampling), surrogate: 0.0 };
         Bound {
             value: estimate.value,
-            widened: measure.kind.limited(estimate.value + direction.sign() * error.total()),
+            widened: measure.kind.limited(estimate.value + sign * error.total()),
             witness: self.pool.points.get(witness).map(PoolPoint::witness),
             error,
             guarantee,
@@ -167,11 +169,7 @@ impl MeasureKind {
     /// that a model of it alone would concede what no mechanism does.
     fn possible(self, samples: &[&Sample], direction: Direction) -> f64 {
         let unlimited = direction.sign() * f64::INFINITY;
-        if samples.iter().any(|sample| sample.values().len() < LEAST_RUNS_FOR_RANGE) {
-            return unlimited;
-        }
-        let seen = samples.iter().flat_map(|sample| sample.values());
-        let (low, high) = seen.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
+        let Some((low, high)) = responses(samples) else { return unlimited };
         let margin = RESPONSE_MARGIN * (high - low);
         match (self, direction) {
             (Self::Plain, Direction::Minimum) => low - margin,
@@ -190,6 +188,25 @@ impl MeasureKind {
             Self::Probability(_) => value.clamp(0.0, 1.0),
         }
     }
+}
+
+impl Event {
+    /// Whether any response, moved by the margin beyond the furthest of all, is on the other side of the limit than one
+    /// that was seen: otherwise the share is the same at every u.
+    fn can_change(self, samples: &[&Sample]) -> bool {
+        let Some((low, high)) = responses(samples) else { return true };
+        let margin = RESPONSE_MARGIN * (high - low);
+        self.holds(low - margin) || self.holds(high + margin)
+    }
+}
+
+/// The least and the greatest response at all points together; nothing where the runs at a point are too few to show them.
+fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
+    if samples.iter().any(|sample| sample.values().len() < LEAST_RUNS_FOR_RANGE) {
+        return None;
+    }
+    let seen = samples.iter().flat_map(|sample| sample.values());
+    Some(seen.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v))))
 }
 
 /// A measure with the models of what is searched.
@@ -259,6 +276,9 @@ impl<'a> Modelled<'a> {
             MeasureKind::Deviation => beyond(most().max(0.0).sqrt(), attained),
             MeasureKind::Probability(event) => {
                 let mut furthest = attained;
+                if !event.can_change(samples) {
+                    return attained;
+                }
                 let between = target.values.iter().filter(|&&share| share > 0.0 && share < 1.0).count() as f64;
                 if between >= LEAST_SHARE_BETWEEN * target.values.len() as f64 {
                     furthest = beyond(furthest, most());

@@ -2,10 +2,10 @@
 
 use super::constraints;
 use super::error::MechanismError;
-use super::geometry::Geometry;
+use super::geometry::{CutGeometry, Geometry};
 use super::ideal::worst_joint;
 use super::kinematics::{Kinematics, Pose};
-use super::tree::{Attachment, Tree};
+use super::tree::{Attachment, Cut, CutKind, Tree};
 use crate::math::{factor_ldl, solve_ldl};
 use crate::model::{Model, Values};
 
@@ -53,6 +53,7 @@ pub fn assemble(
             }
             continue;
         }
+        unwind(tree, geometry, &mut kinematics, &hints, &mut z);
         let poses = kinematics.poses.clone();
         let is_known = found.iter().any(|known| known.is_the_same(&poses, size_m));
         if !is_known {
@@ -201,12 +202,62 @@ fn close(tree: &Tree, geometry: &Geometry<f64>, kinematics: &mut Kinematics<f64>
     residuals.iter().fold(0.0, |worst: f64, r| if r.is_nan() { f64::INFINITY } else { worst.max(r.abs()) })
 }
 
+/// Takes whole turns out of the angles: every absolute angle to within half a turn of its hint, or of zero, then further so
+/// that bodies which a cut joint keeps from turning against each other differ by no whole turn either.
+fn unwind(
+    tree: &Tree,
+    geometry: &Geometry<f64>,
+    kinematics: &mut Kinematics<f64>,
+    hints: &[(usize, f64)],
+    z: &mut [f64],
+) {
+    let turns = |angle: f64| (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU;
+    for (index, link) in tree.links.iter().enumerate() {
+        if let Attachment::Revolute { coordinate, .. } = link.attachment {
+            let near = hints.iter().find(|(slot, _)| *slot == index + 1).map_or(0.0, |(_, angle)| *angle);
+            z[coordinate] -= turns(z[coordinate] - near);
+        }
+    }
+    // The absolute angle that a slot turns with, if any: its own, or that of the nearest parent that has one.
+    let carrier = |mut slot: usize| loop {
+        if slot == 0 {
+            return None;
+        }
+        match tree.links[slot - 1].attachment {
+            Attachment::Revolute { coordinate, .. } => return Some(coordinate),
+            Attachment::Free { first } => return Some(first + 2),
+            _ => slot = tree.links[slot - 1].parent_slot,
+        }
+    };
+    // Each pass settles at least one more cut joint of a chain.
+    for _ in 0..tree.cuts.len() {
+        kinematics.set_positions(tree, geometry, z);
+        for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+            let turn = turns(cut_turn_rad(cut, numbers, kinematics));
+            if matches!(cut.kind, CutKind::Revolute) || turn == 0.0 {
+                continue;
+            }
+            match (carrier(cut.slots[1]), carrier(cut.slots[0])) {
+                (Some(coordinate), _) => z[coordinate] -= turn,
+                (None, Some(coordinate)) => z[coordinate] += turn,
+                (None, None) => {}
+            }
+            break;
+        }
+    }
+    kinematics.set_positions(tree, geometry, z);
+}
+
+/// Angle by which a cut joint's second body is turned against its first, rad: zero where the joint is closed.
+fn cut_turn_rad(cut: &Cut, numbers: &CutGeometry<f64>, kinematics: &Kinematics<f64>) -> f64 {
+    kinematics.poses[cut.slots[1]].angle_rad + numbers.angles_rad[1]
+        - kinematics.poses[cut.slots[0]].angle_rad
+        - numbers.angles_rad[0]
+}
+
 /// The sine of an angle that should be zero is zero at a half turn as well: that is no assembly.
 fn all_face_the_right_way(tree: &Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> bool {
     tree.cuts.iter().zip(&geometry.cuts).all(|(cut, numbers)| {
-        let turn = kinematics.poses[cut.slots[1]].angle_rad + numbers.angles_rad[1]
-            - kinematics.poses[cut.slots[0]].angle_rad
-            - numbers.angles_rad[0];
-        matches!(cut.kind, super::tree::CutKind::Revolute) || turn.cos() > 0.0
+        matches!(cut.kind, CutKind::Revolute) || cut_turn_rad(cut, numbers, kinematics).cos() > 0.0
     })
 }

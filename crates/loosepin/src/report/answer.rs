@@ -237,9 +237,10 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     let failed = match result.counts.failed {
         0 => "none failed".to_owned(),
         failed => format!(
-            "{} of them failed and {} counted as not known",
+            "{} of them failed: {} counted as not known in probabilities and quantiles; means and deviations are those of \
+             the finished runs and have no bound",
             super::wording::count(failed, writer),
-            if failed == 1 { "is" } else { "are" }
+            if failed == 1 { "it is" } else { "they are" }
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();

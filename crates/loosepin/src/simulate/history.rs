@@ -400,7 +400,7 @@ impl<'a> Recorder<'a> {
 
     fn joint_summaries(&self, sample: &Sample<f64>, plan: &Plan, report: &RunReport) -> Vec<JointSummary> {
         let model = &self.mechanism.model;
-        let turns = plan.cycle.transient_turns + plan.cycle.recorded_turns;
+        let turns = plan.cycle.recorded_turns;
         let plays = self.mechanism.plays.iter().zip(&sample.plays).zip(&report.plays).enumerate();
         plays
             .filter_map(|(index, ((joint, numbers), summary))| {
@@ -437,9 +437,12 @@ impl Observer for Recorder<'_> {
     }
 
     fn contact_begins(&mut self, onset: &Onset) {
+        if onset.time_s < self.window.start_s {
+            return;
+        }
         let largest_m_s = &mut self.largest_speeds_m_s[onset.play];
         *largest_m_s = largest_m_s.max(onset.speed_m_s);
-        if onset.is_floored || onset.time_s < self.window.start_s {
+        if onset.is_floored {
             return;
         }
         self.open_impacts[onset.play] = Some(self.impacts.len());

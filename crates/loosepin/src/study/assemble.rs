@@ -8,7 +8,7 @@ mod summary;
 
 pub use runs_table::runs_table;
 
-use super::columns::{ColumnPlan, Spot};
+use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, Reduction, Study, Where};
 use super::response::StudyResponse;
 use super::result::{
@@ -17,7 +17,6 @@ use super::result::{
     TreatmentKind, Verdict, Witness, WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
-use crate::simulate::RunFailure;
 use crate::units::{DisplayUnits, SiUnit};
 
 /// Everything that a result is made from.
@@ -29,19 +28,16 @@ pub(super) struct Material<'m> {
 }
 
 /// Puts the result together.
-///
-/// # Errors
-/// A run that the report draws failed.
 pub fn assemble(
     study: &Study,
     input_hash: &str,
     response: &StudyResponse,
     table: &SampleTable,
     bounds: &Bounds,
-) -> Result<StudyResult, RunFailure> {
+) -> StudyResult {
     let material = Material { study, response, table, bounds };
-    let pictures = drawing::pictures(&material)?;
-    Ok(StudyResult {
+    let pictures = drawing::pictures(&material);
+    StudyResult {
         format: FORMAT,
         name: study.name.clone(),
         model: study.model.name.clone(),
@@ -65,7 +61,7 @@ pub fn assemble(
         boxes: boxes(&material),
         orbits: pictures.orbits,
         drawing: pictures.drawing,
-    })
+    }
 }
 
 impl Material<'_> {
@@ -97,6 +93,37 @@ impl Material<'_> {
         self.bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic)
     }
 
+    /// Both ends of the bounds of `statistic` of `column`, narrowed by what is known of the largest deviation of the whole
+    /// recorded part: no pose departs further, so |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|.
+    fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
+        let pair = self.pair(column, statistic)?;
+        let (mut lower, mut upper) = (self.end(&pair.lower), self.end(&pair.upper));
+        let planned = self.plan().columns[column];
+        let largest = StudyColumn { spot: Spot::Reduced(Reduction::MaximumAbsolute), ..planned };
+        let largest = self.plan().columns.iter().position(|known| *known == largest);
+        if let (Some(largest), Spot::Pose { .. }) = (largest, planned.spot) {
+            let most = |statistic| self.pair(largest, statistic).map(|pair| pair.upper.widened);
+            match statistic {
+                Statistic::Mean => {
+                    if let Some(most) = most(Statistic::Mean) {
+                        narrow(&mut lower, -most);
+                        narrow(&mut upper, most);
+                    }
+                }
+                Statistic::Quantile(probability) => {
+                    if let Some(most) = most(Statistic::Quantile(probability)) {
+                        narrow(&mut upper, most);
+                    }
+                    if let Some(most) = most(Statistic::Quantile(1.0 - probability)) {
+                        narrow(&mut lower, -most);
+                    }
+                }
+                _ => {}
+            }
+        }
+        Some([lower, upper])
+    }
+
     fn unit_of(&self, column: usize) -> SiUnit {
         self.plan().outputs[self.plan().columns[column].output].unit.clone()
     }
@@ -108,14 +135,26 @@ impl Material<'_> {
     /// Where a column is taken; `in_curve` tells that it is a point of a curve.
     fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
         match self.plan().columns[column].spot {
-            Spot::Pose { angle_rad, turns } => {
-                // People count the recorded turns, not those before them.
-                let pose_rad = angle_rad - recorded_offset_rad(self.study, self.response);
-                let _ = turns;
-                if in_curve { ResponsePoint::Curve { pose_rad } } else { ResponsePoint::Pose { pose_rad } }
+            Spot::Pose { angle_rad: pose_rad, .. } => {
+                if in_curve {
+                    ResponsePoint::Curve { pose_rad }
+                } else {
+                    ResponsePoint::Pose { pose_rad }
+                }
             }
             Spot::Reduced(reduction) => ResponsePoint::Reduced { reduction: reduction_kind(reduction) },
         }
+    }
+}
+
+/// Moves the widened end of a bound back to `limit` where it lies beyond.
+fn narrow(end: &mut BoundEnd, limit_si: f64) {
+    let outward = if end.widened_si >= end.value_si { 1.0 } else { -1.0 };
+    if outward * (end.widened_si - limit_si) > 0.0 && outward * (limit_si - end.value_si) >= 0.0 {
+        let room = outward * (limit_si - end.value_si);
+        end.widened_si = limit_si;
+        end.error.sampling_si = end.error.sampling_si.min(room);
+        end.error.optimisation_si = room - end.error.sampling_si;
     }
 }
 
@@ -186,6 +225,7 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                 let (Some(statistic), Some(pair)) = (statistic_kind(asked), material.pair(column, asked)) else {
                     continue;
                 };
+                let Some([lower, upper]) = material.ends(column, asked) else { continue };
                 let unit = if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
                 records.push(BoundRecord {
                     output: material.name_of(column),
@@ -195,9 +235,14 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                     treatment: TreatmentKind::Mixed,
                     reading: reading(material.bounds),
                     unit,
-                    lower: material.end(&pair.lower),
-                    upper: material.end(&pair.upper),
-                    guarantee: guarantee(pair.lower.guarantee),
+                    lower,
+                    upper,
+                    // Failed runs may have had any response: for means and deviations no bound exists then.
+                    guarantee: if pair.unbounded_by_failures {
+                        GuaranteeKind::Inner
+                    } else {
+                        guarantee(pair.lower.guarantee)
+                    },
                 });
             }
         }
@@ -236,7 +281,7 @@ fn treatment_band(material: &Material<'_>, band: &Band) -> TreatmentBand {
         .points
         .iter()
         .min_by(|a, b| a.lower.total_cmp(&b.lower))
-        .map_or(0.0, |point| point.sampling_error[1]);
+        .map_or(0.0, |point| (point.upper + point.sampling_error[1]).min(1.0) - point.lower);
     TreatmentBand {
         treatment,
         lower_si: band.lower.value,
@@ -321,7 +366,9 @@ fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
             };
             // The share inside is one minus the share beyond, so the ends change places.
             let least = 1.0 - pair.upper.widened;
-            let attained = 1.0 - (pair.upper.value - pair.upper.error.sampling);
+            // What was really seen beyond the limit, failed runs taken as inside.
+            let seen = pair.estimates.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
+            let attained = 1.0 - (seen - pair.upper.error.sampling).max(0.0);
             let verdict = if least >= requirement.probability_at_least {
                 Verdict::Met
             } else if attained < requirement.probability_at_least {

@@ -15,7 +15,7 @@ pub enum Spot {
     Pose {
         /// Turns since the start of the recorded part.
         turns: f64,
-        /// Angle of the drive, rad, continuous from its start.
+        /// Angle of the drive as it is shown, rad: the one asked for, or counted from the first recorded turn.
         angle_rad: f64,
     },
     /// The recorded part reduced to one number.
@@ -64,15 +64,24 @@ pub struct ColumnPlan {
     pub asks: Vec<PlannedAsk>,
     /// The requirements.
     pub requirements: Vec<PlannedRequirement>,
+    /// Columns of the largest deviations that limit those at poses.
+    pub largest: Vec<usize>,
 }
 
 impl ColumnPlan {
     /// Lays out what `study` asks for.
     pub fn new(study: &Study, mechanism: &Mechanism, drive_start_rad: f64, drive_sign: f64) -> Self {
-        let mut plan =
-            Self { outputs: columns(mechanism), columns: Vec::new(), asks: Vec::new(), requirements: Vec::new() };
+        let mut plan = Self {
+            outputs: columns(mechanism),
+            columns: Vec::new(),
+            asks: Vec::new(),
+            requirements: Vec::new(),
+            largest: Vec::new(),
+        };
         let angle =
             |turns: f64| drive_start_rad + drive_sign * std::f64::consts::TAU * (study.cycle.transient_turns + turns);
+        // People count the recorded turns, not those before them.
+        let whole_turns_rad = drive_sign * std::f64::consts::TAU * study.cycle.transient_turns.floor();
         let spots = |location: &Where| -> Vec<Spot> {
             match location {
                 Where::Cycle => {
@@ -81,7 +90,7 @@ impl ColumnPlan {
                     let is_closed = study.cycle.recorded_turns.fract() == 0.0;
                     (0..rows as usize + usize::from(!is_closed))
                         .map(|row| study.cycle.recorded_turns * row as f64 / rows)
-                        .map(|turns| Spot::Pose { turns, angle_rad: angle(turns) })
+                        .map(|turns| Spot::Pose { turns, angle_rad: angle(turns) - whole_turns_rad })
                         .collect()
                 }
                 Where::Poses { angles_rad, .. } => angles_rad
@@ -94,7 +103,7 @@ impl ColumnPlan {
                         if turns > 1.0 - 1e-12 {
                             turns = 0.0;
                         }
-                        Spot::Pose { turns, angle_rad: angle(turns) }
+                        Spot::Pose { turns, angle_rad: *asked_rad }
                     })
                     .collect(),
                 Where::Reduced(reduction) => vec![Spot::Reduced(*reduction)],
@@ -104,6 +113,16 @@ impl ColumnPlan {
             for output in plan.outputs_of(ask.output) {
                 let columns = plan.add(output, ask.deviation, &spots(&ask.location));
                 plan.asks.push(PlannedAsk { ask: ask.clone(), output, columns });
+            }
+        }
+        // No pose departs further than the largest deviation of the whole recorded part: its bounds narrow those of curves.
+        let whole = [Spot::Reduced(Reduction::MaximumAbsolute)];
+        for k in 0..plan.asks.len() {
+            let (output, deviation) = (plan.asks[k].output, plan.asks[k].ask.deviation);
+            let is_at_poses = !matches!(plan.asks[k].ask.location, Where::Reduced(_));
+            if is_at_poses && deviation != Deviation::Value {
+                let columns = plan.add(output, deviation, &whole);
+                plan.largest.extend(columns);
             }
         }
         for requirement in &study.requirements {
@@ -159,6 +178,11 @@ impl ColumnPlan {
                     push(column, Statistic::Cdf);
                 }
             }
+        }
+        for &column in &self.largest {
+            push(column, Statistic::Mean);
+            push(column, Statistic::Quantile(BAND[0]));
+            push(column, Statistic::Quantile(BAND[1]));
         }
         for planned in &self.requirements {
             for &column in &planned.columns {

@@ -11,7 +11,12 @@ impl Problem for StudyError {
     fn code(&self) -> Code {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.code(),
-            Self::Prepare(PrepareError::Nominal(failure)) | Self::Drawing(failure) => Problem::code(failure),
+            Self::Prepare(PrepareError::Nominal(failure)) => Problem::code(failure),
+            Self::Prepare(
+                PrepareError::UncertainStart { .. }
+                | PrepareError::SpeedThroughZero { .. }
+                | PrepareError::PoseNotRecorded { .. },
+            ) => Code::AskNotPossible,
             Self::Plan(_) => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
@@ -22,9 +27,16 @@ impl Problem for StudyError {
     fn hint(&self) -> Option<String> {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.hint(),
-            Self::Prepare(PrepareError::Nominal(failure))
-            | Self::Drawing(failure)
-            | Self::AllFailed { reason: failure, .. } => failure.hint(),
+            Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => failure.hint(),
+            Self::Prepare(PrepareError::UncertainStart { .. }) => {
+                Some("make the angle of a link uncertain instead, for example by the position of a point".to_owned())
+            }
+            Self::Prepare(PrepareError::SpeedThroughZero { .. }) => {
+                Some("keep the whole range on one side of zero".to_owned())
+            }
+            Self::Prepare(PrepareError::PoseNotRecorded { .. }) => {
+                Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
+            }
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
             Self::Plan(_) | Self::Table(_) => None,
@@ -50,9 +62,12 @@ impl StudyError {
                 }
                 complaint
             }
-            Self::Threads(_) | Self::Table(_) | Self::Drawing(_) | Self::Interrupted { .. } => {
-                Complaint::error(self, None)
-            }
+            Self::Prepare(
+                PrepareError::UncertainStart { .. }
+                | PrepareError::SpeedThroughZero { .. }
+                | PrepareError::PoseNotRecorded { .. },
+            ) => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
+            Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => Complaint::error(self, None),
         }
     }
 }

@@ -16,8 +16,10 @@ const RUNS_PER_BATCH: usize = 256;
 
 /// Runs of the probability-only treatment beside the double loop.
 const MIXTURE_RUNS: usize = 1024;
-/// Runs of the interval-only treatment.
+/// Runs of the interval-only treatment, at least.
 const EXTREME_RUNS: usize = 128;
+/// Runs of the interval-only treatment for each uncertain input, where those are many.
+const EXTREME_RUNS_PER_INPUT: usize = 8;
 /// Each random input is cut at this many standard deviations where it is taken as an interval.
 const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
 /// Confidence of every sampling error.
@@ -38,9 +40,6 @@ pub enum StudyError {
     /// A row did not fit.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// A run that the report needs failed.
-    #[error("the run that the report draws failed: {0}")]
-    Drawing(RunFailure),
     /// It was interrupted; what was finished is in the table.
     #[error("interrupted after {} of at most {most_runs} runs", finished.columns.first().map_or(0, |column| column.data.len()))]
     Interrupted {
@@ -119,7 +118,7 @@ pub fn conduct(
         return Err(all_failed(&response, &table));
     }
     let bounds = pool.install(|| plan.results(&table))?;
-    let result = assemble(study, input_hash, &response, &table, &bounds).map_err(StudyError::Drawing)?;
+    let result = assemble(study, input_hash, &response, &table, &bounds);
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
 
@@ -168,7 +167,7 @@ fn problem(study: &Study, response: &StudyResponse) -> Problem {
             inner: study.sampling.inner,
             replicates,
             mixture: MIXTURE_RUNS.div_ceil(replicates) * replicates,
-            extreme: EXTREME_RUNS,
+            extreme: EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len())),
             seed: study.seed,
             confidence: CONFIDENCE,
         },

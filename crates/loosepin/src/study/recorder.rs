@@ -218,7 +218,8 @@ impl<'r, 'a> Recorder<'r, 'a> {
         while let Some(&first) = self.shared.pose_order.get(self.next_pose) {
             let Spot::Pose { turns, .. } = self.shared.plan.columns[first].spot else { return };
             let time_s = self.window.start_s + turns * self.turn_s;
-            if time_s > step.end_s && time_s < self.window.end_s {
+            // A pose at the very end may lie behind the last step by round-off.
+            if time_s > step.end_s && step.end_s < self.window.end_s {
                 return;
             }
             // All columns of this pose from one look at the step.

@@ -15,6 +15,30 @@ pub enum PrepareError {
     /// The nominal mechanism.
     #[error(transparent)]
     Mechanism(#[from] MechanismError),
+    /// The start of the drive is uncertain, so that samples would not be compared at the same input.
+    #[error(
+        "'{path}' is where the drive starts: every sample must start at the same place to be compared with the ideal motion"
+    )]
+    UncertainStart {
+        /// Path of the quantity.
+        path: String,
+    },
+    /// The speed of the drive may change its sign.
+    #[error("'{path}' may be zero or change its direction: the turns of such a drive cannot be counted")]
+    SpeedThroughZero {
+        /// Path of the quantity.
+        path: String,
+    },
+    /// A pose that the recorded part does not reach.
+    #[error("output '{output}' is asked at {angle_deg:.6} deg; the recorded {recorded_turns} turns do not pass there")]
+    PoseNotRecorded {
+        /// The output.
+        output: String,
+        /// The angle asked for, degrees.
+        angle_deg: f64,
+        /// Recorded turns.
+        recorded_turns: f64,
+    },
     /// The nominal run.
     #[error("the nominal mechanism, epistemic inputs in the middle of their intervals: {0}")]
     Nominal(#[from] RunFailure),
@@ -57,7 +81,7 @@ pub struct RunExtras {
 /// The extras of one joint with play.
 #[derive(Debug, Clone, Copy)]
 pub struct JointExtras {
-    /// Contacts that began, over all turns.
+    /// Contacts that began in the recorded turns.
     pub contacts: f64,
     /// Those that began slower than the floor of the law.
     pub floored: f64,
@@ -140,6 +164,7 @@ impl StudyResponse {
             .iter()
             .map(|input| (input.quantity, 0.5 * (input.interval.lower() + input.interval.upper())))
             .collect();
+        check_drive(study)?;
         let nominal = study.model.quantities.evaluate(&middle)?;
         let mechanism = Mechanism::new(&study.model, &nominal)?;
         let drive = &study.model.drives[study.cycle.drive.0];
@@ -278,6 +303,29 @@ impl Response for StudyResponse {
     fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
         self.run(random, epistemic, columns).map_err(|failure| Failure(failure.number()))
     }
+}
+
+/// The drive that the cycle counts must start where it always starts, and turn one way.
+fn check_drive(study: &Study) -> Result<(), PrepareError> {
+    let drive = &study.model.drives[study.cycle.drive.0];
+    let random = study.random.iter().map(|input| {
+        let range = [1e-9, 1.0 - 1e-9].map(|probability| input.variable.quantile(probability));
+        (&input.path, input.quantity, range)
+    });
+    let epistemic = study
+        .epistemic
+        .iter()
+        .map(|input| (&input.path, input.quantity, [input.interval.lower(), input.interval.upper()]));
+    for (path, quantity, [lower, upper]) in random.chain(epistemic) {
+        let roots = |id: QuantityId| id == quantity || study.model.roots(id).contains(&quantity);
+        if roots(drive.start) {
+            return Err(PrepareError::UncertainStart { path: path.clone() });
+        }
+        if quantity == drive.speed && lower <= 0.0 && upper >= 0.0 {
+            return Err(PrepareError::SpeedThroughZero { path: path.clone() });
+        }
+    }
+    Ok(())
 }
 
 /// The recorded part of a run.

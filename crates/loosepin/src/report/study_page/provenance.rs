@@ -185,6 +185,9 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
             html! {
                 (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the interval inputs × "
                 (count(counts.inner, writer)) " random samples"
+                @if let Some(others) = counts.runs.checked_sub(counts.outer * counts.inner).filter(|&others| others > 0) {
+                    " + " (count(others, writer)) " for the two other treatments"
+                }
                 @if counts.replicates > 1 { " in " (counts.replicates) " independent replicates" }
                 @if counts.rounds > 1 { ", in " (counts.rounds) " rounds" }
             },

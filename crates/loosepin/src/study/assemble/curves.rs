@@ -45,16 +45,15 @@ fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> 
         let [lower, upper] = centre.map_or([f64::NAN; 2], |point| random_band(material, column, point));
         curve.random.lower_si.push(lower);
         curve.random.upper_si.push(upper);
-        let mixed = [0, 1].map(|end| material.pair(column, Statistic::Quantile(BAND[end])));
-        if let [Some(low), Some(high)] = mixed {
-            curve.mixed.lower_si.push(low.lower.widened);
-            curve.mixed.upper_si.push(high.upper.widened);
-            let error = low.lower.error.total().max(high.upper.error.total());
-            curve.numerical_error_si = curve.numerical_error_si.max(error);
+        let mixed = [0, 1].map(|end| material.ends(column, Statistic::Quantile(BAND[end])));
+        if let [Some([low, _]), Some([_, high])] = mixed {
+            curve.mixed.lower_si.push(low.widened_si);
+            curve.mixed.upper_si.push(high.widened_si);
+            curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
         }
-        if let Some(mean) = material.pair(column, Statistic::Mean) {
-            curve.mean.lower_si.push(mean.lower.widened);
-            curve.mean.upper_si.push(mean.upper.widened);
+        if let Some([lower, upper]) = material.ends(column, Statistic::Mean) {
+            curve.mean.lower_si.push(lower.widened_si);
+            curve.mean.upper_si.push(upper.widened_si);
         }
     }
     curve

@@ -2,7 +2,7 @@
 
 use super::{Material, recorded_offset_rad};
 use crate::simulate::record::{Drawing, JournalOrbit};
-use crate::simulate::{Plan, RunFailure, simulate};
+use crate::simulate::{Plan, simulate, skeleton};
 use crate::units::format_value;
 
 /// Poses of the moving picture.
@@ -20,28 +20,23 @@ pub struct Pictures {
     pub nominal_row: Vec<f64>,
 }
 
-/// Runs the nominal mechanism for the pictures.
-///
-/// # Errors
-/// Its run fails.
-pub fn pictures(material: &Material<'_>) -> Result<Pictures, RunFailure> {
+/// Runs the nominal mechanism for the pictures. A picture whose run fails is left out: no finished study is lost for it.
+pub fn pictures(material: &Material<'_>) -> Pictures {
     let (study, response) = (material.study, material.response);
     let middle: Vec<f64> = study.epistemic.iter().map(|input| input.interval.at(0.5)).collect();
     let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
     let mut nominal_row = vec![f64::NAN; response.row_length()];
-    response.run(&nominal, &middle, &mut nominal_row)?;
+    if response.run(&nominal, &middle, &mut nominal_row).is_err() {
+        nominal_row.fill(f64::NAN);
+    }
 
     let mut cycle = study.cycle.clone();
     cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
     let plan = Plan { cycle, settings: *response.settings(), with_states: false, overrides: Vec::new() };
     let run_at = |epistemic: &[f64]| {
-        let values = response.values(&nominal, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        simulate(&response.mechanism, &values, &plan)
+        let values = response.values(&nominal, epistemic).ok()?;
+        simulate(&response.mechanism, &values, &plan).ok()
     };
-    let central = run_at(&middle)?;
-    let mut drawing = central.record.drawing.clone();
-    thin(&mut drawing, recorded_offset_rad(study, response));
-
     let mut orbits: Vec<JournalOrbit> = Vec::new();
     let mut add = |label: String, mut found: Vec<JournalOrbit>| {
         for orbit in &mut found {
@@ -49,19 +44,24 @@ pub fn pictures(material: &Material<'_>) -> Result<Pictures, RunFailure> {
         }
         orbits.append(&mut found);
     };
-    add("epistemic inputs in the middle of their intervals".to_owned(), central.record.orbits);
-    for (index, input) in
-        study.epistemic.iter().enumerate().filter(|(_, input)| input.path.ends_with("radial_clearance"))
-    {
+    let mut drawing = skeleton(&response.mechanism, &response.nominal);
+    if let Some(central) = run_at(&middle) {
+        drawing = central.record.drawing.clone();
+        thin(&mut drawing, recorded_offset_rad(study, response));
+        add("unknown values in the middle of their intervals".to_owned(), central.record.orbits);
+    }
+    let is_clearance = |path: &str| path.ends_with("radial_clearance");
+    for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_clearance(&input.path)) {
         for value in [input.interval.lower(), input.interval.upper()] {
             let mut epistemic = middle.clone();
             epistemic[index] = value;
-            let quantity = &study.model.quantities[input.quantity];
-            let label = format!("{} = {}", input.path, format_value(value, quantity.dimension));
-            add(label, run_at(&epistemic)?.record.orbits);
+            if let Some(run) = run_at(&epistemic) {
+                let dimension = study.model.quantities[input.quantity].dimension;
+                add(format!("{} = {}", input.path, format_value(value, dimension)), run.record.orbits);
+            }
         }
     }
-    Ok(Pictures { drawing, orbits, nominal_row })
+    Pictures { drawing, orbits, nominal_row }
 }
 
 /// Keeps about as many poses as a moving picture needs, at angles of the recorded turns.

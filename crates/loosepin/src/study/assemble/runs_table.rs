@@ -49,7 +49,6 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
         let of = super::deviation_kind(column.deviation).word();
         let at = match column.spot {
             Spot::Pose { angle_rad, .. } => {
-                let angle_rad = angle_rad - super::recorded_offset_rad(study, response);
                 format!("at {} rad", (angle_rad * 1e9).round() / 1e9)
             }
             Spot::Reduced(reduction) => super::reduction_kind(reduction).word().to_owned(),

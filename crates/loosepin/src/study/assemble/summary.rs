@@ -124,7 +124,7 @@ pub fn energy(material: &Material<'_>) -> Option<EnergyResiduals> {
 /// Impacts in each joint with play over all finished runs.
 pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
     let runs: Vec<RunExtras> = finished(material).collect();
-    let turns = material.study.cycle.transient_turns + material.study.cycle.recorded_turns;
+    let turns = material.study.cycle.recorded_turns;
     let joints = material.response.extras.joints.iter().enumerate();
     if runs.is_empty() {
         return Vec::new();
