@@ -113,7 +113,7 @@ fn ctrl_c_ends_a_study_and_keeps_its_runs() {
     let mut messages = String::new();
     child.stderr.take().expect("piped").read_to_string(&mut messages).expect("UTF-8");
     assert_eq!(child.wait().expect("it ends").code(), Some(130), "{messages}");
-    assert!(messages.starts_with("interrupted after ") && messages.contains(" of at most 17536 runs; "), "{messages}");
+    assert!(messages.starts_with("interrupted after ") && messages.contains(" of at most "), "{messages}");
     assert!(
         messages.ends_with("they are kept in bounds/runs.parquet\nhint: the same command begins again\n"),
         "{messages}"

@@ -17,12 +17,12 @@ fn check_says_in_words_what_a_mechanism_is() {
 
 #[test]
 fn check_says_what_a_study_comes_to() {
-    let desk = Desk::with_model("slider_crank_worn_pin");
-    desk.write("study.toml", &case_text("slider_crank_worn_pin", "study.toml"));
+    let desk = Desk::with_model("slider_crank_5000");
+    desk.write("study.toml", include_str!("expected/study.toml"));
     let said = desk.succeed(&["check", "study.toml"]);
     // How long it takes depends on the machine.
     let (words, duration) = said.output.split_once(" runs: about ").expect("how many runs, and how long");
-    assert_eq!(words, include_str!("expected/check_worn_pin.txt").trim_end());
+    assert_eq!(words, include_str!("expected/check_study.txt").trim_end());
     assert!(duration.trim_end().ends_with("thread") || duration.trim_end().ends_with("threads"));
 }
 
@@ -130,11 +130,11 @@ fn a_reader_that_leaves_early_is_no_error() {
 
 #[test]
 fn motion_of_a_model_and_of_a_study() {
-    let desk = Desk::with_model("slider_crank_worn_pin");
-    desk.write("study.toml", &case_text("slider_crank_worn_pin", "study.toml"));
+    let desk = Desk::with_model("slider_crank_5000");
+    desk.write("study.toml", include_str!("expected/study.toml"));
     let said = desk.succeed(&["motion", "model.toml", "--out", "motion"]);
     assert_eq!(said.messages, "report: motion/report.html\n");
-    assert_eq!(said.output, include_str!("expected/motion_worn_pin.txt"));
+    assert_eq!(said.output, include_str!("expected/motion_slider_crank.txt"));
     assert!(desk.read("motion/report.html").contains("<html"));
     assert_eq!(desk.succeed(&["report", "motion"]).output, said.output);
     desk.succeed(&["motion", "study.toml"]);

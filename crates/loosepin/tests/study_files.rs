@@ -6,6 +6,7 @@ mod report_fixture;
 use std::collections::BTreeMap;
 use std::fs;
 
+use loosepin::diagnostics::Problem;
 use loosepin::study::files::{
     BOUNDS_COLUMNS, BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, bounds_csv, read_json,
     read_runs_parquet, read_summary, runs_parquet, to_json, write_study,
@@ -94,13 +95,12 @@ fn every_record_reads_back_from_json() {
 #[test]
 fn foreign_summary_is_refused_with_its_place() {
     let error = read_json::<StudyResult>("{\n  \"format\": 1,\n  \"name\": 5\n}\n", SUMMARY_FILE)
-        .expect_err("a number is no name")
-        .to_string();
+        .expect_err("a number is no name");
     assert_eq!(
-        error,
-        "summary.json cannot be read: invalid type: integer `5`, expected a string at line 3 column 11\nhint: run the \
-         study again, or use the version that wrote it"
+        error.to_string(),
+        "summary.json cannot be read: invalid type: integer `5`, expected a string at line 3 column 11"
     );
+    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
 }
 
 #[test]

@@ -37,12 +37,6 @@ pub enum RunFailure {
         /// The drive.
         drive: String,
     },
-    /// More rows are asked for than a person or a program reads.
-    #[error("{rows:e} rows are asked for; must be at most {LARGEST_ROWS:e}")]
-    TooManyRows {
-        /// Turns times samples a turn.
-        rows: f64,
-    },
     /// The penetration is so deep that the pin's centre leaves the hole: no contact law means anything there.
     #[error(
         "at {time_s} s the pin of joint '{joint}' is pressed {:.4} mm into its hole of radius {:.4} mm: beyond any contact law",
@@ -67,10 +61,15 @@ pub enum RunFailure {
         /// The limit.
         limit: u64,
     },
+    /// More rows than a history can hold.
+    #[error("{rows} rows would be recorded; must be at most {most}")]
+    TooManyRows {
+        /// Turns times rows a turn.
+        rows: f64,
+        /// The limit.
+        most: usize,
+    },
 }
-
-/// Rows of a history, at most.
-pub const LARGEST_ROWS: f64 = 1e7;
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
 const CODES: [&str; 10] = [
@@ -121,7 +120,8 @@ impl Problem for RunFailure {
             Self::StandsStill { .. } => Code::DriveStandsStill,
             Self::StepTooSmall { .. } => Code::StepTooSmall,
             Self::NotFinite { .. } => Code::RunNotFinite,
-            Self::TooManyEvaluations { .. } | Self::TooManyRows { .. } => Code::RunTooLong,
+            Self::TooManyEvaluations { .. } => Code::RunTooLong,
+            Self::TooManyRows { .. } => Code::BadCount,
             Self::LeavesBearing { .. } => Code::PinLeavesBearing,
         }
     }
@@ -136,7 +136,9 @@ impl Problem for RunFailure {
             ),
             Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
             Self::TooManyRows { .. } => Some("ask for fewer turns or fewer samples a turn".to_owned()),
-            Self::LeavesBearing { .. } => Some("the contact is too soft, or the drive too fast, for these masses".to_owned()),
+            Self::LeavesBearing { .. } => {
+                Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
+            }
         }
     }
 }
@@ -148,10 +150,10 @@ impl RunFailure {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
             Self::LeavesBearing { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
-            Self::StepTooSmall { .. }
-            | Self::NotFinite { .. }
-            | Self::TooManyEvaluations { .. }
-            | Self::TooManyRows { .. } => Complaint::error(self, model.place("name")),
+            Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
+                Complaint::error(self, None)
+            }
+            Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::column::{Arms, Column, columns};
 use super::drawing::{add_pose, skeleton};
 use super::engine::{RunReport, run};
-use super::failure::{LARGEST_ROWS, RunFailure};
+use super::failure::RunFailure;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::record::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
@@ -57,6 +57,9 @@ pub fn turn_s(mechanism: &Mechanism, values: &Values, cycle: &Cycle) -> Result<f
     }
 }
 
+/// Rows of a history, at most: a million rows of ten columns are 200 MB of text.
+const MOST_ROWS: usize = 1_000_000;
+
 /// A finished run.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -83,11 +86,11 @@ pub struct BodyStates {
 /// # Errors
 /// The one reason why the run failed.
 pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
-    let window = plan.window(mechanism, values)?;
     let rows = plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64;
-    if rows > LARGEST_ROWS {
-        return Err(RunFailure::TooManyRows { rows });
+    if !(rows <= MOST_ROWS as f64) {
+        return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
     }
+    let window = plan.window(mechanism, values)?;
     let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
     // A loop that cannot turn fully is better told now than where the dynamics run against it.

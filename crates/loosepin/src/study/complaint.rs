@@ -88,7 +88,7 @@ fn place_of_sampling(study: &Study) -> Place {
 impl Problem for FilesError {
     fn code(&self) -> Code {
         match self {
-            Self::Write { .. } | Self::Read { .. } => Code::FolderNotUsable,
+            Self::Results(error) => error.code(),
             Self::Layout { .. } | Self::ForeignColumn { .. } => Code::NoResults,
             Self::Json { .. }
             | Self::Csv { .. }
@@ -104,7 +104,13 @@ impl Problem for FilesError {
             Self::Layout { .. } | Self::ForeignColumn { .. } => {
                 Some("run the study again, or use the version that wrote it".to_owned())
             }
-            _ => None,
+            Self::Results(error) => error.hint(),
+            Self::Json { .. }
+            | Self::Csv { .. }
+            | Self::UnequalColumns { .. }
+            | Self::RepeatedColumn { .. }
+            | Self::Parquet { .. }
+            | Self::Arrow { .. } => None,
         }
     }
 }

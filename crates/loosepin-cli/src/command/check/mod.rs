@@ -34,7 +34,11 @@ pub fn run(arguments: &CheckArguments) -> Ending {
 }
 
 fn describe(path: &Path) -> Result<String, Failure> {
-    match InputFile::from_path(path)? {
+    describe_input(InputFile::from_path(path)?)
+}
+
+fn describe_input(file: InputFile) -> Result<String, Failure> {
+    match file {
         InputFile::Model(model) => {
             warn(&model.warnings);
             let values = model.quantities.nominal();
@@ -55,3 +59,6 @@ fn compile_and_try(model: &Model, values: &Values) -> Result<(Mechanism, trial::
     let tried = trial::try_out(&mechanism, values).map_err(|failure| failure.complaint(model))?;
     Ok((mechanism, tried))
 }
+
+#[cfg(test)]
+mod tests;

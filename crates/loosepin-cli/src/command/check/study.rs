@@ -8,7 +8,7 @@ use loosepin::study::{Study, plan_runs};
 use loosepin::uncertainty::Distribution;
 use loosepin::units::{Dimension, format_number, format_value};
 
-use super::trial::{Trial, run_time_s};
+use super::trial::{RunTime, Trial, run_time_s};
 use crate::console::{counted, duration};
 use crate::ending::Failure;
 
@@ -38,7 +38,7 @@ pub fn words(study: &Study, mechanism: &Mechanism, values: &Values, tried: &Tria
         counted(study.requirements.len(), "requirement", "requirements")
     );
     let most_runs = plan_runs(study).map_err(|error| error.complaint(study))?;
-    let run_s = run_time_s(mechanism, values, &study.cycle, study.sampling.tolerance_m)
+    let run_time = run_time_s(mechanism, values, &study.cycle, study.sampling.tolerance_m)
         .map_err(|failure| failure.complaint(&study.model))?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let _ = writeln!(
@@ -49,12 +49,12 @@ pub fn words(study: &Study, mechanism: &Mechanism, values: &Values, tried: &Tria
         format_value(tried.turn_s, Dimension::TIME),
         study.sampling.tolerance_m
     );
-    let _ = writeln!(
-        text,
-        "At most {most_runs} runs: about {} on {}",
-        duration(run_s * most_runs as f64 / threads as f64),
-        counted(threads, "thread", "threads")
-    );
+    let on_all_threads = |run_s: f64| duration(run_s * most_runs as f64 / threads as f64);
+    let time = match run_time {
+        RunTime::About(run_s) => format!("about {}", on_all_threads(run_s)),
+        RunTime::MoreThan(run_s) => format!("more than {}", on_all_threads(run_s)),
+    };
+    let _ = writeln!(text, "At most {most_runs} runs: {time} on {}", counted(threads, "thread", "threads"));
     Ok(text)
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{Cycle, Values};
+use loosepin::model::{Cycle, JointKind, Values};
 use loosepin::simulate::{IdealReference, Plan, RunFailure, Settings, Window, run, turn_s};
 use loosepin::simulate::{Observer, Step};
 
@@ -11,8 +11,16 @@ use loosepin::simulate::{Observer, Step};
 const POSITIONS_PER_TURN: usize = 360;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
 const MOST_TURNS: f64 = 20.0;
+/// Turns of the fastest drive that are looked at, at most: a second drive may be very much faster than the one that counts.
+const MOST_TURNS_OF_THE_FASTEST: f64 = 1000.0;
 /// Share of a turn that the dynamic trial lasts.
 const TRIAL_TURNS: f64 = 1.0 / 360.0;
+/// Evaluations after which the trial has shown enough: a slow mechanism settles into resting contact long before.
+const TRIAL_EVALUATIONS: u64 = 100_000;
+/// Turns of a run whose time is measured, at most.
+const MOST_TIMED_TURNS: f64 = 3.0;
+/// Evaluations after which the measurement is given up: a second or so.
+const TIMED_EVALUATIONS: u64 = 1_000_000;
 
 /// What the trial showed.
 #[derive(Debug)]
@@ -43,26 +51,68 @@ pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailu
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
     let mut motion = IdealReference::new(&ideal, &ideal_sample)?;
     let start = body_starts(mechanism, values, motion.at(0.0, false)?);
-    let turns = (cycle.transient_turns + cycle.recorded_turns).min(MOST_TURNS);
+    let turns = (cycle.transient_turns + cycle.recorded_turns)
+        .min(MOST_TURNS)
+        .min(MOST_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, values));
     let positions = (turns * POSITIONS_PER_TURN as f64).ceil() as usize;
     for position in 1..=positions {
         motion.at(turns * turn_s * position as f64 / positions as f64, false)?;
     }
     let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
-    run(mechanism, &sample, &window, &Settings::for_simulation(), &mut Unobserved)?;
-    Ok(Trial { start, turn_s })
+    let settings = Settings { largest_evaluations: TRIAL_EVALUATIONS, ..Settings::for_simulation() };
+    match run(mechanism, &sample, &window, &settings, &mut Unobserved) {
+        Ok(_) | Err(RunFailure::TooManyEvaluations { .. }) => Ok(Trial { start, turn_s }),
+        Err(failure) => Err(failure),
+    }
 }
 
-/// Seconds that one nominal run takes on this machine, by the clock.
+/// Speed of the fastest drive over that of the drive that counts turns, >= 1. Lengths count as angles over the size of the
+/// mechanism.
+fn speed_ratio(mechanism: &Mechanism, values: &Values) -> f64 {
+    let model = &mechanism.model;
+    let rate = |drive: &loosepin::model::Drive| {
+        let speed = values[drive.speed].abs();
+        match model.joints[drive.joint.0].kind {
+            JointKind::Prismatic { .. } => speed / mechanism.size_m,
+            _ => speed,
+        }
+    };
+    let fastest = model.drives.iter().map(rate).fold(0.0, f64::max);
+    fastest / rate(&model.drives[model.cycle.drive.0])
+}
+
+/// Seconds that one nominal run takes on this machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RunTime {
+    /// As measured, or scaled up from fewer turns.
+    About(f64),
+    /// The trial was given up after this.
+    MoreThan(f64),
+}
+
+/// Measures a nominal run by the clock: a turn of it, and as many more as there are.
 ///
 /// # Errors
 /// Why it failed.
-pub fn run_time_s(mechanism: &Mechanism, values: &Values, cycle: &Cycle, tolerance_m: f64) -> Result<f64, RunFailure> {
-    let settings = Settings { tolerance_m, ..Settings::for_study() };
-    let plan = Plan { cycle: cycle.clone(), settings, with_states: false, overrides: Vec::new() };
+pub fn run_time_s(
+    mechanism: &Mechanism,
+    values: &Values,
+    cycle: &Cycle,
+    tolerance_m: f64,
+) -> Result<RunTime, RunFailure> {
+    let settings = Settings { tolerance_m, largest_evaluations: TIMED_EVALUATIONS, ..Settings::for_study() };
+    let turns = cycle.transient_turns + cycle.recorded_turns;
+    let timed_turns = turns.min(MOST_TIMED_TURNS);
+    let timed = Cycle { transient_turns: 0.0, recorded_turns: timed_turns, ..cycle.clone() };
+    let plan = Plan { cycle: timed, settings, with_states: false, overrides: Vec::new() };
     let began = std::time::Instant::now();
-    loosepin::simulate::simulate(mechanism, values, &plan)?;
-    Ok(began.elapsed().as_secs_f64())
+    let outcome = loosepin::simulate::simulate(mechanism, values, &plan);
+    let run_s = began.elapsed().as_secs_f64() * turns / timed_turns;
+    match outcome {
+        Ok(_) => Ok(RunTime::About(run_s)),
+        Err(RunFailure::TooManyEvaluations { .. }) => Ok(RunTime::MoreThan(run_s)),
+        Err(failure) => Err(failure),
+    }
 }
 
 fn body_starts(

@@ -7,8 +7,7 @@ mod runs_table;
 mod timing;
 
 use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use thiserror::Error;
 
@@ -19,9 +18,9 @@ pub use timing::Timing;
 
 use super::result::StudyResult;
 use super::runs::RunsTable;
+pub use crate::results::SUMMARY_FILE;
+use crate::results::{ResultsError, write_whole};
 
-/// Name of the file with the whole result.
-pub const SUMMARY_FILE: &str = "summary.json";
 /// Name of the file with one bound a row.
 pub const BOUNDS_FILE: &str = "bounds.csv";
 /// Name of the file with one run a row.
@@ -33,21 +32,8 @@ pub const TIMING_FILE: &str = "timing.json";
 #[derive(Debug, Error)]
 pub enum FilesError {
     /// The file system refused.
-    #[error("cannot write {path}: {source}", path = path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What the file system said.
-        source: io::Error,
-    },
-    /// The file system refused.
-    #[error("cannot read {path}: {source}", path = path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What the file system said.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    Results(#[from] ResultsError),
     /// The text is not what this version writes.
     #[error("{what} cannot be read: {source}")]
     Layout {
@@ -118,7 +104,7 @@ pub fn write_study(folder: &Path, result: &StudyResult, runs: &RunsTable, timing
     write_whole(&folder.join(BOUNDS_FILE), &bounds_csv(result)?)?;
     write_whole(&folder.join(RUNS_FILE), &runs_parquet(runs)?)?;
     write_whole(&folder.join(TIMING_FILE), to_json(timing)?.as_bytes())?;
-    write_whole(&folder.join(SUMMARY_FILE), summary.as_bytes())
+    Ok(write_whole(&folder.join(SUMMARY_FILE), summary.as_bytes())?)
 }
 
 /// Reads the `summary.json` of a folder.
@@ -127,19 +113,6 @@ pub fn write_study(folder: &Path, result: &StudyResult, runs: &RunsTable, timing
 /// A file that is not there, or that another version wrote.
 pub fn read_summary(folder: &Path) -> Result<StudyResult, FilesError> {
     let path = folder.join(SUMMARY_FILE);
-    let text = fs::read_to_string(&path).map_err(|source| FilesError::Read { path, source })?;
+    let text = fs::read_to_string(&path).map_err(|source| ResultsError::Read { path, source })?;
     read_json(&text, SUMMARY_FILE)
-}
-
-/// Writes a file so that it is there whole or not at all: under another name first, then renamed.
-///
-/// # Errors
-/// What the file system refuses.
-pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), FilesError> {
-    let mut partial_name = path.as_os_str().to_owned();
-    partial_name.push(".partial");
-    let partial = PathBuf::from(partial_name);
-    fs::write(&partial, contents)
-        .and_then(|()| fs::rename(&partial, path))
-        .map_err(|source| FilesError::Write { path: path.to_owned(), source })
 }
