@@ -232,7 +232,7 @@ fn an_interval_turned_round() {
     bad_study(
         "interval = [\"0.1 mm\", \"0.5 mm\"]",
         "interval = [\"0.5 mm\", \"0.1 mm\"]",
-        "study.toml:21:49: error[E0601]: epistemic 'joint.gudgeon.radial_clearance': interval begins at 0.5 mm and ends at \
+        "study.toml:22:49: error[E0601]: epistemic 'joint.gudgeon.radial_clearance': interval begins at 0.5 mm and ends at \
          0.1 mm; the lower end stands first\n\
          hint: write [\"0.1 mm\", \"0.5 mm\"]",
     );
@@ -243,7 +243,7 @@ fn a_path_of_nothing_and_a_model_that_is_not_there() {
     bad_study(
         "\"parameter.rod_length\"",
         "\"parameter.rodlength\"",
-        "study.toml:17:1: error[E0405]: the model has no quantity 'parameter.rodlength'\n\
+        "study.toml:18:1: error[E0405]: the model has no quantity 'parameter.rodlength'\n\
          hint: did you mean 'parameter.rod_length'?",
     );
     bad_study(

@@ -127,7 +127,11 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     result.bounds.truncate(3);
     result.bounds[1].guarantee = GuaranteeKind::Inner;
     assert_says(&result, "1 of 3 bounds is not confirmed by the search and may be wider.");
-    assert_says(&result, "3 of them failed and are counted as not known.");
+    assert_says(
+        &result,
+        "3 of them failed: they are counted as not known in probabilities and quantiles; means and deviations are those of \
+         the finished runs and have no bound.",
+    );
     result.counts.failed = 0;
     assert_says(&result, "From 16384 runs; none failed.");
 }

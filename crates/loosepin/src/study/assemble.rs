@@ -334,7 +334,9 @@ fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
                 | Statistic::ProbabilityBeyond(limit) => Some(*limit),
                 _ => None,
             });
-            let error = |bound: &Bound| bound.error.sampling + bound.error.optimisation;
+            // The search error of a single share is larger where the curve is steep: there it belongs to the size, not to the
+            // share.
+            let error = |bound: &Bound| bound.error.sampling;
             ProbabilityBox {
                 output: material.name_of(column),
                 of: deviation_kind(material.plan().columns[column].deviation),

@@ -188,7 +188,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         height: 320,
         caption: html! {
             strong { (capitalised(&response)) ". " } (median) " " (limit_words)
-            " Numerical error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
+            " Sampling error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
     }

@@ -32,6 +32,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> 
         nominal_si: Vec::new(),
         random: CurveRange::default(),
         mixed: CurveRange::default(),
+        // Bounds of the mean stand in the table: beside a band of quantiles people read them as part of it.
         mean: CurveRange::default(),
         worst_case: CurveRange::default(),
     };
@@ -50,10 +51,6 @@ fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> 
             curve.mixed.lower_si.push(low.widened_si);
             curve.mixed.upper_si.push(high.widened_si);
             curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
-        }
-        if let Some([lower, upper]) = material.ends(column, Statistic::Mean) {
-            curve.mean.lower_si.push(lower.widened_si);
-            curve.mean.upper_si.push(upper.widened_si);
         }
     }
     curve

@@ -79,7 +79,7 @@ pub struct ProbabilityBox {
     /// A limit that was asked about, where there is one.
     #[serde(with = "extended")]
     pub limit_si: Option<f64>,
-    /// Numerical error of the probabilities, >= 0.
+    /// Sampling error of the probabilities, >= 0.
     #[serde(with = "extended")]
     pub numerical_error: f64,
 }

@@ -1,0 +1,34 @@
+"""Every page that the program writes, loaded in headless Chromium: made-up results for all kinds of page, and the report of a
+real simulation."""
+
+import pathlib
+import subprocess
+import sys
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+CHECK = REPOSITORY / "tests" / "browser" / "check_pages.py"
+
+
+def cargo(*arguments):
+    subprocess.run(["cargo", *map(str, arguments)], cwd=REPOSITORY, check=True)
+
+
+def check(pages):
+    assert pages, "no page was written"
+    finished = subprocess.run(
+        [sys.executable, str(CHECK), *map(str, pages)], cwd=REPOSITORY, capture_output=True, text=True
+    )
+    assert finished.returncode == 0, finished.stdout + finished.stderr
+
+
+def test_pages_of_made_up_results(tmp_path):
+    cargo("run", "--quiet", "--locked", "--package", "loosepin", "--example", "report_pages", "--", tmp_path)
+    check(sorted(tmp_path.glob("*.html")))
+
+
+def test_pages_of_a_real_run(tmp_path):
+    model = REPOSITORY / "cases" / "slider_crank_5000" / "model.toml"
+    loosepin = ["run", "--quiet", "--locked", "--package", "loosepin-cli", "--"]
+    cargo(*loosepin, "simulate", model, "--turns", "1", "--transient", "0", "--out", tmp_path / "simulation")
+    cargo(*loosepin, "motion", model, "--out", tmp_path / "motion")
+    check([tmp_path / "simulation" / "report.html", tmp_path / "motion" / "report.html"])
