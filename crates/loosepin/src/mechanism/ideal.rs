@@ -5,9 +5,10 @@ use super::constraints;
 use super::error::SampleError;
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, Twist};
+use super::mobility::eliminate_free;
 use super::sample::DriveMotion;
 use super::tree::Tree;
-use crate::math::{Elimination, solve_square};
+use crate::math::solve_square;
 use crate::model::Model;
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
@@ -230,11 +231,8 @@ impl<'a> IdealMotion<'a> {
 
 /// The rows that full pivoting takes first: the `wanted` most independent ones, ascending.
 fn independent_rows(tree: &Tree, jacobian: &[f64], wanted: usize) -> Vec<usize> {
-    let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
-    let free: Vec<f64> =
-        (0..rows).flat_map(|row| jacobian[row * columns..row * columns + tree.free].iter().copied()).collect();
-    let dependent = Elimination::new(&free, rows, tree.free, SINGULAR_PIVOT_RATIO).dependent_rows();
-    (0..rows).filter(|row| !dependent.contains(row)).take(wanted).collect()
+    let dependent = eliminate_free(tree, jacobian).dependent_rows();
+    (0..tree.constraint_rows()).filter(|row| !dependent.contains(row)).take(wanted).collect()
 }
 
 /// The cut joint with the largest residual, and that residual.

@@ -40,9 +40,7 @@ pub fn count(
     if degrees_of_freedom < drives {
         return Err(MechanismError::TooManyDrives { mobility: degrees_of_freedom, drives });
     }
-    let free_part: Vec<f64> =
-        (0..rows).flat_map(|row| at_start[row * columns..row * columns + tree.free].iter().copied()).collect();
-    let free = Elimination::new(&free_part, rows, tree.free, RANK_TOLERANCE);
+    let free = eliminate_free(tree, &at_start);
     if free.rank() < tree.free {
         let bodies = moving_bodies(model, tree, geometry, coordinates, &free);
         return Err(if degrees_of_freedom > drives {
@@ -66,12 +64,16 @@ pub fn count(
 
 /// The independent constraint rows of a tree that keeps its mobility (loops of ideal joints beside joints with play).
 pub fn independent_rows(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Vec<usize> {
+    let dependent = eliminate_free(tree, &jacobian_at(tree, geometry, coordinates)).dependent_rows();
+    (0..tree.constraint_rows()).filter(|row| !dependent.contains(row)).collect()
+}
+
+/// Eliminates the part of a Jacobian that belongs to the free coordinates: its rank, and which rows carry it.
+pub(super) fn eliminate_free(tree: &Tree, jacobian: &[f64]) -> Elimination {
     let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
-    let jacobian = jacobian_at(tree, geometry, coordinates);
-    let free_part: Vec<f64> =
+    let free: Vec<f64> =
         (0..rows).flat_map(|row| jacobian[row * columns..row * columns + tree.free].iter().copied()).collect();
-    let dependent = Elimination::new(&free_part, rows, tree.free, RANK_TOLERANCE).dependent_rows();
-    (0..rows).filter(|row| !dependent.contains(row)).collect()
+    Elimination::new(&free, rows, tree.free, RANK_TOLERANCE)
 }
 
 fn jacobian_at(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Vec<f64> {
