@@ -15,8 +15,15 @@ pub struct AmbrosioFriction<T> {
 }
 
 impl<T: Real> AmbrosioFriction<T> {
+    /// Speeds at which the force has a kink, m/s, in both directions of sliding: a step of an integrator should not straddle
+    /// one.
+    #[inline(always)]
+    pub fn kink_speeds_m_s(&self) -> [T; 2] {
+        [self.lower_speed_m_s, self.upper_speed_m_s]
+    }
+
     /// F_T = -μ(|v_T|) F_N sign(v_T), N, along the tangent along which the sliding velocity v_T, m/s, is measured.
-    #[inline]
+    #[inline(always)]
     pub fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let speed = sliding_velocity_m_s.abs();
         let ramp = (speed - self.lower_speed_m_s) / (self.upper_speed_m_s - self.lower_speed_m_s);

@@ -29,15 +29,28 @@ impl<T: Real> NormalContact<T> {
     /// (`inverse_impact_speed_s_m` = 1/v0). A negative δ counts as zero: there the force is zero.
     ///
     /// The contact loses the power (F_N - F_el) δ̇, also while the cut acts.
-    #[inline]
+    #[inline(always)]
     pub fn force(&self, penetration_m: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
         let elastic_n = self.stiffness_n_m_n * penetration_m.max(T::zero()).powf(self.exponent);
-        let factor = T::one() + self.damping_factor * rate_m_s * inverse_impact_speed_s_m;
+        self.with_loss(elastic_n, rate_m_s, inverse_impact_speed_s_m)
+    }
+
+    /// The force for n = 3/2 at the root u = √δ of the penetration, √m: K u³ is smooth where contact begins, K δ^1.5 is
+    /// not. A negative root, just beyond the end of contact, continues the force smoothly.
+    #[inline(always)]
+    pub fn force_at_root(&self, root: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
+        self.with_loss(self.stiffness_n_m_n * (root * root * root), rate_m_s, inverse_impact_speed_s_m)
+    }
+
+    /// `F_N = F_el (1 + χ δ̇/v0)`, the factor cut at zero.
+    #[inline(always)]
+    fn with_loss(&self, elastic_n: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
+        let factor = (self.damping_factor * rate_m_s).mul_add(inverse_impact_speed_s_m, T::one());
         NormalForce { total_n: elastic_n * factor.max(T::zero()), elastic_n }
     }
 
     /// The energy stored at penetration δ: K δ^(n+1)/(n+1), J.
-    #[inline]
+    #[inline(always)]
     pub fn stored_energy_j(&self, penetration_m: T) -> T {
         let depth_m = penetration_m.max(T::zero());
         self.stiffness_n_m_n * depth_m.powf(self.exponent) * depth_m / T::from_f64(self.exponent + 1.0)

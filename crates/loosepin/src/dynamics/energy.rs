@@ -24,6 +24,12 @@ impl<T: Real> MechanicalEnergy<T> {
 impl<T: Real> Dynamics<'_, T> {
     /// The mechanical energy at the last state that was set. `in_contact` tells which joints with play hold energy.
     pub fn energy(&self, in_contact: impl Fn(usize) -> bool) -> MechanicalEnergy<T> {
+        self.energy_in(|play| if in_contact(play) { T::one() } else { T::zero() })
+    }
+
+    /// The mechanical energy at the last state that was set; `contact` is one for joints in contact, zero for others.
+    #[inline(always)]
+    pub fn energy_in(&self, contact: impl Fn(usize) -> T) -> MechanicalEnergy<T> {
         let half = T::from_f64(0.5);
         let mut energy = MechanicalEnergy { kinetic_j: T::zero(), potential_j: T::zero(), stored_j: T::zero() };
         for (index, numbers) in self.sample.real.links.iter().enumerate() {
@@ -37,9 +43,8 @@ impl<T: Real> Dynamics<'_, T> {
             energy.potential_j -= numbers.mass_kg * self.sample.real.gravity_m_s2.dot(pose.position_m + arm);
         }
         for (index, ((motion, _), play)) in self.plays.iter().zip(&self.sample.plays).enumerate() {
-            if in_contact(index) {
-                energy.stored_j += play.normal.stored_energy_j(motion.penetration_m(play.clearance_m));
-            }
+            let penetration_m = motion.penetration_m(play.clearance_m) * contact(index);
+            energy.stored_j += play.normal.stored_energy_j(penetration_m);
         }
         energy
     }

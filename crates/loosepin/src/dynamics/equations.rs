@@ -1,8 +1,10 @@
 //! Mass matrix, forces and accelerations.
 
-use super::play::{PlayForce, PlayMotion, PlayState};
+use super::play::{DepthRoot, PlayForce, PlayMotion, PlayState};
 use crate::math::{Real, Vec2, factor_ldl, solve_ldl};
-use crate::mechanism::{Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, points_of};
+use crate::mechanism::{
+    Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, moved, points_of, turned_by,
+};
 
 /// Powers that the energy account integrates, W.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +23,7 @@ pub struct Powers<T> {
 #[derive(Debug, Clone)]
 pub struct Dynamics<'a, T> {
     pub(super) mechanism: &'a Mechanism,
-    pub(super) sample: &'a Sample<T>,
+    pub(super) sample: Sample<T>,
     /// Poses, velocities and biases at the last evaluation.
     pub kinematics: Kinematics<T>,
     /// Coordinates and rates of the last evaluation, driven ones filled in.
@@ -53,7 +55,7 @@ pub struct Dynamics<'a, T> {
 
 impl<'a, T: Real> Dynamics<'a, T> {
     /// Room for `mechanism` with the numbers of `sample`.
-    pub fn new(mechanism: &'a Mechanism, sample: &'a Sample<T>) -> Self {
+    pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
         let tree = &mechanism.real;
         let (n, z) = (tree.free, tree.coordinates());
         let (rows, m) = (tree.constraint_rows(), mechanism.real_rows().len());
@@ -73,7 +75,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             .collect();
         Self {
             mechanism,
-            sample,
+            sample: sample.clone(),
             kinematics,
             coordinates: vec![T::zero(); z],
             rates: vec![T::zero(); z],
@@ -95,6 +97,14 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Poses and velocities at `time_s` for the free coordinates and rates: what contact events need, without forces.
     pub fn set_state(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
+        T::vectorize(
+            #[inline(always)]
+            || self.set_motion(time_s, free_coordinates, free_rates),
+        );
+    }
+
+    #[inline(always)]
+    fn set_motion(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
         let tree = &self.mechanism.real;
         let n = tree.free;
         self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
@@ -113,18 +123,44 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Evaluates the equations of motion: accelerations, joint forces and powers.
     pub fn evaluate(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T], states: &[PlayState<T>]) {
-        self.set_state(time_s, free_coordinates, free_rates);
+        self.evaluate_with_roots(time_s, free_coordinates, free_rates, states, &[]);
+    }
+
+    /// Evaluates the equations of motion with the roots of penetrations as unknowns: an entry for each joint with play, or none
+    /// at all.
+    #[inline(always)]
+    pub fn evaluate_with_roots(
+        &mut self,
+        time_s: T,
+        free_coordinates: &[T],
+        free_rates: &[T],
+        states: &[PlayState<T>],
+        roots: &[Option<DepthRoot<T>>],
+    ) {
+        T::vectorize(
+            #[inline(always)]
+            || {
+                self.set_motion(time_s, free_coordinates, free_rates);
+                self.set_forces(states, roots);
+                self.add_bodies();
+                self.add_plays();
+                self.solve();
+            },
+        );
+    }
+
+    /// Biases of the accelerations, and forces in the joints with play.
+    #[inline(always)]
+    fn set_forces(&mut self, states: &[PlayState<T>], roots: &[Option<DepthRoot<T>>]) {
         let tree = &self.mechanism.real;
         self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
-        for ((entry, play), state) in self.plays.iter_mut().zip(&self.sample.plays).zip(states) {
-            entry.1 = entry.0.force(play, state);
+        for (index, (entry, play)) in self.plays.iter_mut().zip(&self.sample.plays).enumerate() {
+            entry.1 = entry.0.force_with_root(play, &states[index], roots.get(index).and_then(Option::as_ref));
         }
-        self.add_bodies();
-        self.add_plays();
-        self.solve();
     }
 
     /// Mass matrix and generalised forces of inertia and gravity (Kane).
+    #[inline(always)]
     fn add_bodies(&mut self) {
         let tree = &self.mechanism.real;
         let n = tree.free;
@@ -141,35 +177,33 @@ impl<'a, T: Real> Dynamics<'a, T> {
             let partials = self.kinematics.partials(slot);
             let turned_arm = arm.turned();
             for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
-                let turning = dependence.turning;
-                let mut velocity = *partial;
-                if turning != 0.0 {
-                    velocity += turned_arm * T::from_f64(turning);
-                    self.forces[dependence.coordinate] += moment * T::from_f64(turning);
-                }
+                let velocity = moved(*partial, turned_arm, dependence.turning);
                 self.centre_partials[k] = velocity;
-                self.forces[dependence.coordinate] += force.dot(velocity);
+                let sum = turned_by(self.forces[dependence.coordinate], moment, dependence.turning);
+                self.forces[dependence.coordinate] = force.x.mul_add(velocity.x, force.y.mul_add(velocity.y, sum));
             }
             for (k, row) in link.dependences.iter().enumerate() {
                 for (l, column) in link.dependences[..=k].iter().enumerate() {
-                    let mut entry = self.centre_partials[k].dot(self.centre_partials[l]) * numbers.mass_kg;
-                    let turning = row.turning * column.turning;
-                    if turning != 0.0 {
-                        entry += numbers.inertia_kg_m2 * T::from_f64(turning);
-                    }
                     // Only the lower triangle is used; what couples two driven coordinates is not.
                     let (high, low) = (row.coordinate.max(column.coordinate), row.coordinate.min(column.coordinate));
-                    if high < n {
-                        self.mass[high * n + low] += entry;
-                    } else if low < n {
-                        self.driven_mass[(high - n) * n + low] += entry;
+                    if low >= n {
+                        continue;
                     }
+                    let place = if high < n {
+                        &mut self.mass[high * n + low]
+                    } else {
+                        &mut self.driven_mass[(high - n) * n + low]
+                    };
+                    let coupling = self.centre_partials[k].dot(self.centre_partials[l]);
+                    let sum = coupling.mul_add(numbers.mass_kg, *place);
+                    *place = turned_by(sum, numbers.inertia_kg_m2, row.turning * column.turning);
                 }
             }
         }
     }
 
     /// Adds the forces of the joints with play.
+    #[inline(always)]
     fn add_plays(&mut self) {
         let tree = &self.mechanism.real;
         for ((motion, force), [slot_i, slot_j]) in self.plays.iter().zip(&self.play_slots) {
@@ -182,17 +216,16 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 let about_origin = moment_n_m + arm.cross(force_n);
                 let partials = self.kinematics.partials(slot);
                 for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
-                    let mut power = force_n.dot(*partial);
-                    if dependence.turning != 0.0 {
-                        power += about_origin * T::from_f64(dependence.turning);
-                    }
-                    self.forces[dependence.coordinate] += power;
+                    let sum = turned_by(self.forces[dependence.coordinate], about_origin, dependence.turning);
+                    self.forces[dependence.coordinate] =
+                        force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, sum));
                 }
             }
         }
     }
 
     /// M q̈ = h + Jᵀ λ with J q̈ = -γ over the independent rows.
+    #[inline(always)]
     fn solve(&mut self) {
         let tree = &self.mechanism.real;
         let (n, columns) = (tree.free, tree.coordinates());
@@ -213,7 +246,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             solve_ldl(&self.mass, n, mobility);
             let mut defect = -self.constraint_biases[row];
             for (slope, acceleration) in gradient.iter().zip(&self.accelerations) {
-                defect -= *slope * *acceleration;
+                defect = (-*slope).mul_add(*acceleration, defect);
             }
             self.multipliers[r] = defect;
         }
@@ -222,7 +255,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             for s in 0..m {
                 let mut sum = T::zero();
                 for (slope, mobility) in gradient.iter().zip(&self.mobility_rows[s * n..(s + 1) * n]) {
-                    sum += *slope * *mobility;
+                    sum = slope.mul_add(*mobility, sum);
                 }
                 self.schur[r * m + s] = sum;
             }
@@ -231,12 +264,13 @@ impl<'a, T: Real> Dynamics<'a, T> {
         solve_ldl(&self.schur, m, &mut self.multipliers);
         for r in 0..m {
             for (k, acceleration) in self.accelerations.iter_mut().enumerate() {
-                *acceleration += self.mobility_rows[r * n + k] * self.multipliers[r];
+                *acceleration = self.mobility_rows[r * n + k].mul_add(self.multipliers[r], *acceleration);
             }
         }
     }
 
     /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.
+    #[inline(always)]
     pub fn powers(&self) -> Powers<T> {
         let mut powers = Powers { drives_w: T::zero(), contact_loss_w: T::zero(), friction_loss_w: T::zero() };
         for (_, force) in &self.plays {
@@ -251,13 +285,14 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Force (N) or torque (N m) of the tree's drive `k` along its coordinate, at the last evaluation.
+    #[inline(always)]
     pub fn drive_force(&self, k: usize) -> T {
         let tree = &self.mechanism.real;
         let n = tree.free;
         // `forces` holds applied minus inertial forces without q̈; the part of q̈ is added here.
         let mut needed = -self.forces[n + k];
         for (coupling, acceleration) in self.driven_mass[k * n..(k + 1) * n].iter().zip(&self.accelerations) {
-            needed += *coupling * *acceleration;
+            needed = coupling.mul_add(*acceleration, needed);
         }
         for (r, &row) in self.mechanism.real_rows().iter().enumerate() {
             needed -= self.jacobian[row * tree.coordinates() + n + k] * self.multipliers[r];
@@ -268,6 +303,14 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// The mechanism that moves.
     pub fn mechanism(&self) -> &'a Mechanism {
         self.mechanism
+    }
+    /// The numbers of the mechanism.
+    pub fn sample(&self) -> &Sample<T> {
+        &self.sample
+    }
+    /// The numbers of the mechanism, to put another sample in place. The next evaluation uses them.
+    pub fn sample_mut(&mut self) -> &mut Sample<T> {
+        &mut self.sample
     }
     /// Free accelerations q̈ at the last evaluation.
     pub fn accelerations(&self) -> &[T] {
@@ -286,6 +329,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         &self.plays
     }
     /// Acceleration of the frame in `slot` at the last evaluation.
+    #[inline(always)]
     pub fn acceleration(&self, slot: usize) -> Twist<T> {
         self.kinematics.acceleration(&self.mechanism.real, slot, &self.accelerations)
     }
@@ -294,36 +338,26 @@ impl<'a, T: Real> Dynamics<'a, T> {
 /// The loops of ideal joints at the last state that was set: what a projection onto them needs.
 impl<T: Real> Dynamics<'_, T> {
     /// Residuals Φ of all constraint rows, m or sine of an angle.
+    #[inline(always)]
     pub fn constraint_residuals(&self, out: &mut [T]) {
         constraints::residuals(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
     }
     /// Jacobian dΦ/dz of all rows over all coordinates, row-major.
+    #[inline(always)]
     pub fn constraint_jacobian(&self, out: &mut [T]) {
         constraints::jacobian(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
     }
-    /// The entries of the independent rows.
-    pub fn independent(&self, rows: &[T]) -> Vec<T> {
-        self.mechanism.real_rows().iter().map(|&row| rows[row]).collect()
-    }
-    /// The gradients of the independent rows with respect to the free coordinates.
-    pub fn independent_gradients<'j>(&self, jacobian: &'j [T]) -> Vec<&'j [T]> {
-        let (n, columns) = (self.mechanism.real.free, self.mechanism.real.coordinates());
-        self.mechanism.real_rows().iter().map(|&row| &jacobian[row * columns..row * columns + n]).collect()
-    }
     /// Φ̇ of the independent rows for the present rates.
-    pub fn constraint_rates(&self, jacobian: &[T]) -> Vec<T> {
+    #[inline(always)]
+    pub fn constraint_rates(&self, jacobian: &[T], out: &mut [T]) {
         let columns = self.mechanism.real.coordinates();
-        self.mechanism
-            .real_rows()
-            .iter()
-            .map(|&row| {
-                let mut sum = T::zero();
-                for (slope, rate) in jacobian[row * columns..(row + 1) * columns].iter().zip(&self.rates) {
-                    sum += *slope * *rate;
-                }
-                sum
-            })
-            .collect()
+        for (out, &row) in out.iter_mut().zip(self.mechanism.real_rows()) {
+            let mut sum = T::zero();
+            for (slope, rate) in jacobian[row * columns..(row + 1) * columns].iter().zip(&self.rates) {
+                sum = slope.mul_add(*rate, sum);
+            }
+            *out = sum;
+        }
     }
     /// The factors of M from the last evaluation.
     pub fn factored_mass(&self) -> &[T] {

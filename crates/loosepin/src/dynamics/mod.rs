@@ -10,4 +10,4 @@ mod reactions;
 
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
-pub use play::{PlayForce, PlayMotion, PlayState};
+pub use play::{DepthRoot, PlayForce, PlayMotion, PlayState};

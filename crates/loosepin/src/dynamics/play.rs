@@ -20,6 +20,15 @@ impl<T: Real> PlayState<T> {
     }
 }
 
+/// The root u = √δ of a penetration as an unknown of its own, for contact that is smooth from its beginning to its end.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthRoot<T> {
+    /// One where the root is an unknown, zero where the penetration is read off the positions.
+    pub is_unknown: T,
+    /// u, √m, where it is an unknown.
+    pub root: T,
+}
+
 /// Where the journal is in its bearing and how it moves.
 #[derive(Debug, Clone, Copy)]
 pub struct PlayMotion<T> {
@@ -50,11 +59,15 @@ pub struct PlayForce<T> {
     pub friction_loss_w: T,
     /// Normal force F_N, N.
     pub normal_n: T,
+    /// Penetration rate δ̇, m/s.
+    pub penetration_rate_m_s: T,
+    /// Sliding velocity v_T that friction goes by, m/s; zero where there is no friction.
+    pub sliding_m_s: T,
 }
 
 impl<T: Real> PlayMotion<T> {
     /// Reads the motion between the bodies in slots `[i, j]` (bearing's, journal's) from their kinematics.
-    #[inline]
+    #[inline(always)]
     pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
         let bearing_arm_m = kinematics.poses[i].turn(play.bearing_arm_m);
         let journal_arm_m = kinematics.poses[j].turn(play.journal_arm_m);
@@ -71,19 +84,19 @@ impl<T: Real> PlayMotion<T> {
     }
 
     /// |e|² - c², m²: positive in contact, smooth also where e = 0.
-    #[inline]
+    #[inline(always)]
     pub fn gap_m2(&self, clearance_m: T) -> T {
         self.eccentricity_m.length_squared() - clearance_m.squared()
     }
 
     /// δ = |e| - c, m (eqs. 2, 4), computed so that it keeps its digits near zero.
-    #[inline]
+    #[inline(always)]
     pub fn penetration_m(&self, clearance_m: T) -> T {
         self.gap_m2(clearance_m) / (self.eccentricity_m.length() + clearance_m)
     }
 
     /// δ̇ = ė·n, m/s (eq. 6); zero where e = 0 and n is undefined.
-    #[inline]
+    #[inline(always)]
     pub fn penetration_rate_m_s(&self) -> T {
         let length_m = self.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE));
         self.eccentricity_rate_m_s.dot(self.eccentricity_m) / length_m
@@ -93,14 +106,33 @@ impl<T: Real> PlayMotion<T> {
     ///
     /// Both forces act at one common contact point, half way between the two surface points of eq. (5), so that energy and
     /// angular momentum are exact: arms R_j - δ/2 about P_j and R_i + δ/2 about P_i.
-    #[inline]
+    #[inline(always)]
     pub fn force(&self, play: &PlayGeometry<T>, state: &PlayState<T>) -> PlayForce<T> {
+        self.force_with_root(play, state, None)
+    }
+
+    /// The contact force with the root of the penetration as an unknown, where there is one.
+    #[inline(always)]
+    pub fn force_with_root(
+        &self,
+        play: &PlayGeometry<T>,
+        state: &PlayState<T>,
+        root: Option<&DepthRoot<T>>,
+    ) -> PlayForce<T> {
         let length_m = self.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE)); // eq. (2)
         let normal = self.eccentricity_m * (T::one() / length_m); // eq. (3)
         let tangent = normal.turned(); // eq. (3)
         let penetration_m = self.penetration_m(play.clearance_m) * state.contact; // eq. (4)
         let rate_m_s = self.eccentricity_rate_m_s.dot(normal); // eq. (6)
-        let force = play.normal.force(penetration_m, rate_m_s, state.inverse_impact_speed_s_m); // eq. (8)
+        let inverse_speed_s_m = state.inverse_impact_speed_s_m;
+        let force = match root {
+            None => play.normal.force(penetration_m, rate_m_s, inverse_speed_s_m), // eq. (8)
+            Some(unknown) => {
+                let depth_root = penetration_m.max(T::zero()).sqrt();
+                let is_unknown = T::from_f64(0.5).less_than(unknown.is_unknown);
+                play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, inverse_speed_s_m)
+            }
+        };
         let contact_loss_w = (force.total_n - force.elastic_n) * rate_m_s;
         let mut result = PlayForce {
             on_journal_n: normal * -force.total_n,
@@ -109,6 +141,8 @@ impl<T: Real> PlayMotion<T> {
             contact_loss_w,
             friction_loss_w: T::zero(),
             normal_n: force.total_n,
+            penetration_rate_m_s: rate_m_s,
+            sliding_m_s: T::zero(),
         };
         if play.has_friction {
             let half_depth_m = penetration_m * T::from_f64(0.5);
@@ -122,6 +156,7 @@ impl<T: Real> PlayMotion<T> {
                 SlidingVelocity::Literal => orbiting_m_s * (T::one() - play.clearance_m / length_m), // eq. (7)
             };
             let friction_n = play.friction.force_n(sliding_m_s, force.total_n);
+            result.sliding_m_s = sliding_m_s;
             result.on_journal_n += tangent * friction_n;
             result.moment_on_journal_n_m = journal_arm_m * friction_n;
             result.moment_on_bearing_n_m = -(bearing_arm_m * friction_n);

@@ -1,107 +1,128 @@
-//! Single steps of an embedded pair: trial, error, acceptance, dense output.
+//! Single steps of an embedded pair: trial, error, acceptance, dense output; on one run or on lanes.
 
 use super::tableau::{ErrorEstimate, Row, Tableau};
+use crate::math::{Lanes, Real};
 
-/// A system of first-order ordinary differential equations, dy/dt = f(t, y).
-pub trait System {
-    /// Writes f(t, y) to `slope`.
-    fn derivative(&mut self, time_s: f64, state: &[f64], slope: &mut [f64]);
+/// A system of first-order ordinary differential equations, dy/ds = f(s, y), and integrals of functions of s and y.
+pub trait System<T = f64> {
+    /// Writes f(s, y) to `slope`, and behind it the integrands.
+    fn derivative(&mut self, place: T, state: &[T], slope: &mut [T]);
 }
 
-/// Unknowns that are combined at once: the compiler makes vector instructions of a group.
-const GROUP: usize = 4;
-
-/// One step at a time with an embedded pair. The caller decides about steps, events and the end.
+/// One step at a time with an embedded pair, each lane with a step of its own. The caller decides about steps, events and
+/// the end.
+///
+/// Integrals are unknowns on which the system does not depend: they cost nothing but their sum over the stages, and take part
+/// in the error only where they are given a tolerance.
 #[derive(Debug, Clone)]
-pub struct Stepper {
+pub struct Stepper<T = f64> {
     tableau: &'static Tableau,
+    /// Unknowns without integrals.
     dimension: usize,
-    /// Distance between two stages: the dimension rounded up to whole groups.
+    /// Unknowns with integrals: the distance between two stages.
     stride: usize,
-    /// Time at the start of the step, s.
-    time_s: f64,
+    /// s at the start of the step.
+    place: T,
     /// State at the start of the step.
-    start: Vec<f64>,
+    start: Vec<T>,
     /// State at the end of the step.
-    end: Vec<f64>,
-    /// Length of the step at hand, s.
-    step_s: f64,
+    end: Vec<T>,
+    /// Length of the step at hand.
+    step: T,
     /// Derivatives of all stages, one after the other: the step's, the one at the end, those of the dense output.
-    stages: Vec<f64>,
-    trial: Vec<f64>,
-    dense: Vec<f64>,
+    stages: Vec<T>,
+    trial: Vec<T>,
+    dense: Vec<T>,
     /// Whether `dense` belongs to the step at hand.
     is_dense: bool,
     evaluations: u64,
 }
 
-impl Stepper {
+impl<T: Real> Stepper<T> {
     /// Room for `dimension` unknowns.
     pub fn new(tableau: &'static Tableau, dimension: usize) -> Self {
+        Self::with_integrals(tableau, dimension, 0)
+    }
+
+    /// Room for `dimension` unknowns and `integrals` integrals behind them.
+    pub fn with_integrals(tableau: &'static Tableau, dimension: usize, integrals: usize) -> Self {
         let stages = tableau.stages.len() + 1 + tableau.dense_stages.len();
-        let stride = dimension.next_multiple_of(GROUP);
+        let stride = dimension + integrals;
         Self {
             tableau,
             dimension,
             stride,
-            time_s: 0.0,
-            start: vec![0.0; stride],
-            end: vec![0.0; stride],
-            step_s: 0.0,
-            stages: vec![0.0; stages * stride],
-            trial: vec![0.0; stride],
-            dense: vec![0.0; (3 + tableau.dense.len()) * dimension],
+            place: T::zero(),
+            start: vec![T::zero(); stride],
+            end: vec![T::zero(); stride],
+            step: T::zero(),
+            stages: vec![T::zero(); stages * stride],
+            trial: vec![T::zero(); stride],
+            dense: vec![T::zero(); (3 + tableau.dense.len()) * stride],
             is_dense: false,
             evaluations: 0,
         }
     }
 
     /// Starts, or starts again, at `state`: evaluates the derivative there.
-    pub fn restart(&mut self, system: &mut impl System, time_s: f64, state: &[f64]) {
-        self.time_s = time_s;
-        let n = self.dimension;
-        self.start[..n].copy_from_slice(state);
-        system.derivative(time_s, &self.start[..n], &mut self.stages[..n]);
+    pub fn restart(&mut self, system: &mut impl System<T>, place: T, state: &[T]) {
+        self.place = place;
+        self.start.copy_from_slice(state);
+        system.derivative(place, &self.start[..self.dimension], &mut self.stages[..self.stride]);
         self.evaluations += 1;
-        self.step_s = 0.0;
+        self.step = T::zero();
         self.is_dense = false;
     }
 
-    /// Tries a step of `step_s`: computes the state at its end and gives the error estimate over `tolerances` (one for
-    /// each unknown), at most one where the step is good enough.
-    pub fn attempt(&mut self, system: &mut impl System, step_s: f64, tolerances: &[f64]) -> f64 {
-        let n = self.dimension;
-        self.step_s = step_s;
+    /// Evaluates the derivative at the start of the step again in the lanes of `mask`: after the caller has changed the
+    /// state or the system there.
+    #[inline(always)]
+    pub fn restart_where(&mut self, system: &mut impl System<T>, mask: T::Mask) {
+        system.derivative(self.place, &self.start[..self.dimension], &mut self.trial);
+        self.evaluations += 1;
+        for (slope, fresh) in self.stages[..self.stride].iter_mut().zip(&self.trial) {
+            *slope = T::select(mask, *fresh, *slope);
+        }
+        self.is_dense = false;
+    }
+
+    /// Tries a step: computes the state at its end and gives the error estimate over `tolerances` (one for each unknown, and
+    /// for each integral or none), at most one where the step is good enough.
+    #[inline(always)]
+    pub fn attempt(&mut self, system: &mut impl System<T>, step: T, tolerances: &[T]) -> T {
+        self.step = step;
         self.is_dense = false;
         for stage in 1..self.tableau.stages.len() {
-            self.set_trial(self.tableau.stages[stage]);
-            let slope = &mut self.stages[stage * self.stride..stage * self.stride + n];
-            system.derivative(self.time_s + self.tableau.nodes[stage] * step_s, &self.trial[..n], slope);
+            self.set_trial(self.tableau.stages[stage], self.dimension);
+            let slope = &mut self.stages[stage * self.stride..(stage + 1) * self.stride];
+            let place = step.mul_add(T::from_f64(self.tableau.nodes[stage]), self.place);
+            system.derivative(place, &self.trial[..self.dimension], slope);
         }
         self.evaluations += self.tableau.stages.len() as u64 - 1;
-        self.set_trial(self.tableau.weights);
+        self.set_trial(self.tableau.weights, self.stride);
         std::mem::swap(&mut self.end, &mut self.trial);
         match self.tableau.error {
             ErrorEstimate::Single(row) => {
                 self.finish(system);
-                step_s.abs() * self.norm(row, tolerances)
+                let [sum, _] = self.squares([row, row], tolerances);
+                step.abs() * (sum / T::from_f64(tolerances.len() as f64)).sqrt()
             }
             ErrorEstimate::Combined { fifth, third } => {
-                let (fifth, third) = (self.norm(fifth, tolerances), self.norm(third, tolerances));
-                if fifth == 0.0 && third == 0.0 {
-                    return 0.0;
-                }
-                step_s.abs() * fifth * fifth / (fifth * fifth + 0.01 * third * third).sqrt()
+                let [fifth, third] = self.squares([fifth, third], tolerances);
+                let mixed = third.mul_add(T::from_f64(0.01), fifth) * T::from_f64(tolerances.len() as f64);
+                // Both estimates zero: the smallest number keeps the quotient zero.
+                step.abs() * fifth / mixed.sqrt().max(T::from_f64(f64::MIN_POSITIVE))
             }
         }
     }
 
     /// Evaluates the derivative at the end of the step, once its error is good. Needed before events, dense output and
     /// [`Self::accept`].
-    pub fn finish(&mut self, system: &mut impl System) {
-        let n = self.dimension;
+    #[inline(always)]
+    pub fn finish(&mut self, system: &mut impl System<T>) {
         let last = self.tableau.stages.len() * self.stride;
-        system.derivative(self.time_s + self.step_s, &self.end[..n], &mut self.stages[last..last + n]);
+        let slope = &mut self.stages[last..last + self.stride];
+        system.derivative(self.place + self.step, &self.end[..self.dimension], slope);
         self.evaluations += 1;
     }
 
@@ -113,122 +134,177 @@ impl Stepper {
     /// Makes the end of the step the start of the next one.
     pub fn accept(&mut self) {
         let last = self.tableau.stages.len() * self.stride;
-        self.time_s += self.step_s;
+        self.place += self.step;
         std::mem::swap(&mut self.start, &mut self.end);
         self.stages.copy_within(last..last + self.stride, 0);
         self.is_dense = false;
     }
 
-    /// The state at `share` in [0, 1] of the finished step, by dense output.
-    pub fn interpolate(&mut self, system: &mut impl System, share: f64, state: &mut [f64]) {
-        if !self.is_dense {
-            self.prepare_dense(system);
+    /// Makes the end of the step the start of the next one in the lanes of `mask`. The place, which no lane shares with
+    /// another, is left to the caller's own unknowns.
+    #[inline(always)]
+    pub fn accept_where(&mut self, mask: T::Mask) {
+        let last = self.tableau.stages.len() * self.stride;
+        for i in 0..self.stride {
+            self.start[i] = T::select(mask, self.end[i], self.start[i]);
+            self.stages[i] = T::select(mask, self.stages[last + i], self.stages[i]);
         }
-        let n = self.dimension;
-        let terms = 3 + self.tableau.dense.len();
-        for i in 0..n {
-            let mut sum = 0.0;
-            for (k, term) in (0..terms).rev().enumerate() {
-                sum += self.dense[term * n + i];
-                sum *= if (terms - 1 - k).is_multiple_of(2) { share } else { 1.0 - share };
-            }
-            state[i] = self.start[i] + sum;
+        self.is_dense = false;
+    }
+
+    /// The state at `share` in [0, 1] of the finished step, by dense output.
+    pub fn interpolate(&mut self, system: &mut impl System<T>, share: T, state: &mut [T]) {
+        self.prepare_dense(system);
+        for (i, value) in state.iter_mut().enumerate() {
+            *value = self.start[i] + self.dense_sum(i, share, |term| *term);
         }
     }
 
-    fn prepare_dense(&mut self, system: &mut impl System) {
-        let n = self.dimension;
+    /// The dense output of unknown `i` over its start value: Hairer's nested form, read through `number`.
+    #[inline]
+    fn dense_sum<N: Real>(&self, i: usize, share: N, number: impl Fn(&T) -> N) -> N {
+        let terms = 3 + self.tableau.dense.len();
+        let mut sum = N::zero();
+        for (k, term) in (0..terms).rev().enumerate() {
+            sum += number(&self.dense[term * self.stride + i]);
+            sum *= if (terms - 1 - k).is_multiple_of(2) { share } else { N::one() - share };
+        }
+        sum
+    }
+
+    /// Computes what dense output of the step at hand needs, once a step.
+    pub fn prepare_dense(&mut self, system: &mut impl System<T>) {
+        if self.is_dense {
+            return;
+        }
         let last = self.tableau.stages.len();
         for (extra, row) in self.tableau.dense_stages.iter().enumerate() {
             let stage = last + 1 + extra;
-            self.set_trial(row);
-            let time_s = self.time_s + self.tableau.dense_nodes[extra] * self.step_s;
-            let slope = &mut self.stages[stage * self.stride..stage * self.stride + n];
-            system.derivative(time_s, &self.trial[..n], slope);
+            self.set_trial(row, self.dimension);
+            let place = self.step.mul_add(T::from_f64(self.tableau.dense_nodes[extra]), self.place);
+            let slope = &mut self.stages[stage * self.stride..(stage + 1) * self.stride];
+            system.derivative(place, &self.trial[..self.dimension], slope);
         }
         self.evaluations += self.tableau.dense_stages.len() as u64;
+        let n = self.stride;
         for i in 0..n {
             let difference = self.end[i] - self.start[i];
-            let first = self.step_s * self.stages[i];
-            let second = self.step_s * self.stages[last * self.stride + i];
+            let first = self.step * self.stages[i];
+            let second = self.step * self.stages[last * n + i];
             self.dense[i] = difference;
             self.dense[n + i] = first - difference;
-            self.dense[2 * n + i] = 2.0 * difference - (second + first);
+            self.dense[2 * n + i] = difference + difference - (second + first);
             for (extra, row) in self.tableau.dense.iter().enumerate() {
-                self.dense[(3 + extra) * n + i] = self.step_s * self.combine(row, i);
+                self.dense[(3 + extra) * n + i] = self.step * self.combine(row, i);
             }
         }
         self.is_dense = true;
     }
 
-    /// trial = start + h Σ row · stages.
-    fn set_trial(&mut self, row: Row) {
-        let groups = self.trial.chunks_exact_mut(GROUP).zip(self.start.chunks_exact(GROUP));
-        for (group, (trial, start)) in groups.enumerate() {
-            let mut sum = [0.0; GROUP];
-            for &(stage, coefficient) in row {
-                let first = stage * self.stride + group * GROUP;
-                for (sum, slope) in sum.iter_mut().zip(&self.stages[first..first + GROUP]) {
-                    *sum += coefficient * slope;
-                }
-            }
-            for k in 0..GROUP {
-                trial[k] = start[k] + self.step_s * sum[k];
-            }
+    /// trial = start + h Σ row · stages, for the first `count` unknowns: four at a time, so that their sums overlap.
+    #[inline(always)]
+    fn set_trial(&mut self, row: Row, count: usize) {
+        let mut i = 0;
+        while i + 4 <= count {
+            self.set_group::<4>(row, i);
+            i += 4;
+        }
+        if i + 2 <= count {
+            self.set_group::<2>(row, i);
+            i += 2;
+        }
+        if i < count {
+            self.set_group::<1>(row, i);
         }
     }
 
-    #[inline]
-    fn combine(&self, row: Row, i: usize) -> f64 {
-        let mut sum = 0.0;
+    #[inline(always)]
+    fn set_group<const GROUP: usize>(&mut self, row: Row, first: usize) {
+        let mut sums = [T::zero(); GROUP];
         for &(stage, coefficient) in row {
-            sum += coefficient * self.stages[stage * self.stride + i];
+            let coefficient = T::from_f64(coefficient);
+            let place = stage * self.stride + first;
+            for (sum, slope) in sums.iter_mut().zip(&self.stages[place..place + GROUP]) {
+                *sum = slope.mul_add(coefficient, *sum);
+            }
+        }
+        for k in 0..GROUP {
+            self.trial[first + k] = self.step.mul_add(sums[k], self.start[first + k]);
+        }
+    }
+
+    #[inline(always)]
+    fn combine(&self, row: Row, i: usize) -> T {
+        let mut sum = T::zero();
+        for &(stage, coefficient) in row {
+            sum = self.stages[stage * self.stride + i].mul_add(T::from_f64(coefficient), sum);
         }
         sum
     }
 
-    /// Root mean square of row · stages over the tolerances.
-    fn norm(&self, row: Row, tolerances: &[f64]) -> f64 {
-        let mut sum = 0.0;
+    /// Σ (row · stages over tolerance)² over the unknowns, for two rows.
+    #[inline(always)]
+    fn squares(&self, rows: [Row; 2], tolerances: &[T]) -> [T; 2] {
+        let mut sums = [T::zero(); 2];
         for (i, tolerance) in tolerances.iter().enumerate() {
-            let ratio = self.combine(row, i) / tolerance;
-            sum += ratio * ratio;
+            let scale = T::one() / *tolerance;
+            for (sum, row) in sums.iter_mut().zip(rows) {
+                let ratio = self.combine(row, i) * scale;
+                *sum = ratio.mul_add(ratio, *sum);
+            }
         }
-        (sum / self.dimension as f64).sqrt()
+        sums
     }
 
-    /// Time at the start of the step, s.
-    pub fn time_s(&self) -> f64 {
-        self.time_s
+    /// s at the start of the step: the time, s, where that is what one integrates over.
+    pub fn time_s(&self) -> T {
+        self.place
     }
-    /// Length of the step at hand, s.
-    pub fn step_s(&self) -> f64 {
-        self.step_s
+    /// Length of the step at hand.
+    pub fn step(&self) -> T {
+        self.step
     }
     /// State at the start of the step.
-    pub fn start(&self) -> &[f64] {
-        &self.start[..self.dimension]
+    pub fn start(&self) -> &[T] {
+        &self.start
+    }
+    /// State at the start of the step, to be changed before [`Self::restart_where`].
+    pub fn start_mut(&mut self) -> &mut [T] {
+        &mut self.start
     }
     /// State at the end of the step.
-    pub fn end(&self) -> &[f64] {
-        &self.end[..self.dimension]
+    pub fn end(&self) -> &[T] {
+        &self.end
     }
     /// Derivative at the start of the step.
-    pub fn start_slope(&self) -> &[f64] {
-        &self.stages[..self.dimension]
+    pub fn start_slope(&self) -> &[T] {
+        &self.stages[..self.stride]
     }
     /// Derivative at the end of the finished step.
-    pub fn end_slope(&self) -> &[f64] {
+    pub fn end_slope(&self) -> &[T] {
         let last = self.tableau.stages.len() * self.stride;
-        &self.stages[last..last + self.dimension]
+        &self.stages[last..last + self.stride]
     }
     /// Evaluations of the system so far.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
     }
-    /// Order of the method.
-    pub fn order(&self) -> u32 {
-        self.tableau.order
+    /// Evaluations that a tried step costs, the one at its end included.
+    pub fn evaluations_per_attempt(&self) -> u64 {
+        self.tableau.stages.len() as u64
+    }
+    /// Evaluations that the first look inside a step costs.
+    pub fn evaluations_for_dense(&self) -> u64 {
+        self.tableau.dense_stages.len() as u64
+    }
+}
+
+impl<T: Lanes> Stepper<T> {
+    /// The state of one lane at `share` in [0, 1] of the finished step. Needs [`Self::prepare_dense`].
+    pub fn interpolate_lane(&self, lane: usize, share: f64, state: &mut [f64]) {
+        for (i, value) in state.iter_mut().enumerate() {
+            *value = self.start[i].lane(lane) + self.dense_sum(i, share, |term| term.lane(lane));
+        }
     }
 }
 

@@ -1,11 +1,9 @@
 //! Sine and cosine with the same bits on every processor.
 
-/// π/2 in three parts: the first two have 33 significant bits, so that their products with whole numbers below 2²⁰
-/// are exact (Cody and Waite's reduction; parts as in fdlibm's `e_rem_pio2.c`).
-const HALF_PI_PARTS: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
+use super::Real;
 
-/// Largest argument, rad, that the three-part reduction takes: beyond 2²⁰ quarter turns the products round.
-const LARGEST_REDUCED_RAD: f64 = 1.6e6;
+/// π/2 as the sum of two numbers. With a fused multiply-add the first part leaves an exact remainder.
+const HALF_PI_PARTS: [f64; 2] = [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17];
 
 // Taylor-like minimax coefficients on [-π/4, π/4], as in fdlibm's `k_sin.c` and `k_cos.c`.
 const SINE: [f64; 6] = [
@@ -25,52 +23,55 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// Sine and cosine of `angle_rad`, to about one unit in the last place.
+/// Sine and cosine of `angle_rad`, to about one unit in the last place, on any [`Real`].
 ///
-/// Only additions, multiplications and one rounding are used, so the result does not depend on the platform's
-/// mathematics library. Arguments beyond 1.6e6 rad go to the pure-Rust `libm`; a non-finite one gives NaN.
-#[inline]
-pub fn sin_cos(angle_rad: f64) -> (f64, f64) {
-    // The comparison is written so that NaN takes the slow path as well.
-    if !(angle_rad.abs() <= LARGEST_REDUCED_RAD) {
-        return libm::sincos(angle_rad);
-    }
-    // Adding and taking away 1.5 · 2⁵² rounds to the nearest whole number.
-    const ROUNDER: f64 = 6_755_399_441_055_744.0;
-    let quarter_turns = angle_rad * std::f64::consts::FRAC_2_PI + ROUNDER - ROUNDER;
-    let coarse = angle_rad - quarter_turns * HALF_PI_PARTS[0];
-    let middle = quarter_turns * HALF_PI_PARTS[1];
-    let reduced = coarse - middle;
-    // What was lost in the subtraction above, and the third part.
-    let tail = (coarse - reduced) - middle - quarter_turns * HALF_PI_PARTS[2];
+/// Only additions, fused multiplications and comparisons are used, so the result has the same bits on every platform and
+/// on any number of lanes. Beyond 1e15 rad it means nothing; one that is not finite gives NaN.
+#[inline(always)]
+pub fn sin_cos<T: Real>(angle_rad: T) -> (T, T) {
+    let constant = T::from_f64;
+    let quarter_turns = rounded(angle_rad * constant(std::f64::consts::FRAC_2_PI));
+    let coarse = quarter_turns.mul_add(constant(-HALF_PI_PARTS[0]), angle_rad);
+    let reduced = quarter_turns.mul_add(constant(-HALF_PI_PARTS[1]), coarse);
 
     let square = reduced * reduced;
-    let sine_series = SINE[1] + square * (SINE[2] + square * (SINE[3] + square * (SINE[4] + square * SINE[5])));
-    let cube = square * reduced;
-    let sine = reduced + (tail + (cube * (SINE[0] + square * sine_series) - 0.5 * square * tail));
+    let sine = (square * reduced).mul_add(polynomial(square, &SINE), reduced);
+    let head = square.mul_add(constant(-0.5), T::one());
+    let cosine = (square * square).mul_add(polynomial(square, &COSINE), head);
 
-    let cosine_series = square
-        * (COSINE[0]
-            + square
-                * (COSINE[1]
-                    + square * (COSINE[2] + square * (COSINE[3] + square * (COSINE[4] + square * COSINE[5])))));
-    let half_square = 0.5 * square;
-    let head = 1.0 - half_square;
-    let cosine = head + (((1.0 - head) - half_square) + (square * cosine_series - reduced * tail));
+    // Odd quarter turns exchange the two. The quarter turn is told from a half integer, so that no rounding meets a tie.
+    let halves = quarter_turns.mul_add(constant(0.5), constant(-0.25));
+    let is_odd = T::zero().less_than(halves - rounded(halves));
+    let fourths = quarter_turns.mul_add(constant(0.25), constant(-0.125));
+    let place = fourths - rounded(fourths); // -1/8, 1/8, 3/8, -3/8 for 0, 1, 2, 3 quarter turns
+    let (first, second) = (T::select(is_odd, cosine, sine), T::select(is_odd, sine, cosine));
+    let sine = T::select(constant(0.25).less_than(place.abs()), -first, first);
+    let cosine = T::select(T::zero().less_than(place), -second, second);
+    (sine, cosine)
+}
 
-    match (quarter_turns as i64) & 3 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
+/// The nearest whole number, for magnitudes below 2⁵¹: adding and taking away 1.5 · 2⁵² rounds.
+#[inline(always)]
+fn rounded<T: Real>(value: T) -> T {
+    const ROUNDER: f64 = 6_755_399_441_055_744.0;
+    value + T::from_f64(ROUNDER) - T::from_f64(ROUNDER)
+}
+
+/// Σ c_k xᵏ by Horner's rule.
+#[inline(always)]
+fn polynomial<T: Real>(x: T, coefficients: &[f64; 6]) -> T {
+    let mut sum = T::from_f64(coefficients[5]);
+    for k in (0..5).rev() {
+        sum = sum.mul_add(x, T::from_f64(coefficients[k]));
     }
+    sum
 }
 
 #[cfg(test)]
 mod tests {
     use super::sin_cos;
 
-    /// Two units in the last place of 1: what a kernel without fused operations is allowed against a correctly rounded one.
+    /// Two units in the last place of 1: what the kernel is allowed against a correctly rounded one.
     const SINE_TOLERANCE: f64 = 4.5e-16;
 
     #[test]

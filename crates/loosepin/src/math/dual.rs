@@ -27,18 +27,21 @@ impl<T: Real> Dual<T> {
 
 impl<T: Real> Add for Dual<T> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self { value: self.value + other.value, derivative: self.derivative + other.derivative }
     }
 }
 impl<T: Real> Sub for Dual<T> {
     type Output = Self;
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self { value: self.value - other.value, derivative: self.derivative - other.derivative }
     }
 }
 impl<T: Real> Mul for Dual<T> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self {
             value: self.value * other.value,
@@ -48,6 +51,7 @@ impl<T: Real> Mul for Dual<T> {
 }
 impl<T: Real> Div for Dual<T> {
     type Output = Self;
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         Self { value, derivative: (self.derivative - value * other.derivative) / other.value }
@@ -55,21 +59,25 @@ impl<T: Real> Div for Dual<T> {
 }
 impl<T: Real> Neg for Dual<T> {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { value: -self.value, derivative: -self.derivative }
     }
 }
 impl<T: Real> AddAssign for Dual<T> {
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 impl<T: Real> SubAssign for Dual<T> {
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 impl<T: Real> MulAssign for Dual<T> {
+    #[inline(always)]
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
@@ -78,13 +86,23 @@ impl<T: Real> MulAssign for Dual<T> {
 impl<T: Real> Real for Dual<T> {
     type Mask = T::Mask;
 
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self::constant(T::from_f64(value))
     }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Self {
+            value: self.value.mul_add(factor.value, addend.value),
+            derivative: self.derivative.mul_add(factor.value, self.value.mul_add(factor.derivative, addend.derivative)),
+        }
+    }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         let value = self.value.sqrt();
         Self { value, derivative: self.derivative / (value + value) }
     }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         (
@@ -92,22 +110,32 @@ impl<T: Real> Real for Dual<T> {
             Self { value: cosine, derivative: -sine * self.derivative },
         )
     }
+    #[inline(always)]
     fn powf(self, exponent: f64) -> Self {
         let value = self.value.powf(exponent);
         Self { value, derivative: T::from_f64(exponent) * self.value.powf(exponent - 1.0) * self.derivative }
     }
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self::select(self.value.less_than(other.value), self, other)
     }
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         Self::select(other.value.less_than(self.value), self, other)
     }
+    #[inline(always)]
     fn abs(self) -> Self {
         Self::select(self.value.less_than(T::zero()), -self, self)
     }
+    #[inline(always)]
     fn less_than(self, other: Self) -> T::Mask {
         self.value.less_than(other.value)
     }
+    #[inline(always)]
+    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
+        T::vectorize(kernel)
+    }
+    #[inline(always)]
     fn select(mask: T::Mask, chosen: Self, otherwise: Self) -> Self {
         Self {
             value: T::select(mask, chosen.value, otherwise.value),
@@ -123,12 +151,14 @@ mod tests {
     /// Round-off of a dozen operations on numbers of order one.
     const ROUND_OFF: f64 = 1e-14;
 
+    #[inline(always)]
     fn sample<T: Real>(x: T) -> T {
         let (sine, cosine) = x.sin_cos();
         sine * x.sqrt() / (cosine + T::from_f64(2.0)) + x.powf(1.5)
     }
 
     #[test]
+    #[inline(always)]
     fn analytic_first_and_second_derivatives() {
         let x: f64 = 0.7;
         let nested = sample(Dual { value: Dual::variable(x), derivative: Dual::constant(1.0) });
@@ -147,6 +177,7 @@ mod tests {
     }
 
     #[test]
+    #[inline(always)]
     fn identity_choices_carry_the_derivative_of_the_chosen_branch() {
         let x = Dual::<f64>::variable(-0.3);
         assert_eq!(x.abs().derivative, -1.0);

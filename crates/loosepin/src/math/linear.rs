@@ -5,20 +5,20 @@ use super::Real;
 
 /// Replaces the lower triangle of the symmetric n × n matrix `a` (row-major) by L and D of a = L D Lᵀ: unit lower
 /// triangle L below the diagonal, 1/D on it.
-#[inline]
+#[inline(always)]
 pub fn factor_ldl<T: Real>(a: &mut [T], n: usize) {
     for j in 0..n {
         let mut pivot = a[j * n + j];
         for k in 0..j {
             // The diagonal already holds 1/D, so D = 1/(1/D) is avoided by keeping L·D in the upper triangle.
-            pivot -= a[j * n + k] * a[k * n + j];
+            pivot = (-a[j * n + k]).mul_add(a[k * n + j], pivot);
         }
         let inverse = T::one() / pivot;
         a[j * n + j] = inverse;
         for i in j + 1..n {
             let mut sum = a[i * n + j];
             for k in 0..j {
-                sum -= a[i * n + k] * a[k * n + j];
+                sum = (-a[i * n + k]).mul_add(a[k * n + j], sum);
             }
             a[j * n + i] = sum; // L·D, used by later columns
             a[i * n + j] = sum * inverse;
@@ -27,12 +27,12 @@ pub fn factor_ldl<T: Real>(a: &mut [T], n: usize) {
 }
 
 /// Solves a x = b in place with the factors of [`factor_ldl`].
-#[inline]
+#[inline(always)]
 pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
     for i in 1..n {
         let mut sum = b[i];
         for k in 0..i {
-            sum -= a[i * n + k] * b[k];
+            sum = (-a[i * n + k]).mul_add(b[k], sum);
         }
         b[i] = sum;
     }
@@ -42,7 +42,7 @@ pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
     for i in (0..n).rev() {
         let mut sum = b[i];
         for k in i + 1..n {
-            sum -= a[k * n + i] * b[k];
+            sum = (-a[k * n + i]).mul_add(b[k], sum);
         }
         b[i] = sum;
     }

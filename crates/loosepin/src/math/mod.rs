@@ -3,6 +3,7 @@
 mod angle;
 mod dual;
 mod hermite;
+mod lanes;
 mod linear;
 mod real;
 mod vector;
@@ -10,6 +11,7 @@ mod vector;
 pub use angle::sin_cos;
 pub use dual::Dual;
 pub use hermite::Quintic;
+pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};
 pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
 pub use real::Real;
 pub use vector::Vec2;

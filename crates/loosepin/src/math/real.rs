@@ -24,6 +24,8 @@ pub trait Real:
 
     /// The constant `value` in every lane, with zero derivative.
     fn from_f64(value: f64) -> Self;
+    /// `self · factor + addend` with one rounding: a fused multiply-add on every processor.
+    fn mul_add(self, factor: Self, addend: Self) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
@@ -40,16 +42,22 @@ pub trait Real:
     fn less_than(self, other: Self) -> Self::Mask;
     /// `chosen` where `mask` holds, else `otherwise`.
     fn select(mask: Self::Mask, chosen: Self, otherwise: Self) -> Self;
+    /// Runs `kernel` compiled for the instruction set of this type: put around every larger piece of arithmetic, whose
+    /// functions are all `#[inline(always)]`, so that they are compiled with it.
+    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R;
 
     /// Zero.
+    #[inline(always)]
     fn zero() -> Self {
         Self::from_f64(0.0)
     }
     /// One.
+    #[inline(always)]
     fn one() -> Self {
         Self::from_f64(1.0)
     }
     /// The square of the number.
+    #[inline(always)]
     fn squared(self) -> Self {
         self * self
     }
@@ -58,19 +66,23 @@ pub trait Real:
 impl Real for f64 {
     type Mask = bool;
 
-    #[inline]
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
     }
-    #[inline]
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        f64::mul_add(self, factor, addend)
+    }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         super::angle::sin_cos(self)
     }
-    #[inline]
+    #[inline(always)]
     fn powf(self, exponent: f64) -> Self {
         // Metals have n = 3/2 and linear springs n = 1: both are exact without a logarithm.
         if exponent == 1.5 {
@@ -81,24 +93,28 @@ impl Real for f64 {
             libm::pow(self, exponent)
         }
     }
-    #[inline]
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
-    #[inline]
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
     }
-    #[inline]
+    #[inline(always)]
     fn less_than(self, other: Self) -> bool {
         self < other
     }
-    #[inline]
+    #[inline(always)]
     fn select(mask: bool, chosen: Self, otherwise: Self) -> Self {
         if mask { chosen } else { otherwise }
+    }
+    #[inline(always)]
+    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
+        super::lanes::with_fused_multiply_add(kernel)
     }
 }

@@ -14,46 +14,52 @@ pub struct Vec2<T> {
 
 impl<T: Real> Vec2<T> {
     /// The vector (x, y).
-    #[inline]
+    #[inline(always)]
     pub fn new(x: T, y: T) -> Self {
         Self { x, y }
     }
     /// The zero vector.
-    #[inline]
+    #[inline(always)]
     pub fn zero() -> Self {
         Self { x: T::zero(), y: T::zero() }
     }
     /// A vector of constants.
+    #[inline(always)]
     pub fn from_f64(vector: Vec2<f64>) -> Self {
         Self { x: T::from_f64(vector.x), y: T::from_f64(vector.y) }
     }
     /// Scalar product.
-    #[inline]
+    #[inline(always)]
     pub fn dot(self, other: Self) -> T {
-        self.x * other.x + self.y * other.y
+        self.x.mul_add(other.x, self.y * other.y)
     }
     /// The z component of the vector product.
-    #[inline]
+    #[inline(always)]
     pub fn cross(self, other: Self) -> T {
-        self.x * other.y - self.y * other.x
+        self.x.mul_add(other.y, -(self.y * other.x))
     }
     /// The vector turned by +90°.
-    #[inline]
+    #[inline(always)]
     pub fn turned(self) -> Self {
         Self { x: -self.y, y: self.x }
     }
     /// The vector turned by the angle whose sine and cosine are given.
-    #[inline]
+    #[inline(always)]
     pub fn rotated(self, sine: T, cosine: T) -> Self {
-        Self { x: cosine * self.x - sine * self.y, y: sine * self.x + cosine * self.y }
+        Self { x: cosine.mul_add(self.x, -(sine * self.y)), y: sine.mul_add(self.x, cosine * self.y) }
+    }
+    /// The vector plus `factor` times `other`.
+    #[inline(always)]
+    pub fn plus(self, other: Self, factor: T) -> Self {
+        Self { x: other.x.mul_add(factor, self.x), y: other.y.mul_add(factor, self.y) }
     }
     /// Square of the length.
-    #[inline]
+    #[inline(always)]
     pub fn length_squared(self) -> T {
         self.dot(self)
     }
     /// Length.
-    #[inline]
+    #[inline(always)]
     pub fn length(self) -> T {
         self.length_squared().sqrt()
     }
@@ -61,40 +67,40 @@ impl<T: Real> Vec2<T> {
 
 impl<T: Real> Add for Vec2<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self { x: self.x + other.x, y: self.y + other.y }
     }
 }
 impl<T: Real> Sub for Vec2<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self { x: self.x - other.x, y: self.y - other.y }
     }
 }
 impl<T: Real> Neg for Vec2<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { x: -self.x, y: -self.y }
     }
 }
 impl<T: Real> Mul<T> for Vec2<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: T) -> Self {
         Self { x: self.x * factor, y: self.y * factor }
     }
 }
 impl<T: Real> AddAssign for Vec2<T> {
-    #[inline]
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 impl<T: Real> SubAssign for Vec2<T> {
-    #[inline]
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }

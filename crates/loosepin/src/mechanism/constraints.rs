@@ -1,12 +1,13 @@
 //! The constraints of ideal joints that close loops: residual, Jacobian and acceleration bias.
 
 use super::geometry::Geometry;
-use super::kinematics::{Kinematics, acceleration_at};
+use super::kinematics::{Kinematics, acceleration_at, moved};
 use super::tree::{CutKind, Tree};
 use crate::math::{Real, Vec2};
 
 /// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line, sine of the
 /// angle for bodies that should not turn against each other.
+#[inline(always)]
 pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
@@ -29,6 +30,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
 }
 
 /// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
+#[inline(always)]
 pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let columns = tree.coordinates();
     out.fill(T::zero());
@@ -50,7 +52,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
             for (dependence, partial) in dependences.iter().zip(kinematics.partials(slot)) {
                 let column = dependence.coordinate;
                 let turning = T::from_f64(dependence.turning);
-                let velocity = (*partial + arms[side].turned() * turning) * sign;
+                let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
                 if cut.kind == CutKind::Prismatic {
                     out[row * columns + column] += normal.dot(velocity);
                     if side == 0 {
@@ -71,6 +73,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
 }
 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
+#[inline(always)]
 pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {

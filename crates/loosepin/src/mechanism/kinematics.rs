@@ -21,16 +21,17 @@ pub struct Pose<T> {
 }
 
 impl<T: Real> Pose<T> {
+    #[inline(always)]
     fn ground() -> Self {
         Self { position_m: Vec2::zero(), angle_rad: T::zero(), sine: T::zero(), cosine: T::one() }
     }
     /// A vector of the body frame, seen from the ground.
-    #[inline]
+    #[inline(always)]
     pub fn turn(&self, arm_m: Vec2<T>) -> Vec2<T> {
         arm_m.rotated(self.sine, self.cosine)
     }
     /// A point of the body frame, seen from the ground.
-    #[inline]
+    #[inline(always)]
     pub fn point_m(&self, arm_m: Vec2<T>) -> Vec2<T> {
         self.position_m + self.turn(arm_m)
     }
@@ -46,20 +47,21 @@ pub struct Twist<T> {
 }
 
 impl<T: Real> Twist<T> {
+    #[inline(always)]
     fn zero() -> Self {
         Self { linear: Vec2::zero(), angular: T::zero() }
     }
     /// Velocity of the point that lies at `arm_m` (ground's frame) from the origin.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, arm_m: Vec2<T>) -> Vec2<T> {
-        self.linear + arm_m.turned() * self.angular
+        self.linear.plus(arm_m.turned(), self.angular)
     }
 }
 
 /// Acceleration of the point at `arm_m` (ground's frame) of a body with velocity `twist` and acceleration `change`.
-#[inline]
+#[inline(always)]
 pub fn acceleration_at<T: Real>(change: &Twist<T>, twist: &Twist<T>, arm_m: Vec2<T>) -> Vec2<T> {
-    change.at(arm_m) - arm_m * twist.angular.squared()
+    change.at(arm_m).plus(arm_m, -twist.angular.squared())
 }
 
 /// Poses, partial velocities, velocities and acceleration biases of all bodies, by slot.
@@ -100,7 +102,7 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// Partial velocities of the frame origin of `slot`, in the order of the link's dependences.
-    #[inline]
+    #[inline(always)]
     pub fn partials(&self, slot: usize) -> &[Vec2<T>] {
         match slot {
             0 => &[],
@@ -112,6 +114,7 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// Poses and partial velocities at `coordinates` (m and rad, free ones first).
+    #[inline(always)]
     pub fn set_positions(&mut self, tree: &Tree, geometry: &Geometry<T>, coordinates: &[T]) {
         for (index, (link, numbers)) in tree.links.iter().zip(&geometry.links).enumerate() {
             let slot = index + 1;
@@ -133,9 +136,10 @@ impl<T: Real> Kinematics<T> {
                     let own_arm = own.turn(numbers.own_arm_m);
                     own.position_m = parent.position_m + parent_arm + numbers.eccentricity_m - own_arm;
                     self.poses[slot] = own;
+                    let arm = parent_arm.turned();
                     for k in 0..inherited - 1 {
-                        let turning = T::from_f64(self.turning_of_parent(tree, link.parent_slot, k));
-                        self.partials[offset + k] = self.partials[parent_offset + k] + parent_arm.turned() * turning;
+                        let turning = self.turning_of_parent(tree, link.parent_slot, k);
+                        self.partials[offset + k] = moved(self.partials[parent_offset + k], arm, turning);
                     }
                     self.partials[offset + inherited - 1] = -own_arm.turned();
                 }
@@ -171,6 +175,7 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// Velocities for the rates of all coordinates (m/s and rad/s). Needs [`Self::set_positions`].
+    #[inline(always)]
     pub fn set_velocities(&mut self, tree: &Tree, rates: &[T]) {
         for (index, link) in tree.links.iter().enumerate() {
             let slot = index + 1;
@@ -178,10 +183,8 @@ impl<T: Real> Kinematics<T> {
             let mut twist = Twist::zero();
             for (k, dependence) in link.dependences.iter().enumerate() {
                 let rate = rates[dependence.coordinate];
-                twist.linear += self.partials[offset + k] * rate;
-                if dependence.turning != 0.0 {
-                    twist.angular += rate * T::from_f64(dependence.turning);
-                }
+                twist.linear = twist.linear.plus(self.partials[offset + k], rate);
+                twist.angular = turned_by(twist.angular, rate, dependence.turning);
             }
             self.twists[slot] = twist;
         }
@@ -189,6 +192,7 @@ impl<T: Real> Kinematics<T> {
 
     /// Accelerations that the rates cause when the free coordinates have none and the driven ones have
     /// `driven_accelerations` (in the order of the tree's drives). Needs [`Self::set_velocities`].
+    #[inline(always)]
     pub fn set_biases(&mut self, tree: &Tree, geometry: &Geometry<T>, rates: &[T], driven_accelerations: &[T]) {
         for (index, (link, numbers)) in tree.links.iter().zip(&geometry.links).enumerate() {
             let slot = index + 1;
@@ -201,13 +205,13 @@ impl<T: Real> Kinematics<T> {
                 Attachment::Free { .. } => Twist::zero(),
                 Attachment::Revolute { .. } => {
                     let own_arm = self.poses[slot].turn(numbers.own_arm_m);
-                    Twist { linear: at_joint + own_arm * own_twist.angular.squared(), angular: T::zero() }
+                    Twist { linear: at_joint.plus(own_arm, own_twist.angular.squared()), angular: T::zero() }
                 }
                 Attachment::DrivenRevolute { coordinate, forward, .. } => {
                     let driven = driven_accelerations[coordinate - tree.free];
                     let angular = parent_bias.angular + if forward { driven } else { -driven };
                     let own_arm = self.poses[slot].turn(numbers.own_arm_m);
-                    let linear = at_joint - own_arm.turned() * angular + own_arm * own_twist.angular.squared();
+                    let linear = at_joint.plus(own_arm.turned(), -angular).plus(own_arm, own_twist.angular.squared());
                     Twist { linear, angular }
                 }
                 Attachment::Prismatic { coordinate, .. } => {
@@ -231,13 +235,14 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// Acceleration of the frame of `slot` when the free coordinates accelerate with `free_accelerations`.
+    #[inline(always)]
     pub fn acceleration(&self, tree: &Tree, slot: usize, free_accelerations: &[T]) -> Twist<T> {
         let mut total = self.biases[slot];
         if slot > 0 {
             for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(self.partials(slot)) {
                 if let Some(&acceleration) = free_accelerations.get(dependence.coordinate) {
-                    total.linear += *partial * acceleration;
-                    total.angular += acceleration * T::from_f64(dependence.turning);
+                    total.linear = total.linear.plus(*partial, acceleration);
+                    total.angular = turned_by(total.angular, acceleration, dependence.turning);
                 }
             }
         }
@@ -245,22 +250,47 @@ impl<T: Real> Kinematics<T> {
     }
 
     /// The first `count` partials of `slot` follow those of its parent, with which it turns.
+    #[inline(always)]
     fn carry_partials(&mut self, tree: &Tree, parent_slot: usize, slot: usize, count: usize) {
         let reach = (self.poses[slot].position_m - self.poses[parent_slot].position_m).turned();
         for k in 0..count {
-            let turning = T::from_f64(self.turning_of_parent(tree, parent_slot, k));
-            self.partials[self.offsets[slot] + k] = self.partials[self.offsets[parent_slot] + k] + reach * turning;
+            let turning = self.turning_of_parent(tree, parent_slot, k);
+            self.partials[self.offsets[slot] + k] = moved(self.partials[self.offsets[parent_slot] + k], reach, turning);
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn turning_of_parent(&self, tree: &Tree, parent_slot: usize, k: usize) -> f64 {
         tree.links[parent_slot - 1].dependences[k].turning
     }
 }
 
+/// `velocity + arm · turning` for a turning of 0, 1 or -1.
+#[inline(always)]
+pub fn moved<T: Real>(velocity: Vec2<T>, arm: Vec2<T>, turning: f64) -> Vec2<T> {
+    if turning == 0.0 {
+        velocity
+    } else if turning > 0.0 {
+        velocity + arm
+    } else {
+        velocity - arm
+    }
+}
+
+/// `sum + value · turning` for a turning of 0, 1 or -1.
+#[inline(always)]
+pub fn turned_by<T: Real>(sum: T, value: T, turning: f64) -> T {
+    if turning == 0.0 {
+        sum
+    } else if turning > 0.0 {
+        sum + value
+    } else {
+        sum - value
+    }
+}
+
 /// A pose at the origin of a link that does not turn against its parent: sine and cosine by the addition theorem.
-#[inline]
+#[inline(always)]
 fn turned_with<T: Real>(parent: &Pose<T>, numbers: &LinkGeometry<T>) -> Pose<T> {
     let direction = parent.turn(numbers.turn_from_parent);
     Pose {
@@ -272,7 +302,7 @@ fn turned_with<T: Real>(parent: &Pose<T>, numbers: &LinkGeometry<T>) -> Pose<T> 
 }
 
 /// A pose at the origin with this angle.
-#[inline]
+#[inline(always)]
 fn pose<T: Real>(angle_rad: T) -> Pose<T> {
     let (sine, cosine) = angle_rad.sin_cos();
     Pose { position_m: Vec2::zero(), angle_rad, sine, cosine }

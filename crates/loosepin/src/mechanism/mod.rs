@@ -10,6 +10,7 @@ mod error;
 mod geometry;
 mod ideal;
 mod kinematics;
+mod lane_sample;
 mod mobility;
 mod sample;
 mod tree;
@@ -17,7 +18,7 @@ mod tree;
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
-pub use kinematics::{Kinematics, Pose, Twist, acceleration_at};
+pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use sample::{DriveMotion, PlayGeometry, Sample};
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
 

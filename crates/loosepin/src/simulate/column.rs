@@ -1,7 +1,7 @@
 //! Outputs as columns of numbers, read off the state of a mechanism.
 
 use crate::dynamics::Dynamics;
-use crate::math::Vec2;
+use crate::math::{Lanes, Real, Vec2};
 use crate::mechanism::{Mechanism, acceleration_at};
 use crate::model::{Axis, BodyId, Component, JointId, OutputKind, PointId};
 use crate::units::SiUnit;
@@ -115,7 +115,8 @@ impl Reading {
     }
 
     /// The value at the last state of `dynamics`, SI.
-    pub fn value(&self, arms: &Arms, dynamics: &Dynamics<'_, f64>) -> f64 {
+    #[inline(always)]
+    pub fn value<T: Real>(&self, arms: &Arms<T>, dynamics: &Dynamics<'_, T>) -> T {
         let mechanism = dynamics.mechanism();
         let slot = |body: BodyId| mechanism.real.slot_of_body[body.0];
         match *self {
@@ -149,26 +150,28 @@ impl Reading {
     }
 
     /// Value and first two time derivatives of a position or angle at the last state of `dynamics`.
-    pub fn jet(&self, arms: &Arms, dynamics: &Dynamics<'_, f64>) -> [f64; 3] {
+    #[inline(always)]
+    pub fn jet<T: Real>(&self, arms: &Arms<T>, dynamics: &Dynamics<'_, T>) -> [T; 3] {
         let [first, second] = match *self {
             Self::Angle(body) => [Self::AngularVelocity(body), Self::AngularAcceleration(body)],
             Self::Position(point, axis) => [Self::Velocity(point, axis), Self::Acceleration(point, axis)],
             other => [other, other],
         };
-        [self, &first, &second].map(|reading| reading.value(arms, dynamics))
+        [self.value(arms, dynamics), first.value(arms, dynamics), second.value(arms, dynamics)]
     }
 }
 
-fn along(vector: Vec2<f64>, axis: Axis) -> f64 {
+#[inline(always)]
+fn along<T>(vector: Vec2<T>, axis: Axis) -> T {
     match axis {
         Axis::X => vector.x,
         Axis::Y => vector.y,
     }
 }
 
-/// Positions of all points of a model in their body frames, for one sample.
+/// Positions of all points of a model in their body frames, for one sample or one a lane.
 #[derive(Debug, Clone)]
-pub struct Arms(Vec<Vec<Vec2<f64>>>);
+pub struct Arms<T = f64>(Vec<Vec<Vec2<T>>>);
 
 impl Arms {
     /// Reads the points of `mechanism` from `values`.
@@ -179,9 +182,36 @@ impl Arms {
         };
         Self(model.bodies.iter().map(of_body).collect())
     }
+}
 
+impl Arms {
+    /// No points: for runs whose outputs are not followed.
+    pub fn none() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<T: Real> Arms<T> {
     /// Position of `point` in its body's frame, m.
-    pub fn of(&self, point: PointId) -> Vec2<f64> {
+    #[inline(always)]
+    pub fn of(&self, point: PointId) -> Vec2<T> {
         self.0[point.body.0][point.point]
+    }
+
+    /// The same points in every lane.
+    pub fn broadcast(arms: &Arms) -> Self {
+        Self(arms.0.iter().map(|body| body.iter().map(|point| Vec2::from_f64(*point)).collect()).collect())
+    }
+}
+
+impl<T: Lanes> Arms<T> {
+    /// Replaces the points of one lane.
+    pub fn set_lane(&mut self, lane: usize, arms: &Arms) {
+        for (body, from) in self.0.iter_mut().zip(&arms.0) {
+            for (point, from) in body.iter_mut().zip(from) {
+                point.x.set_lane(lane, from.x);
+                point.y.set_lane(lane, from.y);
+            }
+        }
     }
 }

@@ -1,28 +1,15 @@
 //! Where within a step pin and hole meet or part.
 
-use crate::dynamics::{PlayMotion, PlayState};
-use crate::math::{Quintic, Vec2};
+use crate::dynamics::PlayState;
+use crate::math::Quintic;
 use crate::mechanism::PlayGeometry;
 
-/// g = |e|² - c² and its first two time derivatives: positive in contact, smooth everywhere.
+/// A function that is positive in contact, and its first two derivatives over the variable of integration: g = |e|² - c², m²,
+/// or the root u = √δ, √m, where that is an unknown.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct GapJet {
-    /// g, m²; ġ, m²/s; g̈, m²/s².
+    /// Value, first and second derivative.
     pub jet: [f64; 3],
-}
-
-impl GapJet {
-    /// From the motion of the journal in its bearing and ë, m/s².
-    pub fn new(motion: &PlayMotion<f64>, eccentricity_acceleration_m_s2: Vec2<f64>, clearance_m: f64) -> Self {
-        let (e, rate) = (motion.eccentricity_m, motion.eccentricity_rate_m_s);
-        Self {
-            jet: [
-                motion.gap_m2(clearance_m),
-                2.0 * e.dot(rate),
-                2.0 * (rate.length_squared() + e.dot(eccentricity_acceleration_m_s2)),
-            ],
-        }
-    }
 }
 
 /// Which way g goes through zero.
@@ -101,25 +88,43 @@ pub fn penetration_m(gap_m2: f64, clearance_m: f64) -> f64 {
     gap_m2 / ((gap_m2 + clearance_m * clearance_m).sqrt() + clearance_m)
 }
 
-/// Largest normal force within a step in contact, N, at the ends and three points between.
-pub fn largest_force_n(
-    start: &GapJet,
-    end: &GapJet,
-    step_s: f64,
-    play: &PlayGeometry<f64>,
-    state: &PlayState<f64>,
-) -> f64 {
-    let quintic = Quintic::new(start.jet, end.jet, step_s);
-    (0..=4)
-        .map(|k| {
-            let tau = f64::from(k) / 4.0;
-            let gap_m2 = quintic.value(tau);
-            let distance_m = (gap_m2 + play.clearance_m * play.clearance_m).max(0.0).sqrt();
-            let rate_m_s = quintic.slope(tau) / (2.0 * distance_m * step_s);
-            let depth_m = penetration_m(gap_m2, play.clearance_m);
+/// A step in contact: the gap or the root at both ends, and the time.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactStep {
+    /// Gap, or root, at the start and at the end.
+    pub gap: [GapJet; 2],
+    /// Time and its derivatives at both ends.
+    pub time: [GapJet; 2],
+    /// Length of the step.
+    pub step: f64,
+    /// Whether `gap` is the root of the penetration.
+    pub is_root: bool,
+}
+
+impl ContactStep {
+    /// Largest penetration within the step, m.
+    pub fn largest_penetration_m(&self, clearance_m: f64) -> f64 {
+        let largest = largest_gap_m2(&self.gap[0], &self.gap[1], self.step);
+        if self.is_root { largest * largest } else { penetration_m(largest, clearance_m) }
+    }
+
+    /// Largest normal force within the step, N, at the ends and three points between.
+    pub fn largest_force_n(&self, play: &PlayGeometry<f64>, state: &PlayState<f64>) -> f64 {
+        let gap = Quintic::new(self.gap[0].jet, self.gap[1].jet, self.step);
+        let time = Quintic::new(self.time[0].jet, self.time[1].jet, self.step);
+        let force_n = |tau: f64| {
+            let value = gap.value(tau);
+            if self.is_root {
+                let rate_m_s = 2.0 * gap.slope(tau) / self.step; // u' = δ̇/2 with dt = u ds
+                return play.normal.force_at_root(value.max(0.0), rate_m_s, state.inverse_impact_speed_s_m).total_n;
+            }
+            let distance_m = (value + play.clearance_m * play.clearance_m).max(0.0).sqrt();
+            let rate_m_s = gap.slope(tau) / (2.0 * distance_m * time.slope(tau));
+            let depth_m = penetration_m(value, play.clearance_m);
             play.normal.force(depth_m, rate_m_s, state.inverse_impact_speed_s_m).total_n
-        })
-        .fold(0.0, f64::max)
+        };
+        (0..=4).map(|k| force_n(f64::from(k) / 4.0)).fold(0.0, f64::max)
+    }
 }
 
 /// Bisections that leave a share of 1e-15 of a step.

@@ -2,7 +2,7 @@
 
 use super::column::{Arms, Column, columns};
 use super::drawing::{add_pose, skeleton};
-use super::engine::{RunReport, run};
+use super::engine::run;
 use super::failure::RunFailure;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::record::{
@@ -10,6 +10,7 @@ use super::record::{
     OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
 };
 use super::reference::IdealReference;
+use super::report::RunReport;
 use super::search::{Peak, maximum_within};
 use super::settings::{Settings, Window};
 use crate::dynamics::Dynamics;

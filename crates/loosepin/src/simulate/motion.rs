@@ -1,77 +1,175 @@
-//! The state vector of a run and its derivative.
+//! The state vector of a run, or of one run a lane, and its derivative.
+//!
+//! One integrates over s with dt/ds = w. Mostly w = 1 and s is the time. During a contact whose law is K δ^1.5 without
+//! friction, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
+//! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One joint at a time is treated
+//! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
-use crate::dynamics::{Dynamics, PlayForce, PlayState};
+use crate::dynamics::{DepthRoot, Dynamics, PlayForce, PlayState};
 use crate::integrate::System;
-use crate::math::{factor_ldl, solve_ldl};
+use crate::math::Real;
 use crate::mechanism::{Attachment, Mechanism, Sample};
 
-/// Unknowns of the energy account after coordinates and rates: work of the drives, contact loss, friction loss, J.
+/// Integrals of the energy account: work of the drives, contact loss, friction loss, J.
 pub const ACCOUNT: usize = 3;
 
-/// Equations of motion plus the energy account as a system: y = (q, q̇, work, contact loss, friction loss).
-pub struct Motion<'a> {
-    /// The equations.
-    pub dynamics: Dynamics<'a, f64>,
-    /// Contact states of the joints with play.
-    pub states: Vec<PlayState<f64>>,
-    freedoms: usize,
+/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations; then the integrals.
+#[derive(Debug, Clone)]
+pub struct Layout {
+    /// Free coordinates.
+    pub freedoms: usize,
+    /// Place of the root of each joint with play that has one.
+    pub roots: Vec<Option<usize>>,
+    /// Unknowns without integrals.
+    pub dimension: usize,
 }
 
-impl<'a> Motion<'a> {
+impl Layout {
+    /// The layout for `mechanism` with the contacts of `sample`.
+    pub fn new<T: Real>(mechanism: &Mechanism, sample: &Sample<T>) -> Self {
+        let freedoms = mechanism.real.free;
+        let mut dimension = 2 * freedoms + 1;
+        let roots = sample
+            .plays
+            .iter()
+            .map(|play| {
+                let has_root = play.normal.exponent == 1.5 && !play.has_friction;
+                has_root.then(|| {
+                    dimension += 1;
+                    dimension - 1
+                })
+            })
+            .collect();
+        Self { freedoms, roots, dimension }
+    }
+
+    /// Place of the time.
+    pub fn time(&self) -> usize {
+        2 * self.freedoms
+    }
+
+    /// Unknowns and integrals.
+    pub fn length(&self) -> usize {
+        self.dimension + ACCOUNT
+    }
+}
+
+/// Equations of motion with the time and the roots of penetrations as unknowns, and the energy account as integrals.
+pub struct Motion<'a, T> {
+    /// The equations.
+    pub dynamics: Dynamics<'a, T>,
+    /// Contact states of the joints with play.
+    pub states: Vec<PlayState<T>>,
+    /// Roots of penetrations of the joints with play that have one.
+    pub roots: Vec<Option<DepthRoot<T>>>,
+    /// Where everything is.
+    pub layout: Layout,
+    /// The time of the last evaluation, s.
+    pub time_s: T,
+    /// Whether any joint has a root among the unknowns; else w = 1.
+    has_roots: bool,
+}
+
+impl<'a, T: Real> Motion<'a, T> {
     /// With every joint in flight.
-    pub fn new(mechanism: &'a Mechanism, sample: &'a Sample<f64>) -> Self {
+    pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
+        let layout = Layout::new(mechanism, sample);
+        let known = DepthRoot { is_unknown: T::zero(), root: T::zero() };
         Self {
             dynamics: Dynamics::new(mechanism, sample),
             states: vec![PlayState::flight(); mechanism.plays.len()],
-            freedoms: mechanism.real.free,
+            roots: layout.roots.iter().map(|root| root.map(|_| known)).collect(),
+            has_roots: layout.roots.iter().any(Option::is_some),
+            time_s: T::zero(),
+            layout,
         }
     }
 
     /// Number of free coordinates.
     pub fn freedoms(&self) -> usize {
-        self.freedoms
+        self.layout.freedoms
     }
 
     /// Sets positions and velocities from the state vector, without forces.
-    pub fn set_state(&mut self, time_s: f64, state: &[f64]) {
-        let n = self.freedoms;
+    #[inline(always)]
+    pub fn set_state(&mut self, time_s: T, state: &[T]) {
+        let n = self.layout.freedoms;
         self.dynamics.set_state(time_s, &state[..n], &state[n..2 * n]);
     }
 
     /// Sets positions and velocities and evaluates all forces and accelerations.
-    pub fn evaluate(&mut self, time_s: f64, state: &[f64]) {
-        let n = self.freedoms;
-        self.dynamics.evaluate(time_s, &state[..n], &state[n..2 * n], &self.states);
+    #[inline(always)]
+    pub fn evaluate(&mut self, time_s: T, state: &[T]) {
+        let n = self.layout.freedoms;
+        self.time_s = time_s;
+        for (root, place) in self.roots.iter_mut().zip(&self.layout.roots) {
+            if let (Some(root), Some(place)) = (root, place) {
+                root.root = state[*place];
+            }
+        }
+        self.dynamics.evaluate_with_roots(time_s, &state[..n], &state[n..2 * n], &self.states, &self.roots);
     }
 
-    /// Force in the joint with play `play` at the state set last.
-    pub fn play_force(&self, play: usize) -> PlayForce<f64> {
+    /// Force in the joint with play `play` at the state set last, with δ from the positions.
+    pub fn play_force(&self, play: usize) -> PlayForce<T> {
         self.dynamics.play_force(play, &self.states[play])
+    }
+
+    /// w = dt/ds and dw/ds at the last evaluation.
+    #[inline(always)]
+    pub fn pace(&self) -> [T; 2] {
+        let (mut pace, mut change) = (T::one(), T::zero());
+        if self.has_roots {
+            for (root, (_, force)) in self.roots.iter().zip(self.dynamics.plays()) {
+                if let Some(root) = root {
+                    let is_unknown = T::from_f64(0.5).less_than(root.is_unknown);
+                    pace = T::select(is_unknown, root.root, pace);
+                    change = T::select(is_unknown, T::from_f64(0.5) * force.penetration_rate_m_s, change);
+                }
+            }
+        }
+        [pace, change]
     }
 }
 
-impl System for Motion<'_> {
-    fn derivative(&mut self, time_s: f64, state: &[f64], slope: &mut [f64]) {
-        let n = self.freedoms;
-        self.evaluate(time_s, state);
-        slope[..n].copy_from_slice(&state[n..2 * n]);
-        slope[n..2 * n].copy_from_slice(self.dynamics.accelerations());
+impl<T: Real> System<T> for Motion<'_, T> {
+    #[inline(always)]
+    fn derivative(&mut self, _place: T, state: &[T], slope: &mut [T]) {
+        let n = self.layout.freedoms;
+        self.evaluate(state[self.layout.time()], state);
+        let [pace, change] = self.pace();
+        for k in 0..n {
+            slope[k] = state[n + k] * pace;
+            slope[n + k] = self.dynamics.accelerations()[k] * pace;
+        }
+        slope[2 * n] = pace;
+        for (root, place) in self.roots.iter().zip(&self.layout.roots) {
+            if let (Some(root), Some(place)) = (root, place) {
+                // u' = δ̇/2 with dt = u ds.
+                slope[*place] = change * root.is_unknown;
+            }
+        }
         let powers = self.dynamics.powers();
-        slope[2 * n] = powers.drives_w;
-        slope[2 * n + 1] = powers.contact_loss_w;
-        slope[2 * n + 2] = powers.friction_loss_w;
+        let account = self.layout.dimension;
+        slope[account] = powers.drives_w * pace;
+        slope[account + 1] = powers.contact_loss_w * pace;
+        slope[account + 2] = powers.friction_loss_w * pace;
     }
 }
 
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
-/// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. Energies: the same
-/// share of `energy_j` as a length has of the size.
-pub fn tolerances(mechanism: &Mechanism, local_m: f64, rate_1_s: f64, energy_j: f64) -> Vec<f64> {
+/// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
+/// that rate. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every step. With friction, whose kinks the
+/// work of friction shows one derivative earlier than the velocities, also the energy account: the same share of `energy_j` as
+/// a length has of the size.
+pub fn tolerances<T: Real>(motion: &Motion<'_, T>, local_m: f64, rate_1_s: f64, energy_j: f64) -> Vec<f64> {
+    let mechanism = motion.dynamics.mechanism();
     let tree = &mechanism.real;
     let n = tree.free;
     let local_rad = local_m / mechanism.size_m;
-    let mut tolerances = vec![local_rad; 2 * n + ACCOUNT];
+    let mut tolerances = vec![1.0; motion.layout.dimension];
+    tolerances[..n].fill(local_rad);
     for link in &tree.links {
         match link.attachment {
             Attachment::Prismatic { coordinate, .. } if coordinate < n => tolerances[coordinate] = local_m,
@@ -82,82 +180,9 @@ pub fn tolerances(mechanism: &Mechanism, local_m: f64, rate_1_s: f64, energy_j: 
     for k in 0..n {
         tolerances[n + k] = tolerances[k] * rate_1_s;
     }
-    tolerances[2 * n..].fill(local_rad * energy_j);
+    tolerances[2 * n] = local_rad / rate_1_s;
+    if motion.dynamics.sample().plays.iter().any(|play| play.has_friction) {
+        tolerances.extend([local_rad * energy_j; ACCOUNT]);
+    }
     tolerances
-}
-
-/// Pulls coordinates and rates back onto the loops of ideal joints along the smallest change in the sense of kinetic energy:
-/// q += M⁻¹Jᵀ(J M⁻¹ Jᵀ)⁻¹(-Φ), and the same for the rates with J q̇ + J_d ż_d. Gives the largest residual Φ that was left.
-pub struct Projection {
-    residuals: Vec<f64>,
-    jacobian: Vec<f64>,
-}
-
-impl Projection {
-    /// Room for `mechanism`.
-    pub fn new(mechanism: &Mechanism) -> Self {
-        let tree = &mechanism.real;
-        Self {
-            residuals: vec![0.0; tree.constraint_rows()],
-            jacobian: vec![0.0; tree.constraint_rows() * tree.coordinates()],
-        }
-    }
-
-    /// Whether there is anything to hold.
-    pub fn is_needed(mechanism: &Mechanism) -> bool {
-        mechanism.real.constraint_rows() > 0
-    }
-
-    /// Projects the state in place.
-    pub fn apply(&mut self, motion: &mut Motion<'_>, time_s: f64, state: &mut [f64]) {
-        /// Newton steps; the first leaves the square of an error that is tiny already.
-        const STEPS: usize = 3;
-        let n = motion.freedoms;
-        for _ in 0..STEPS {
-            motion.set_state(time_s, state);
-            motion.dynamics.constraint_residuals(&mut self.residuals);
-            motion.dynamics.constraint_jacobian(&mut self.jacobian);
-            let defects: Vec<f64> = motion.dynamics.independent(&self.residuals);
-            if defects.iter().all(|defect| *defect == 0.0) {
-                break;
-            }
-            let correction = self.smallest_change(motion, &defects);
-            for k in 0..n {
-                state[k] -= correction[k];
-            }
-        }
-        motion.set_state(time_s, state);
-        motion.dynamics.constraint_jacobian(&mut self.jacobian);
-        let defects = motion.dynamics.constraint_rates(&self.jacobian);
-        let correction = self.smallest_change(motion, &defects);
-        for k in 0..n {
-            state[n + k] -= correction[k];
-        }
-    }
-
-    /// M⁻¹Jᵀ(J M⁻¹ Jᵀ)⁻¹ · defects.
-    fn smallest_change(&self, motion: &Motion<'_>, defects: &[f64]) -> Vec<f64> {
-        let n = motion.freedoms;
-        let mass = motion.dynamics.factored_mass();
-        let gradients = motion.dynamics.independent_gradients(&self.jacobian);
-        let m = defects.len();
-        let mobilities: Vec<Vec<f64>> = gradients
-            .iter()
-            .map(|gradient| {
-                let mut column = gradient.to_vec();
-                solve_ldl(mass, n, &mut column);
-                column
-            })
-            .collect();
-        let mut schur: Vec<f64> = gradients
-            .iter()
-            .flat_map(|gradient| {
-                mobilities.iter().map(|mobility| gradient.iter().zip(mobility).map(|(g, v)| g * v).sum::<f64>())
-            })
-            .collect();
-        factor_ldl(&mut schur, m);
-        let mut multipliers = defects.to_vec();
-        solve_ldl(&schur, m, &mut multipliers);
-        (0..n).map(|k| (0..m).map(|r| mobilities[r][k] * multipliers[r]).sum()).collect()
-    }
 }

@@ -1,9 +1,11 @@
 //! What looks at a run while it goes on.
 
-use super::motion::{Motion, Projection};
-use crate::dynamics::Dynamics;
-use crate::integrate::Stepper;
-use crate::mechanism::{IdealMotion, SampleError};
+use super::gap::GapJet;
+use super::motion::Motion;
+use super::projection::Projection;
+use crate::dynamics::{Dynamics, PlayState};
+use crate::math::Quintic;
+use crate::mechanism::{IdealMotion, Sample, SampleError};
 
 /// A contact that begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,21 +48,36 @@ pub struct Step<'s, 'a> {
     pub start_s: f64,
     /// End of the step, s.
     pub end_s: f64,
+    /// Length of the step in the variable of integration, which is the time except during some contacts.
+    pub length: f64,
+    /// Time and its derivatives over that variable at both ends.
+    pub(super) time: [GapJet; 2],
+    /// Values and derivatives over that variable of the followed outputs, at both ends.
+    pub outputs: &'s [[[f64; 3]; 2]],
 }
 
 /// Where the states of a step come from.
 pub(super) enum Source<'s, 'a> {
-    /// Dense output of an integrated step.
+    /// Dense output of an integrated step, put into the equations of motion of one lane.
     Integrated {
-        motion: &'s mut Motion<'a>,
-        stepper: &'s mut Stepper,
-        projection: Option<&'s mut Projection>,
+        dense: &'s mut dyn DenseOutput,
+        sample: &'s Sample<f64>,
+        view: &'s mut Motion<'a, f64>,
+        projection: Option<&'s mut Projection<f64>>,
         state: &'s mut Vec<f64>,
-        /// Whether the equations of motion were evaluated last at the end of the step.
-        is_at_end: bool,
+        /// Whether `view` holds the numbers and the contacts of this run already.
+        is_viewed: bool,
     },
     /// The motion of a mechanism without play, solved afresh at each instant.
-    Kinematic { motion: &'s mut Motion<'a>, ideal: &'s mut IdealMotion<'a>, failure: &'s mut Option<SampleError> },
+    Kinematic { motion: &'s mut Motion<'a, f64>, ideal: &'s mut IdealMotion<'a>, failure: &'s mut Option<SampleError> },
+}
+
+/// The inside of an integrated step.
+pub(super) trait DenseOutput {
+    /// Writes the state at `share` in [0, 1] of the step.
+    fn interpolate(&mut self, share: f64, state: &mut [f64]);
+    /// The contact state of a joint with play during the step.
+    fn contact(&self, play: usize) -> PlayState<f64>;
 }
 
 impl<'a> Step<'_, 'a> {
@@ -74,20 +91,16 @@ impl<'a> Step<'_, 'a> {
         self.look(time_s, true)
     }
 
-    /// The end of the step with forces and accelerations; free of cost before anything else was looked at.
+    /// The end of the step with forces and accelerations.
     pub fn end(&mut self) -> &Dynamics<'a, f64> {
-        if !matches!(&self.source, Source::Integrated { is_at_end: true, .. }) {
-            self.look(self.end_s, true);
-        }
-        match &self.source {
-            Source::Integrated { motion, .. } | Source::Kinematic { motion, .. } => &motion.dynamics,
-        }
+        self.look(self.end_s, true)
     }
 
     /// Whether the joint with play `play` is in contact during this step.
     pub fn is_in_contact(&self, play: usize) -> bool {
         match &self.source {
-            Source::Integrated { motion, .. } | Source::Kinematic { motion, .. } => motion.states[play].contact > 0.0,
+            Source::Integrated { dense, .. } => dense.contact(play).contact > 0.0,
+            Source::Kinematic { .. } => false,
         }
     }
 
@@ -95,7 +108,9 @@ impl<'a> Step<'_, 'a> {
     pub fn normal_force_n(&mut self, play: usize, time_s: f64) -> f64 {
         self.look(time_s, false);
         match &self.source {
-            Source::Integrated { motion, .. } | Source::Kinematic { motion, .. } => motion.play_force(play).normal_n,
+            Source::Integrated { view: motion, .. } | Source::Kinematic { motion, .. } => {
+                motion.play_force(play).normal_n
+            }
         }
     }
 
@@ -103,35 +118,66 @@ impl<'a> Step<'_, 'a> {
     /// motion was not integrated.
     pub fn account_j(&self) -> Option<[f64; 3]> {
         match &self.source {
-            Source::Integrated { motion, state, .. } => {
-                let first = 2 * motion.freedoms();
+            Source::Integrated { view, state, .. } => {
+                let first = view.layout.dimension;
                 Some([state[first], state[first + 1], state[first + 2]])
             }
             Source::Kinematic { .. } => None,
         }
     }
 
+    /// Which share of the step, in its variable of integration, has passed at `time_s`.
+    pub fn share(&self, time_s: f64) -> f64 {
+        let [start, end] = &self.time;
+        let mut share = ((time_s - self.start_s) / (self.end_s - self.start_s)).clamp(0.0, 1.0);
+        if start.jet[1] == 1.0 && end.jet[1] == 1.0 {
+            return share;
+        }
+        // Newton's method on the time as a polynomial of degree five; it grows steadily.
+        let time = Quintic::new(start.jet, end.jet, self.length);
+        for _ in 0..20 {
+            let next =
+                (share - (time.value(share) - time_s) / time.slope(share).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            if (next - share).abs() < 1e-15 {
+                return next;
+            }
+            share = next;
+        }
+        share
+    }
+
+    /// dt over the variable of integration at `share` of the step.
+    pub fn pace(&self, share: f64) -> f64 {
+        let [start, end] = &self.time;
+        if start.jet[1] == 1.0 && end.jet[1] == 1.0 {
+            return 1.0;
+        }
+        Quintic::new(start.jet, end.jet, self.length).slope(share) / self.length
+    }
+
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {
+        let place = self.share(time_s);
         match &mut self.source {
-            Source::Integrated { motion, stepper, projection, state, is_at_end } => {
-                *is_at_end = false;
-                let share = ((time_s - stepper.time_s()) / stepper.step_s()).clamp(0.0, 1.0);
-                if share == 0.0 {
-                    state.copy_from_slice(stepper.start());
-                } else if share == 1.0 {
-                    state.copy_from_slice(stepper.end());
-                } else {
-                    stepper.interpolate(*motion, share, state);
+            Source::Integrated { dense, sample, view, projection, state, is_viewed } => {
+                if !*is_viewed {
+                    *is_viewed = true;
+                    view.dynamics.sample_mut().set_lane(0, sample);
+                    for (play, contact) in view.states.iter_mut().enumerate() {
+                        *contact = dense.contact(play);
+                    }
                 }
+                dense.interpolate(place, state);
                 if let Some(projection) = projection {
-                    projection.apply(motion, time_s, state);
+                    view.evaluate(time_s, state);
+                    projection.keep_mass(view);
+                    projection.apply(view, time_s, state);
                 }
                 if with_forces {
-                    motion.evaluate(time_s, state)
+                    view.evaluate(time_s, state)
                 } else {
-                    motion.set_state(time_s, state)
+                    view.set_state(time_s, state)
                 }
-                &motion.dynamics
+                &view.dynamics
             }
             Source::Kinematic { motion, ideal, failure } => {
                 match ideal.move_to(time_s) {

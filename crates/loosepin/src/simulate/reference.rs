@@ -7,7 +7,7 @@ use crate::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
 /// The motion of a mechanism with every clearance at zero, to be asked at any time.
 pub struct IdealReference<'a> {
     ideal: IdealMotion<'a>,
-    motion: Motion<'a>,
+    motion: Motion<'a, f64>,
 }
 
 impl<'a> IdealReference<'a> {

@@ -1,0 +1,574 @@
+//! Many runs side by side: every lane has its own time, step and contact state, and takes the next run when one is over.
+//!
+//! A pass tries one step in every lane at once, then decides lane by lane: try again, accept, begin or end a contact, finish.
+//! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
+
+use super::column::{Arms, Reading};
+use super::core::Core;
+use super::failure::RunFailure;
+use super::gap::{ContactStep, Crossing, GapJet};
+use super::lane::{Decision, Event, LaneRun, LaneStep, Phase};
+use super::motion::Motion;
+use super::observer::{DenseOutput, Observer, Onset, Separation, Source, Step};
+use super::projection::Projection;
+use super::report::{Counters, EnergyAccount, PlaySummary, RunReport};
+use super::settings::{Settings, Window};
+use crate::dynamics::PlayState;
+use crate::integrate::Stepper;
+use crate::math::{Lanes, Real};
+use crate::mechanism::{IdealMotion, Mechanism, Sample};
+use crate::model::JointKind;
+
+/// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
+/// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
+pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
+/// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
+const SMALLEST_STEP_TURNS: f64 = 1e-14;
+/// Largest growth from one step to the next.
+const LARGEST_GROWTH: f64 = 6.0;
+/// Steps in turn that hardly move the time before the root of a penetration is given up as an unknown.
+const MOST_STALLED_STEPS: u32 = 12;
+/// Share of the longest step below which time hardly moves.
+const STALLED_SHARE: f64 = 1e-7;
+
+/// A run that waits for a lane.
+pub struct Run<O> {
+    /// All its numbers.
+    pub sample: Sample<f64>,
+    /// Where its points are in their bodies: for the outputs that are followed.
+    pub arms: Arms,
+    /// What is recorded.
+    pub window: Window,
+    /// Who looks at it.
+    pub observer: O,
+}
+
+/// Runs that wait for a lane, and where they go when they are over.
+pub trait Queue {
+    /// Who looks at a run.
+    type Observer: Observer;
+
+    /// The next run, if any is left.
+    fn next(&mut self) -> Option<Run<Self::Observer>>;
+    /// Takes back the observer of a run that is over.
+    fn finished(&mut self, observer: Self::Observer, outcome: Result<RunReport, RunFailure>);
+}
+
+/// The passes over all lanes.
+pub(super) struct Batch<'a, T, O> {
+    mechanism: &'a Mechanism,
+    core: Core<'a, T>,
+    runs: Vec<Option<LaneRun<O>>>,
+    /// Equations on one lane at a time, for whoever looks inside a step.
+    view: Motion<'a, f64>,
+    view_projection: Option<Projection<f64>>,
+    view_state: Vec<f64>,
+    output_jets: Vec<[[f64; 3]; 2]>,
+    settings: Settings,
+    /// Lanes whose derivative is to be evaluated again before the next step.
+    restarts: u32,
+    gaps: Vec<[GapJet; 2]>,
+    slidings_m_s: Vec<[f64; 2]>,
+    is_closed: Vec<bool>,
+    is_root: Vec<bool>,
+}
+
+/// Rate of the fastest drive, rad/s; driven lengths count as angles over the size of the mechanism.
+pub(super) fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>) -> f64 {
+    let rates = mechanism.model.drives.iter().zip(&sample.drives).map(|(drive, motion)| {
+        match mechanism.model.joints[drive.joint.0].kind {
+            JointKind::Prismatic { .. } => motion.speed.abs() / mechanism.size_m,
+            _ => motion.speed.abs(),
+        }
+    });
+    rates.fold(0.0, f64::max)
+}
+
+impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
+    /// Runs everything in `queue`.
+    pub fn conduct(
+        mechanism: &'a Mechanism,
+        readings: &[Reading],
+        settings: &Settings,
+        queue: &mut dyn Queue<Observer = O>,
+    ) {
+        let Some(first) = queue.next() else { return };
+        let plays = mechanism.plays.len();
+        let view = Motion::new(mechanism, &first.sample);
+        let mut batch = Self {
+            mechanism,
+            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings),
+            runs: (0..T::COUNT).map(|_| None).collect(),
+            view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
+            view_state: vec![0.0; view.layout.length()],
+            view,
+            output_jets: vec![[[0.0; 3]; 2]; readings.len()],
+            settings: *settings,
+            restarts: 0,
+            gaps: vec![[GapJet::default(); 2]; plays],
+            slidings_m_s: vec![[0.0; 2]; plays],
+            is_closed: vec![false; plays],
+            is_root: vec![false; plays],
+        };
+        batch.start(0, first, queue);
+        batch.refill(queue);
+        while batch.runs.iter().any(Option::is_some) {
+            batch.pass(queue);
+            batch.refill(queue);
+        }
+    }
+
+    /// Puts waiting runs into the free lanes.
+    fn refill(&mut self, queue: &mut dyn Queue<Observer = O>) {
+        for lane in 0..T::COUNT {
+            while self.runs[lane].is_none() {
+                let Some(run) = queue.next() else { break };
+                self.start(lane, run, queue);
+            }
+        }
+    }
+
+    /// Starts `run` in `lane` at its ideal position and velocities, journals centred.
+    fn start(&mut self, lane: usize, run: Run<O>, queue: &mut dyn Queue<Observer = O>) {
+        let Run { sample, arms, window, observer } = run;
+        let ideal = match IdealMotion::new(self.mechanism, &sample.ideal, &sample.drives) {
+            Ok(ideal) => ideal,
+            Err(error) => return queue.finished(observer, Err(error.into())),
+        };
+        let n = self.mechanism.real.free;
+        let (coordinates, rates) = self.mechanism.real_coordinates(ideal.kinematics(), &sample.real);
+        let state = &mut self.view_state;
+        state.fill(0.0);
+        state[..n].copy_from_slice(&coordinates[..n]);
+        state[n..2 * n].copy_from_slice(&rates[..n]);
+        let rate_1_s = fastest_drive_rad_s(self.mechanism, &sample);
+        self.view.dynamics.sample_mut().set_lane(0, &sample);
+        self.view.set_state(0.0, state);
+        let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
+        let turn_s = std::f64::consts::TAU / rate_1_s;
+        let longest_s = LARGEST_STEP_TURNS * turn_s;
+        self.runs[lane] = Some(LaneRun {
+            sample,
+            window,
+            observer,
+            longest_s,
+            smallest_s: SMALLEST_STEP_TURNS * turn_s,
+            phase: Phase::Stepping,
+            next: 1e-3 * longest_s,
+            was_rejected: false,
+            last_event: None,
+            after_event: [0.0; 2],
+            reaches_end: false,
+            stalled: 0,
+            counters: Counters::default(),
+            plays: vec![PlaySummary::default(); self.mechanism.plays.len()],
+            account: EnergyAccount::default(),
+        });
+        self.restarts |= 1 << lane;
+        self.choose_step(lane);
+    }
+
+    /// Evaluates the start of the flagged lanes again.
+    fn restart(&mut self, lanes: u32) {
+        if lanes == 0 {
+            return;
+        }
+        self.core.restart(lanes);
+        for (lane, run) in self.runs.iter_mut().enumerate() {
+            if let Some(run) = run.as_mut().filter(|_| lanes >> lane & 1 != 0) {
+                if run.counters.evaluations == 0 {
+                    run.account = EnergyAccount::starting_at(self.core.energies_j.lane(lane));
+                }
+                run.counters.evaluations += 1;
+            }
+        }
+    }
+
+    /// Tries a step in every lane and acts on it.
+    fn pass(&mut self, queue: &mut dyn Queue<Observer = O>) {
+        let restarts = std::mem::take(&mut self.restarts);
+        self.restart(restarts);
+        let attempt = self.core.attempt();
+        let per_attempt = self.core.stepper.evaluations_per_attempt();
+        let mut accepted = 0;
+        let mut events: [Option<Event>; 32] = [None; 32];
+        for lane in 0..T::COUNT {
+            let Some(run) = &mut self.runs[lane] else { continue };
+            run.counters.evaluations += per_attempt;
+            let bit = 1 << lane;
+            let decision = if matches!(run.phase, Phase::Stepping) {
+                if attempt.good & bit == 0 {
+                    self.reject(lane, queue);
+                    continue;
+                }
+                let passes_end = self.core.end.time[0].lane(lane) > run.window.end_s;
+                if attempt.eventful & bit != 0 || passes_end { self.decide(lane) } else { Decision::Accept(None) }
+            } else {
+                self.decide(lane)
+            };
+            match decision {
+                Decision::Retry(step) => self.core.steps.set_lane(lane, step),
+                Decision::SwitchAtStart(event) => {
+                    self.count_event(lane, event);
+                    self.act(lane, event, queue);
+                }
+                Decision::Accept(event) => {
+                    if let Err(failure) = self.show(lane, event) {
+                        self.finish(lane, Err(failure), queue);
+                        continue;
+                    }
+                    accepted |= bit;
+                    events[lane] = event;
+                }
+            }
+        }
+        if accepted == 0 {
+            return;
+        }
+        self.core.accept(accepted);
+        if self.core.holds_loops() {
+            self.restart(accepted);
+        }
+        for lane in 0..T::COUNT {
+            if accepted >> lane & 1 != 0 {
+                self.go_on(lane, events[lane], queue);
+            }
+        }
+    }
+
+    /// What becomes of an attempt in `lane` that may hold an event.
+    fn decide(&mut self, lane: usize) -> Decision {
+        self.read_gaps(lane);
+        let step = LaneStep {
+            step: self.core.steps.lane(lane),
+            time: self.times(lane),
+            gaps: &self.gaps,
+            slidings_m_s: &self.slidings_m_s,
+            is_closed: &self.is_closed,
+            is_root: &self.is_root,
+        };
+        match &mut self.runs[lane] {
+            Some(run) => run.decide(&step, self.settings.event_tolerance_m()),
+            None => Decision::Accept(None),
+        }
+    }
+
+    /// Shortens the step after too large an error.
+    fn reject(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
+        let error = self.core.errors.lane(lane);
+        let step = self.core.steps.lane(lane);
+        let [time_s, pace, change] = self.core.start.time.map(|value| value.lane(lane));
+        let Some(run) = &mut self.runs[lane] else { return };
+        run.counters.rejections += 1;
+        run.was_rejected = true;
+        // An error that is not a number comes from a step far too long.
+        let factor = if error.is_finite() { self.core.growth.lane(lane).clamp(0.1, 0.9) } else { 0.1 };
+        run.next = step * factor;
+        let next_s = run.next * (pace + 0.5 * run.next * change).abs();
+        let smallest_s = run.smallest_s.max(8.0 * f64::EPSILON * time_s);
+        let failure = if next_s < smallest_s && error.is_finite() {
+            RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
+        } else if next_s < smallest_s {
+            RunFailure::NotFinite { time_s }
+        } else if run.counters.evaluations > self.settings.largest_evaluations {
+            RunFailure::TooManyEvaluations { time_s, limit: self.settings.largest_evaluations }
+        } else {
+            return self.choose_step(lane);
+        };
+        self.finish(lane, Err(failure), queue);
+    }
+
+    /// Notes what an accepted step shows before it is left behind.
+    fn show(&mut self, lane: usize, event: Option<Event>) -> Result<(), RunFailure> {
+        let step = self.core.steps.lane(lane);
+        let end_s = self.core.end.time[0].lane(lane);
+        let start_s = self.core.start.time[0].lane(lane);
+        self.check_bearings(lane)?;
+        let Some(run) = &mut self.runs[lane] else { return Ok(()) };
+        run.reaches_end = event == Some(Event::End) || (event.is_none() && step == run.window.end_s - start_s);
+        let end_s = if run.reaches_end { run.window.end_s } else { end_s };
+        if end_s <= run.window.start_s || step <= 0.0 {
+            return Ok(());
+        }
+        self.note_penetrations(lane);
+        for (jets, (start, end)) in
+            self.output_jets.iter_mut().zip(self.core.start.outputs.iter().zip(&self.core.end.outputs))
+        {
+            *jets = [start.map(|value| value.lane(lane)), end.map(|value| value.lane(lane))];
+        }
+        let time = self.times(lane);
+        let Some(run) = &mut self.runs[lane] else { return Ok(()) };
+        let mut dense = LaneDense { core: &mut self.core, lane, evaluations: 0 };
+        let source = Source::Integrated {
+            dense: &mut dense,
+            sample: &run.sample,
+            view: &mut self.view,
+            projection: self.view_projection.as_mut(),
+            state: &mut self.view_state,
+            is_viewed: false,
+        };
+        run.observer.step(&mut Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets });
+        run.counters.evaluations += dense.evaluations;
+        Ok(())
+    }
+
+    /// No pin may be pressed so deep that its centre leaves the hole.
+    fn check_bearings(&self, lane: usize) -> Result<(), RunFailure> {
+        let Some(run) = &self.runs[lane] else { return Ok(()) };
+        for (play, numbers) in run.sample.plays.iter().enumerate() {
+            let (radius_m, clearance_m) = (numbers.bearing_radius_m, numbers.clearance_m);
+            let gap = self.core.end.gaps[play][0].lane(lane);
+            let (_, is_root) = self.core.contact(lane, play);
+            let limit =
+                if is_root { (radius_m - clearance_m).sqrt() } else { radius_m * radius_m - clearance_m * clearance_m };
+            if gap > limit {
+                let penetration_m = if is_root { gap * gap } else { super::gap::penetration_m(gap, clearance_m) };
+                return Err(RunFailure::LeavesBearing {
+                    joint: self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone(),
+                    penetration_m,
+                    bearing_radius_m: radius_m,
+                    time_s: self.core.start.time[0].lane(lane),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn note_penetrations(&mut self, lane: usize) {
+        let time = self.times(lane);
+        for play in 0..self.mechanism.plays.len() {
+            let (state, is_root) = self.core.contact(lane, play);
+            if !(state.contact > 0.0) {
+                continue;
+            }
+            let gap = self.gap(lane, play);
+            let Some(run) = &mut self.runs[lane] else { return };
+            let (numbers, summary) = (&run.sample.plays[play], &mut run.plays[play]);
+            let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
+            let depth_m = step.largest_penetration_m(numbers.clearance_m);
+            summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
+            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+        }
+    }
+
+    /// Closes the account of an accepted step and chooses the next one.
+    fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Queue<Observer = O>) {
+        let step = self.core.steps.lane(lane);
+        let layout = &self.core.motion.layout;
+        let (place, first) = (layout.time(), layout.dimension);
+        let account = [0, 1, 2].map(|k| self.core.stepper.start()[first + k].lane(lane));
+        let energy_j = self.core.energies_j.lane(lane);
+        let growth = self.core.growth.lane(lane);
+        let time_s = self.core.stepper.start()[place].lane(lane);
+        let Some(run) = &mut self.runs[lane] else { return };
+        run.counters.steps += 1;
+        run.account.close(energy_j, account);
+        let was_searching = !matches!(run.phase, Phase::Stepping);
+        run.phase = Phase::Stepping;
+        if run.reaches_end {
+            return self.succeed(lane, queue);
+        }
+        if run.counters.evaluations > self.settings.largest_evaluations {
+            let limit = self.settings.largest_evaluations;
+            return self.finish(lane, Err(RunFailure::TooManyEvaluations { time_s, limit }), queue);
+        }
+        match event {
+            None => {
+                if let Some(kind) = run.last_event.take() {
+                    run.after_event[kind] = step;
+                }
+                let largest = if run.was_rejected { 1.0 } else { LARGEST_GROWTH };
+                run.was_rejected = false;
+                // After a search that found nothing the step that was good stays the next one.
+                if !was_searching {
+                    run.next = step * if growth.is_finite() { growth.clamp(0.2, largest) } else { largest };
+                }
+                self.watch_stalling(lane);
+                self.choose_step(lane);
+            }
+            Some(event) => {
+                self.count_event(lane, event);
+                self.act(lane, event, queue);
+            }
+        }
+    }
+
+    /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
+    fn watch_stalling(&mut self, lane: usize) {
+        let Some(play) = (0..self.mechanism.plays.len()).find(|&play| self.core.contact(lane, play).1) else { return };
+        let pace = self.core.start.time[1].lane(lane);
+        let step = self.core.steps.lane(lane);
+        let Some(run) = &mut self.runs[lane] else { return };
+        if step * pace.abs() > STALLED_SHARE * run.longest_s {
+            run.stalled = 0;
+            return;
+        }
+        run.stalled += 1;
+        if run.stalled > MOST_STALLED_STEPS {
+            run.stalled = 0;
+            run.next = STALLED_SHARE * run.longest_s;
+            let (state, _) = self.core.contact(lane, play);
+            self.core.set_contact(lane, play, &state, false);
+            self.core.start.time[1].set_lane(lane, 1.0);
+            self.restarts |= 1 << lane;
+        }
+    }
+
+    fn count_event(&mut self, lane: usize, event: Event) {
+        if let (Some(run), Event::Contact { .. }) = (&mut self.runs[lane], event) {
+            run.counters.events += 1;
+        }
+    }
+
+    /// Lets a contact begin or end at the start of the step, or ends the run.
+    fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Queue<Observer = O>) {
+        let (play, crossing) = match event {
+            Event::Contact { play, crossing } => (play, crossing),
+            Event::End => return self.succeed(lane, queue),
+            Event::Kink { .. } => {
+                // The force goes on evenly here: the step before was only not to reach across.
+                if let Some(run) = &mut self.runs[lane] {
+                    run.phase = Phase::Stepping;
+                }
+                return self.choose_step(lane);
+            }
+        };
+        let time_s = self.core.start.time[0].lane(lane);
+        let speed_m_s = self.gap_rate_m_s(lane, play);
+        let had_root = self.has_root(lane);
+        let has_layout_root = self.core.motion.layout.roots[play].is_some();
+        let pace = self.core.start.time[1].lane(lane);
+        let Some(run) = &mut self.runs[lane] else { return };
+        run.phase = Phase::Stepping;
+        run.stalled = 0;
+        let numbers = &run.sample.plays[play];
+        let (state, has_root, kind) = match crossing {
+            Crossing::Onset => {
+                let is_floored = !(speed_m_s > numbers.minimum_impact_speed_m_s);
+                let impact_speed_m_s = Real::max(speed_m_s, numbers.minimum_impact_speed_m_s);
+                if time_s >= run.window.start_s {
+                    let summary = &mut run.plays[play];
+                    summary.contacts += 1;
+                    summary.floored_contacts += u64::from(is_floored);
+                    summary.impacts_beyond_validity += u64::from(speed_m_s > numbers.largest_valid_impact_speed_m_s);
+                }
+                run.observer.contact_begins(&Onset { play, time_s, speed_m_s, is_floored });
+                let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s };
+                // One root at a time: two that vanish together would never leave zero.
+                (state, has_layout_root && !had_root && !is_floored, 0)
+            }
+            Crossing::Separation => {
+                run.observer.contact_ends(&Separation { play, time_s, speed_m_s: -speed_m_s });
+                (PlayState::flight(), false, 1)
+            }
+        };
+        // The first step after an event is as long as the last one after such an event. Before there is one, a tenth of the
+        // step that was cut, in time; from u = 0 on the time is v0 s²/4.
+        let cut_s = 0.1 * run.next * if had_root { pace.abs().max(1e-3 * numbers.clearance_m.sqrt()) } else { 1.0 };
+        run.next = match run.after_event[kind] {
+            known if known > 0.0 => known,
+            _ if has_root => (4.0 * cut_s * state.inverse_impact_speed_s_m).sqrt(),
+            _ => cut_s,
+        };
+        run.last_event = Some(kind);
+        self.core.set_contact(lane, play, &state, has_root);
+        self.restarts |= 1 << lane;
+        // The root begins at zero, and the time with it; without any root it goes on evenly.
+        if has_root || !self.has_root(lane) {
+            self.core.start.time[1].set_lane(lane, f64::from(u8::from(!has_root)));
+        }
+        self.choose_step(lane);
+    }
+
+    /// δ̇ at the start of the step.
+    fn gap_rate_m_s(&self, lane: usize, play: usize) -> f64 {
+        let [value, slope, _] = self.core.start.gaps[play].map(|value| value.lane(lane));
+        if self.core.contact(lane, play).1 {
+            return 2.0 * slope;
+        }
+        let pace = self.core.start.time[1].lane(lane);
+        let clearance_m = self.runs[lane].as_ref().map_or(0.0, |run| run.sample.plays[play].clearance_m);
+        slope / (2.0 * (value + clearance_m * clearance_m).max(0.0).sqrt() * pace)
+    }
+
+    fn has_root(&self, lane: usize) -> bool {
+        (0..self.mechanism.plays.len()).any(|play| self.core.contact(lane, play).1)
+    }
+
+    fn choose_step(&mut self, lane: usize) {
+        let has_root = self.has_root(lane);
+        let time_s = self.core.stepper.start()[self.core.motion.layout.time()].lane(lane);
+        let pace = self.core.start.time[1].lane(lane);
+        if let Some(run) = &self.runs[lane] {
+            let step = run.choose_step(time_s, pace, has_root);
+            self.core.steps.set_lane(lane, step);
+        }
+    }
+
+    fn succeed(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
+        let Some(run) = &mut self.runs[lane] else { return };
+        let plays = std::mem::take(&mut run.plays);
+        let report = RunReport { counters: run.counters, plays, energy: Some(run.account) };
+        self.finish(lane, Ok(report), queue);
+    }
+
+    fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn Queue<Observer = O>) {
+        if let Some(run) = self.runs[lane].take() {
+            queue.finished(run.observer, outcome);
+        }
+        self.restarts &= !(1 << lane);
+        self.core.steps.set_lane(lane, 0.0);
+    }
+
+    fn times(&self, lane: usize) -> [GapJet; 2] {
+        [&self.core.start, &self.core.end].map(|jets| GapJet { jet: jets.time.map(|value| value.lane(lane)) })
+    }
+
+    fn gap(&self, lane: usize, play: usize) -> [GapJet; 2] {
+        [&self.core.start, &self.core.end].map(|jets| GapJet { jet: jets.gaps[play].map(|value| value.lane(lane)) })
+    }
+
+    fn read_gaps(&mut self, lane: usize) {
+        for play in 0..self.mechanism.plays.len() {
+            let (state, is_root) = self.core.contact(lane, play);
+            self.gaps[play] = self.gap(lane, play);
+            self.slidings_m_s[play] = [&self.core.start, &self.core.end].map(|jets| jets.slidings_m_s[play].lane(lane));
+            self.is_closed[play] = state.contact > 0.0;
+            self.is_root[play] = is_root;
+        }
+    }
+}
+
+/// Dense output of one lane.
+struct LaneDense<'s, 'a, T> {
+    core: &'s mut Core<'a, T>,
+    lane: usize,
+    /// Evaluations that this lane's looks have cost.
+    evaluations: u64,
+}
+
+impl<T: Lanes> DenseOutput for LaneDense<'_, '_, T> {
+    fn interpolate(&mut self, share: f64, state: &mut [f64]) {
+        if self.evaluations == 0 {
+            self.evaluations = self.core.stepper.evaluations_for_dense();
+            self.core.prepare_dense();
+        }
+        let stepper: &Stepper<T> = &self.core.stepper;
+        if share <= 0.0 {
+            for (value, from) in state.iter_mut().zip(stepper.start()) {
+                *value = from.lane(self.lane);
+            }
+        } else if share >= 1.0 {
+            for (value, from) in state.iter_mut().zip(stepper.end()) {
+                *value = from.lane(self.lane);
+            }
+        } else {
+            stepper.interpolate_lane(self.lane, share, state);
+        }
+    }
+
+    fn contact(&self, play: usize) -> PlayState<f64> {
+        self.core.contact(self.lane, play).0
+    }
+}

@@ -1,0 +1,284 @@
+//! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
+
+use super::gap::{Crossing, GapJet, first_crossing};
+use super::report::{Counters, EnergyAccount, PlaySummary};
+use super::settings::Window;
+use crate::mechanism::Sample;
+
+/// What ends a step before its error does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Event {
+    /// A contact begins or ends.
+    Contact {
+        /// Index in [`crate::mechanism::Mechanism::plays`].
+        play: usize,
+        /// Which of the two.
+        crossing: Crossing,
+    },
+    /// The sliding velocity passes a kink of the friction law.
+    Kink {
+        /// Index in [`crate::mechanism::Mechanism::plays`].
+        play: usize,
+        /// Sliding velocity at the kink, m/s.
+        level_m_s: f64,
+    },
+    /// The end of the window, while the time is no longer the variable of integration.
+    End,
+}
+
+/// A look for the place of an event: steps are taken again until one ends on it.
+#[derive(Debug, Clone, Copy)]
+pub struct Search {
+    /// What is looked for.
+    pub event: Event,
+    /// The event lies beyond this step.
+    pub low: f64,
+    /// The event lies before this step.
+    pub high: f64,
+    /// The step that is tried.
+    pub trial: f64,
+    /// Steps tried so far.
+    pub trials: u32,
+    /// The step tried before, and how far from the event it ended.
+    pub before: (f64, f64),
+}
+
+/// What the attempt at hand is for.
+#[derive(Debug, Clone, Copy)]
+pub enum Phase {
+    /// To go on.
+    Stepping,
+    /// To end on an event.
+    Searching(Search),
+    /// To stop just before an event that dissolved on closer look.
+    Stopping,
+}
+
+/// The run of a lane.
+pub struct LaneRun<O> {
+    /// All numbers of the run.
+    pub sample: Sample<f64>,
+    /// What is recorded.
+    pub window: Window,
+    /// Who looks at it.
+    pub observer: O,
+    /// Longest step in time, s.
+    pub longest_s: f64,
+    /// Smallest step in time apart from steps onto events, s.
+    pub smallest_s: f64,
+    /// The attempt at hand.
+    pub phase: Phase,
+    /// Next step by the error of the last one.
+    pub next: f64,
+    /// Whether the last attempt was rejected: the next step does not grow.
+    pub was_rejected: bool,
+    /// Event after which the present step is the first: 0 for an onset, 1 for a separation.
+    pub last_event: Option<usize>,
+    /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
+    pub after_event: [f64; 2],
+    /// Whether the step at hand ends the run.
+    pub reaches_end: bool,
+    /// Steps in turn during which time hardly went on.
+    pub stalled: u32,
+    /// Counts.
+    pub counters: Counters,
+    /// By joint with play.
+    pub plays: Vec<PlaySummary>,
+    /// Energy.
+    pub account: EnergyAccount,
+}
+
+/// The ends of an attempted step in one lane.
+#[derive(Debug, Clone, Copy)]
+pub struct LaneStep<'s> {
+    /// Length of the step.
+    pub step: f64,
+    /// Time and its derivatives at both ends.
+    pub time: [GapJet; 2],
+    /// Gaps of all joints with play at both ends.
+    pub gaps: &'s [[GapJet; 2]],
+    /// Sliding velocities of all joints with play at both ends, m/s.
+    pub slidings_m_s: &'s [[f64; 2]],
+    /// Whether each joint is in contact.
+    pub is_closed: &'s [bool],
+    /// Whether each gap is the root of a penetration.
+    pub is_root: &'s [bool],
+}
+
+/// Newton steps onto an event; from the polynomial's root two or three do.
+const MOST_TRIALS: u32 = 12;
+
+/// What becomes of an attempt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Decision {
+    /// Try another step.
+    Retry(f64),
+    /// The step is good; the event is at its end.
+    Accept(Option<Event>),
+    /// The event is at the start of the step: nothing moves.
+    SwitchAtStart(Event),
+}
+
+impl<O> LaneRun<O> {
+    /// |δ| below which a contact counts as at its beginning or end turned into the size of its gap function.
+    fn gap_tolerance(&self, play: usize, is_root: bool, event_tolerance_m: f64) -> f64 {
+        if is_root { event_tolerance_m.sqrt() } else { 2.0 * self.sample.plays[play].clearance_m * event_tolerance_m }
+    }
+
+    /// Distance from a kink of friction within which a step counts as ending on it, m/s: a share of the narrowest piece.
+    fn kink_tolerance_m_s(&self, play: usize) -> f64 {
+        let [lower_m_s, upper_m_s] = self.sample.plays[play].friction.kink_speeds_m_s();
+        1e-3 * lower_m_s.min(upper_m_s - lower_m_s)
+    }
+
+    /// The event of the step that comes first, with its share of the step.
+    pub fn earliest_event(&self, step: &LaneStep<'_>, event_tolerance_m: f64) -> Option<(Event, f64)> {
+        let mut earliest: Option<(Event, f64)> = None;
+        for play in 0..step.gaps.len() {
+            let [start, end] = &step.gaps[play];
+            let crossing = if step.is_closed[play] { Crossing::Separation } else { Crossing::Onset };
+            let tolerance = self.gap_tolerance(play, step.is_root[play], event_tolerance_m);
+            let share = match first_crossing(start, end, step.step, crossing) {
+                // Beyond the tolerance at the start and going on: nothing is gained by creeping towards it.
+                Some(_) if crossing.sign() * start.jet[0] > tolerance && crossing.sign() * start.jet[1] > 0.0 => 0.0,
+                Some(share) => share,
+                // Already across at the start, by less than the tolerance of the event before.
+                None if crossing.sign() * end.jet[0] > 0.0 => 0.0,
+                None => continue,
+            };
+            if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
+                earliest = Some((Event::Contact { play, crossing }, share));
+            }
+        }
+        for play in (0..step.gaps.len()).filter(|&play| step.is_closed[play] && self.sample.plays[play].has_friction) {
+            let [start, end] = step.slidings_m_s[play];
+            let tolerance_m_s = self.kink_tolerance_m_s(play);
+            for speed_m_s in self.sample.plays[play].friction.kink_speeds_m_s() {
+                for level_m_s in [speed_m_s, -speed_m_s] {
+                    let (from, to) = (start - level_m_s, end - level_m_s);
+                    if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
+                        let share = from / (from - to);
+                        if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
+                            earliest = Some((Event::Kink { play, level_m_s }, share));
+                        }
+                    }
+                }
+            }
+        }
+        if step.is_root.contains(&true) {
+            let beyond = |jet: &GapJet| GapJet { jet: [jet.jet[0] - self.window.end_s, jet.jet[1], jet.jet[2]] };
+            let [start, end] = [beyond(&step.time[0]), beyond(&step.time[1])];
+            if end.jet[0] > 0.0
+                && let Some(share) = first_crossing(&start, &end, step.step, Crossing::Onset)
+                && earliest.as_ref().is_none_or(|(_, first)| share < *first)
+            {
+                earliest = Some((Event::End, share));
+            }
+        }
+        earliest
+    }
+
+    /// Decides about a good attempt in [`Phase::Stepping`] that may hold an event, or about any later attempt of a search.
+    pub fn decide(&mut self, step: &LaneStep<'_>, event_tolerance_m: f64) -> Decision {
+        let search = match self.phase {
+            Phase::Stopping => return Decision::Accept(None),
+            Phase::Stepping => {
+                let Some((event, share)) = self.earliest_event(step, event_tolerance_m) else {
+                    return Decision::Accept(None);
+                };
+                let trial = share * step.step;
+                if trial <= 0.0 {
+                    return Decision::SwitchAtStart(event);
+                }
+                let before = match event {
+                    Event::Kink { play, level_m_s } => (step.step, step.slidings_m_s[play][1] - level_m_s),
+                    _ => (0.0, 0.0),
+                };
+                self.phase = Phase::Searching(Search { event, low: 0.0, high: step.step, trial, trials: 0, before });
+                return Decision::Retry(trial);
+            }
+            Phase::Searching(search) => search,
+        };
+        self.go_on_searching(search, step, event_tolerance_m)
+    }
+
+    fn go_on_searching(&mut self, mut search: Search, step: &LaneStep<'_>, event_tolerance_m: f64) -> Decision {
+        search.trials += 1;
+        let trial = search.trial;
+        // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
+        let other = self.earliest_event(step, event_tolerance_m).filter(|(event, _)| *event != search.event);
+        if let Some((event, share)) = other {
+            // Another event was hidden behind this one.
+            search.high = trial;
+            search.trial *= share;
+            search.event = event;
+            search.before = (0.0, 0.0);
+            search.low = search.low.min(search.trial);
+            if search.trial <= 0.0 {
+                return Decision::SwitchAtStart(event);
+            }
+        } else {
+            let (value, rate, tolerance) = match search.event {
+                Event::Contact { play, crossing } => {
+                    let [value, rate, _] = step.gaps[play][1].jet;
+                    let tolerance = self.gap_tolerance(play, step.is_root[play], event_tolerance_m);
+                    (crossing.sign() * value, crossing.sign() * rate, tolerance)
+                }
+                Event::Kink { play, level_m_s } => {
+                    let [start, end] = step.slidings_m_s[play];
+                    let value = end - level_m_s;
+                    // The secant through the step tried before, or through the start.
+                    let slope = if search.before.0 > 0.0 {
+                        (value - search.before.1) / (trial - search.before.0)
+                    } else {
+                        (end - start) / trial
+                    };
+                    search.before = (trial, value);
+                    let sign = if start < level_m_s { 1.0 } else { -1.0 };
+                    (sign * value, sign * slope, self.kink_tolerance_m_s(play))
+                }
+                Event::End => {
+                    let [time_s, pace, _] = step.time[1].jet;
+                    (time_s - self.window.end_s, pace, 4.0 * f64::EPSILON * self.window.end_s)
+                }
+            };
+            if value.abs() <= tolerance {
+                return Decision::Accept(Some(search.event));
+            }
+            // Too far; or, where a gap turns before it reaches zero, on the way back.
+            let turns = matches!(search.event, Event::Contact { .. }) && rate <= 0.0;
+            if value > 0.0 || turns {
+                search.high = trial;
+            } else {
+                search.low = trial;
+            }
+            let newton = trial - value / rate;
+            search.trial =
+                if newton > search.low && newton < search.high { newton } else { 0.5 * (search.low + search.high) };
+        }
+        if search.trials < MOST_TRIALS {
+            self.phase = Phase::Searching(search);
+            return Decision::Retry(search.trial);
+        }
+        // A touch that does not quite happen: go to the last place before it. A half step makes sure that time goes on.
+        self.phase = Phase::Stopping;
+        Decision::Retry(if search.low > 0.0 { search.low } else { 0.5 * search.high })
+    }
+
+    /// The next step from the one that the error allows: the end of the window is met exactly, and a last crumb is joined to
+    /// the step before it. `pace` is dt/ds; where that is not one, the end is an event.
+    pub fn choose_step(&self, time_s: f64, pace: f64, has_root: bool) -> f64 {
+        let left_s = self.window.end_s - time_s;
+        if has_root {
+            return if pace > 0.0 { self.next.min(self.longest_s / pace) } else { self.next };
+        }
+        let step_s = self.next.min(self.longest_s);
+        if step_s > left_s * (1.0 - 1e-6) {
+            left_s
+        } else if step_s > 0.5 * left_s {
+            0.5 * left_s
+        } else {
+            step_s
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Holding the loops of ideal joints after every step.
+
+use super::motion::Motion;
+use crate::math::{Real, factor_ldl, solve_ldl};
+use crate::mechanism::Mechanism;
+
+/// Newton steps on the positions; the first leaves the square of an error that is tiny already.
+const STEPS: usize = 2;
+
+/// Pulls coordinates and rates back onto the loops of ideal joints along the smallest change in the sense of kinetic energy:
+/// q += M⁻¹Jᵀ(J M⁻¹ Jᵀ)⁻¹(-Φ), and the same for the rates with J q̇ + J_d ż_d.
+pub struct Projection<T> {
+    /// Factors of the mass matrix at the end of the step.
+    mass: Vec<T>,
+    state: Vec<T>,
+    residuals: Vec<T>,
+    jacobian: Vec<T>,
+    /// Defects of the independent rows, then their multipliers.
+    defects: Vec<T>,
+    /// M⁻¹ Jᵀ, one row of n for each independent constraint.
+    mobilities: Vec<T>,
+    schur: Vec<T>,
+    correction: Vec<T>,
+}
+
+impl<T: Real> Projection<T> {
+    /// Room for `mechanism`.
+    pub fn new(mechanism: &Mechanism) -> Self {
+        let tree = &mechanism.real;
+        let (rows, m) = (tree.constraint_rows(), mechanism.real_rows().len());
+        Self {
+            mass: vec![T::zero(); tree.free * tree.free],
+            state: Vec::new(),
+            residuals: vec![T::zero(); rows],
+            jacobian: vec![T::zero(); rows * tree.coordinates()],
+            defects: vec![T::zero(); m],
+            mobilities: vec![T::zero(); m * tree.free],
+            schur: vec![T::zero(); m * m],
+            correction: vec![T::zero(); tree.free],
+        }
+    }
+
+    /// Whether there is anything to hold.
+    pub fn is_needed(mechanism: &Mechanism) -> bool {
+        mechanism.real.constraint_rows() > 0
+    }
+
+    /// Keeps the mass matrix of the last evaluation: corrections are measured with it.
+    #[inline(always)]
+    pub fn keep_mass(&mut self, motion: &Motion<'_, T>) {
+        self.mass.copy_from_slice(motion.dynamics.factored_mass());
+    }
+
+    /// Projects `state`, which holds its time at `time_place`, in the lanes of `mask`.
+    #[inline(always)]
+    pub fn apply_where(&mut self, mask: T::Mask, motion: &mut Motion<'_, T>, time_place: usize, state: &mut [T]) {
+        let mut projected = std::mem::take(&mut self.state);
+        projected.clear();
+        projected.extend_from_slice(state);
+        self.apply(motion, state[time_place], &mut projected);
+        for (value, projected) in state.iter_mut().zip(&projected) {
+            *value = T::select(mask, *projected, *value);
+        }
+        self.state = projected;
+    }
+
+    /// Projects the state in place, with the mass matrix that was kept last.
+    #[inline(always)]
+    pub fn apply(&mut self, motion: &mut Motion<'_, T>, time_s: T, state: &mut [T]) {
+        let n = motion.freedoms();
+        for _ in 0..STEPS {
+            motion.set_state(time_s, state);
+            motion.dynamics.constraint_residuals(&mut self.residuals);
+            motion.dynamics.constraint_jacobian(&mut self.jacobian);
+            for (defect, &row) in self.defects.iter_mut().zip(motion.dynamics.mechanism().real_rows()) {
+                *defect = self.residuals[row];
+            }
+            self.smallest_change(motion);
+            for k in 0..n {
+                state[k] -= self.correction[k];
+            }
+        }
+        motion.set_state(time_s, state);
+        motion.dynamics.constraint_jacobian(&mut self.jacobian);
+        motion.dynamics.constraint_rates(&self.jacobian, &mut self.defects);
+        self.smallest_change(motion);
+        for k in 0..n {
+            state[n + k] -= self.correction[k];
+        }
+    }
+
+    /// M⁻¹Jᵀ(J M⁻¹ Jᵀ)⁻¹ · defects.
+    #[inline(always)]
+    fn smallest_change(&mut self, motion: &Motion<'_, T>) {
+        let n = motion.freedoms();
+        let mass = &self.mass;
+        let columns = motion.dynamics.mechanism().real.coordinates();
+        let rows = motion.dynamics.mechanism().real_rows();
+        let m = rows.len();
+        for (r, &row) in rows.iter().enumerate() {
+            let mobility = &mut self.mobilities[r * n..(r + 1) * n];
+            mobility.copy_from_slice(&self.jacobian[row * columns..row * columns + n]);
+            solve_ldl(mass, n, mobility);
+        }
+        for (r, &row) in rows.iter().enumerate() {
+            let gradient = &self.jacobian[row * columns..row * columns + n];
+            for s in 0..m {
+                let mut sum = T::zero();
+                for (slope, mobility) in gradient.iter().zip(&self.mobilities[s * n..(s + 1) * n]) {
+                    sum = slope.mul_add(*mobility, sum);
+                }
+                self.schur[r * m + s] = sum;
+            }
+        }
+        factor_ldl(&mut self.schur, m);
+        solve_ldl(&self.schur, m, &mut self.defects);
+        self.correction.fill(T::zero());
+        for r in 0..m {
+            for k in 0..n {
+                self.correction[k] = self.mobilities[r * n + k].mul_add(self.defects[r], self.correction[k]);
+            }
+        }
+    }
+}

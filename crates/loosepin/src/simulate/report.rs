@@ -1,0 +1,85 @@
+//! What every finished run tells.
+
+/// What a run counted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejections: u64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+    /// Contacts that began or ended.
+    pub events: u64,
+}
+
+/// What one joint with play went through during the recorded part of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PlaySummary {
+    /// Contacts that began.
+    pub contacts: u64,
+    /// Those among them that began slower than the floor v_min of the law.
+    pub floored_contacts: u64,
+    /// Impacts faster than the law is meant for.
+    pub impacts_beyond_validity: u64,
+    /// Largest penetration, m.
+    pub largest_penetration_m: f64,
+    /// Largest normal force, N, looked for at a few points of each step: it may be a few thousandths too small.
+    pub peak_force_n: f64,
+}
+
+/// Energy over a run, J.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct EnergyAccount {
+    /// Mechanical energy (kinetic, potential, stored in contacts) at the start.
+    pub at_start_j: f64,
+    /// Mechanical energy at the end.
+    pub at_end_j: f64,
+    /// Work of the drives.
+    pub supplied_j: f64,
+    /// Turned into heat by normal contact.
+    pub contact_loss_j: f64,
+    /// Turned into heat by friction.
+    pub friction_loss_j: f64,
+    /// Largest |energy + losses - supplied - energy at the start| over all steps.
+    pub largest_residual_j: f64,
+    /// Largest of: work of the drives, change of mechanical energy, losses.
+    pub largest_exchange_j: f64,
+}
+
+impl EnergyAccount {
+    /// At the start of a run.
+    pub(super) fn starting_at(energy_j: f64) -> Self {
+        Self { at_start_j: energy_j, at_end_j: energy_j, ..Self::default() }
+    }
+
+    /// Takes in the end of a step: mechanical energy, and work of the drives, contact loss and friction loss since the start.
+    #[inline]
+    pub(super) fn close(&mut self, energy_j: f64, [supplied_j, contact_loss_j, friction_loss_j]: [f64; 3]) {
+        self.at_end_j = energy_j;
+        self.supplied_j = supplied_j;
+        self.contact_loss_j = contact_loss_j;
+        self.friction_loss_j = friction_loss_j;
+        let losses_j = contact_loss_j + friction_loss_j;
+        let change_j = energy_j - self.at_start_j;
+        self.largest_residual_j = self.largest_residual_j.max((change_j + losses_j - supplied_j).abs());
+        let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs());
+        self.largest_exchange_j = self.largest_exchange_j.max(exchange_j);
+    }
+
+    /// The run's own check: largest residual over largest exchange.
+    pub fn relative_residual(&self) -> f64 {
+        if self.largest_exchange_j > 0.0 { self.largest_residual_j / self.largest_exchange_j } else { 0.0 }
+    }
+}
+
+/// What every finished run tells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunReport {
+    /// Counts.
+    pub counters: Counters,
+    /// One for each joint with play.
+    pub plays: Vec<PlaySummary>,
+    /// The energy account; a mechanism without play is not integrated and has none.
+    pub energy: Option<EnergyAccount>,
+}
