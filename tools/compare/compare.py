@@ -35,7 +35,8 @@ OUR_LIMIT_M = 1e-8
 HALF_TURN_S = 6e-3
 SAME_TIME_S = 1e-12  # times of the reference are printed to twelve digits
 BLOCK_S = 0.7  # processor time of a program in a round, about
-FIRST_RUNS = 8  # these tell how many runs make a block
+FIRST_RUNS = 8  # these, or ten times as many and again, tell how many runs make a block
+SHORTEST_TRIAL_S = 0.1  # clocks of processor time may tick in milliseconds
 OLDEST_PYTHON = (3, 11)  # tomllib
 
 COMPILER = os.environ.get("CXX", "g++")
@@ -273,11 +274,18 @@ def time_a_run_s(program: Program, runs: int) -> float:
     return told["seconds"] / told["runs"]
 
 
+def runs_of_a_block(program: Program) -> int:
+    """How many runs last about `BLOCK_S`."""
+    runs = FIRST_RUNS
+    while (trial_s := runs * time_a_run_s(program, runs)) < SHORTEST_TRIAL_S:
+        runs *= 10
+    return max(FIRST_RUNS, round(runs * BLOCK_S / trial_s))
+
+
 def measure(programs: list[Program], rounds: int) -> None:
     """Blocks of all programs in turn, so that a noise of the machine hits all alike."""
     for program in programs:
-        first_s = time_a_run_s(program, FIRST_RUNS)
-        program.runs = max(FIRST_RUNS, min(100_000, round(BLOCK_S / max(first_s, 1e-6))))
+        program.runs = runs_of_a_block(program)
     for index in range(rounds):
         for program in programs:
             program.times_s.append(time_a_run_s(program, program.runs))
@@ -344,8 +352,8 @@ def circumstances(rounds: int) -> str:
     command = shlex.join(["python3", "tools/compare/compare.py", *sys.argv[1:]])
     machine = f"{processor_name()}, {platform.system()}"
     return (
-        f"{date}, {machine}, commit {commit()}, `{command}`: processor time on one thread, median of {rounds} rounds; in "
-        "brackets the range of the rounds. Two revolutions, 1,000 readings of the slider's position in each, clearances "
+        f"{date}, {machine}, commit {commit()}, `{command}`: processor time on one thread, medians over {rounds} round"
+        f"{'s' if rounds > 1 else ''}; in brackets the range. Two revolutions, 1,000 readings of the slider's position in each, clearances "
         "within 10 % of the nominal one; the error is that of the nominal run over the first half revolution. It proves "
         "nothing about other mechanisms, other accuracies or several threads."
     )
