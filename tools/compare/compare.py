@@ -289,7 +289,8 @@ def measure(programs: list[Program], rounds: int) -> None:
     for index in range(rounds):
         for program in programs:
             program.times_s.append(time_a_run_s(program, program.runs))
-        say(f"round {index + 1} of {rounds}: " + ", ".join(f"{p.name} {p.times_s[-1] * 1e3:.3g} ms" for p in programs))
+        told = (f"{program.name} {program.times_s[-1] * 1e3:.3g} ms" for program in programs)
+        say(f"round {index + 1} of {rounds}: {', '.join(told)}")
 
 
 # Table
@@ -351,11 +352,12 @@ def circumstances(rounds: int) -> str:
     date = datetime.date.today().isoformat()
     command = shlex.join(["python3", "tools/compare/compare.py", *sys.argv[1:]])
     machine = f"{processor_name()}, {platform.system()}"
+    many = f"{rounds} round{'s' if rounds > 1 else ''}"
     return (
-        f"{date}, {machine}, commit {commit()}, `{command}`: processor time on one thread, medians over {rounds} round"
-        f"{'s' if rounds > 1 else ''}; in brackets the range. Two revolutions, 1,000 readings of the slider's position in each, clearances "
-        "within 10 % of the nominal one; the error is that of the nominal run over the first half revolution. It proves "
-        "nothing about other mechanisms, other accuracies or several threads."
+        f"{date}, {machine}, commit {commit()}, `{command}`: processor time on one thread, medians over {many}; in brackets "
+        "the range. Two revolutions, 1,000 readings of the slider's position in each, clearances within 10 % of the nominal "
+        "one; the error is that of the nominal run over the first half revolution. It proves nothing about other mechanisms, "
+        "other accuracies or several threads."
     )
 
 
