@@ -204,7 +204,7 @@ def all_programs() -> list[Program]:
         Program("cpp", "C++, own Dormand-Prince", compiler_version, lambda: compile_cpp("cpp_program")),
         Program(
             "cpp-fine",
-            "the same, as accurate as ours",
+            "C++, own Dormand-Prince, within 1e-8 m",
             compiler_version,
             lambda: compile_cpp("cpp_program", "-DALLOWED_ERROR=1e-9", binary_name="cpp_fine_program"),
             limit_m=OUR_LIMIT_M,
