@@ -80,6 +80,10 @@ campaign NAME *ARGUMENTS:
 bench *ARGUMENTS:
     cargo bench --locked {{ ARGUMENTS }}
 
+# Times the reference case in other simulators against ours; tools/compare/README.md says how.
+compare *ARGUMENTS:
+    python3 tools/compare/compare.py {{ ARGUMENTS }}
+
 # The main job, on the reference case.
 study:
     cargo run --release --locked -- study cases/slider_crank_worn_pin/study.toml
