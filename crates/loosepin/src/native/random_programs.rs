@@ -234,6 +234,37 @@ fn identity_more_values_and_masks_alive_than_registers() {
 }
 
 #[test]
+fn identity_lanes_evaluated_together_and_alone_give_the_same_bits() {
+    // Eight together, and three more.
+    const LANES: usize = 11;
+    let mut random = Random(9);
+    for _ in 0..50 {
+        let shape = Shape { nodes: 80, inputs: 9, outputs: 8, reach: 25, blocks: 3, is_in_place: true };
+        let program = random_program(&mut random, &shape);
+        let mut together: Vec<Vec<f64>> = program
+            .values_per_block()
+            .iter()
+            .map(|values| (0..values * LANES).map(|_| random.operand()).collect())
+            .collect();
+        let start = together.clone();
+        let evaluate = |lanes: usize, blocks: &mut [Vec<f64>]| {
+            let mut blocks: Vec<&mut [f64]> = blocks.iter_mut().map(Vec::as_mut_slice).collect();
+            program.evaluate(lanes, &mut blocks, &mut Vec::new()).expect("blocks of the right length");
+        };
+        evaluate(LANES, &mut together);
+        for lane in 0..LANES {
+            let of_lane = |blocks: &[Vec<f64>]| -> Vec<Vec<f64>> {
+                blocks.iter().map(|block| block.iter().skip(lane).step_by(LANES).copied().collect()).collect()
+            };
+            let mut alone = of_lane(&start);
+            evaluate(1, &mut alone);
+            let bits = |blocks: Vec<Vec<f64>>| blocks.concat().into_iter().map(comparable).collect::<Vec<u64>>();
+            assert_eq!(bits(of_lane(&together)), bits(alone), "lane {lane}");
+        }
+    }
+}
+
+#[test]
 fn identity_a_kernel_gives_the_same_bits_in_all_threads() {
     let mut random = Random(8);
     let shape = Shape { nodes: 200, inputs: 12, outputs: 10, reach: 30, blocks: 2, is_in_place: false };
