@@ -15,6 +15,7 @@ pub mod integrate;
 pub mod math;
 pub mod mechanism;
 pub mod model;
+pub mod native;
 pub mod report;
 pub mod results;
 pub mod simulate;

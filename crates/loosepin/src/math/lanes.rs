@@ -274,17 +274,19 @@ impl<S: InstructionSet, const VECTORS: usize> Real for LaneGroup<S, VECTORS> {
     }
     #[inline(always)]
     fn less_than(self, other: Self) -> Self::Mask {
-        core::array::from_fn(
-            #[inline(always)]
-            |k| self.0[k].simd_lt(other.0[k]),
-        )
+        let mut mask = [mask64x8::splat(S::proof(), false); VECTORS];
+        for k in 0..VECTORS {
+            mask[k] = self.0[k].simd_lt(other.0[k]);
+        }
+        mask
     }
     #[inline(always)]
     fn select(mask: Self::Mask, chosen: Self, otherwise: Self) -> Self {
-        Self(core::array::from_fn(
-            #[inline(always)]
-            |k| mask[k].select(chosen.0[k], otherwise.0[k]),
-        ))
+        let mut result = chosen.0;
+        for k in 0..VECTORS {
+            result[k] = mask[k].select(chosen.0[k], otherwise.0[k]);
+        }
+        Self(result)
     }
     #[inline(always)]
     fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
@@ -313,9 +315,10 @@ impl<S: InstructionSet, const VECTORS: usize> Lanes for LaneGroup<S, VECTORS> {
     }
     #[inline(always)]
     fn mask(flags: u32) -> Self::Mask {
-        core::array::from_fn(
-            #[inline(always)]
-            |k| mask64x8::from_bitmask(S::proof(), u64::from(flags >> (k * WIDTH)) & 0xff),
-        )
+        let mut mask = [mask64x8::splat(S::proof(), false); VECTORS];
+        for (k, part) in mask.iter_mut().enumerate() {
+            *part = mask64x8::from_bitmask(S::proof(), u64::from(flags >> (k * WIDTH)) & 0xff);
+        }
+        mask
     }
 }

@@ -301,6 +301,7 @@ impl<'a, T: Lanes> Core<'a, T> {
             let ([p0, v0, a0], [p1, v1, a1]) = (self.start.gaps[play], self.end.gaps[play]);
             let (first, last) = (fifth * v0, fifth * v1);
             let coefficients = [
+                p0,
                 p0 + first,
                 twentieth.mul_add(a0, p0 + first + first),
                 twentieth.mul_add(a1, p1 - last - last),
@@ -308,10 +309,7 @@ impl<'a, T: Lanes> Core<'a, T> {
                 p1,
             ];
             let is_closed = T::from_f64(0.5).less_than(state.contact);
-            let mut highest = T::from_f64(f64::NEG_INFINITY);
-            for coefficient in coefficients {
-                highest = highest.max(T::select(is_closed, -coefficient, coefficient));
-            }
+            let highest = highest_control_value(coefficients, is_closed);
             eventful |= !T::flags(highest.less_than(T::zero()));
             let numbers = &self.motion.dynamics.sample().plays[play];
             if numbers.has_friction {
@@ -325,6 +323,39 @@ impl<'a, T: Lanes> Core<'a, T> {
         }
         eventful
     }
+}
+
+/// An upper limit of a polynomial of degree five, given by its Bernstein coefficients, or of its negative: the largest
+/// coefficient after two subdivisions. The value at the start itself does not count: there the sign is known up to the
+/// tolerance of the event before.
+#[inline(always)]
+fn highest_control_value<T: Real>(coefficients: [T; 6], is_negative: T::Mask) -> T {
+    let mut signed = coefficients;
+    for coefficient in &mut signed {
+        *coefficient = T::select(is_negative, -*coefficient, *coefficient);
+    }
+    let (left, right) = halves(signed);
+    let [(first, second), (third, fourth)] = [halves(left), halves(right)];
+    let mut highest = first[1];
+    for value in first[2..].iter().chain(&second[1..]).chain(&third[1..]).chain(&fourth[1..]) {
+        highest = highest.max(*value);
+    }
+    highest
+}
+
+/// The Bernstein coefficients over both halves of the interval (de Casteljau).
+#[inline(always)]
+fn halves<T: Real>(coefficients: [T; 6]) -> ([T; 6], [T; 6]) {
+    let half = T::from_f64(0.5);
+    let (mut row, mut left, mut right) = (coefficients, coefficients, coefficients);
+    for level in 1..6 {
+        for k in 0..6 - level {
+            row[k] = half * (row[k] + row[k + 1]);
+        }
+        left[level] = row[0];
+        right[5 - level] = row[5 - level];
+    }
+    (left, right)
 }
 
 /// 0.9 · error^(-1/order). The eighth root by square roots, which are correctly rounded on every processor.

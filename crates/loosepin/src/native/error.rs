@@ -1,0 +1,83 @@
+//! Why a program cannot be compiled or run.
+
+use super::Level;
+
+/// Why a program cannot be compiled or run. Without machine code, [`super::Program::evaluate`] gives the same numbers.
+#[derive(Debug, thiserror::Error)]
+pub enum NativeError {
+    /// This processor, or this build, cannot run the instructions.
+    #[error("machine code for {level} cannot run on this processor\nhint: evaluate the program instead")]
+    NotSupported {
+        /// The instructions asked for.
+        level: Level,
+    },
+    /// The operating system gives no memory that may be executed.
+    #[error(
+        "the operating system refused {bytes} bytes of executable memory: {source}\nhint: evaluate the program instead"
+    )]
+    ExecutableMemoryRefused {
+        /// The size of the machine code.
+        bytes: usize,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// The lanes do not fill whole vectors.
+    #[error("{lanes} lanes for {level}; must be a positive multiple of {} up to {}", level.vector_lanes(), super::LARGEST_LANES)]
+    UnevenLanes {
+        /// The lanes asked for.
+        lanes: usize,
+        /// The instructions asked for.
+        level: Level,
+    },
+    /// More blocks than there are registers for their addresses.
+    #[error("the program uses {given} blocks; must be at most {}", super::LARGEST_BLOCKS)]
+    TooManyBlocks {
+        /// The blocks of the program.
+        given: usize,
+    },
+    /// An address inside a block would not fit into an instruction.
+    #[error("block {block} has {values} values of {lanes} lanes; must be below 2 GiB")]
+    BlockTooLarge {
+        /// Which block.
+        block: usize,
+        /// Its values.
+        values: usize,
+        /// The lanes asked for.
+        lanes: usize,
+    },
+    /// More values are needed at a time than a stack should hold.
+    #[error(
+        "the machine code needs a stack frame of {bytes} bytes; must be at most {}\nhint: evaluate the program instead",
+        super::LARGEST_FRAME_BYTES
+    )]
+    FrameTooLarge {
+        /// The size of the frame.
+        bytes: usize,
+    },
+    /// Two outputs go to one slot.
+    #[error("value {index} of block {block} is written twice; each output must have its own slot")]
+    SlotWrittenTwice {
+        /// Which block.
+        block: u8,
+        /// Which value of it.
+        index: u32,
+    },
+    /// Called with fewer blocks than the program uses.
+    #[error("called with {given} blocks; must be at least {needed}")]
+    TooFewBlocks {
+        /// The blocks given.
+        given: usize,
+        /// The blocks that the program uses.
+        needed: usize,
+    },
+    /// Called with a block that ends too early.
+    #[error("block {block} holds {given} numbers; must hold at least {needed}")]
+    BlockTooShort {
+        /// Which block.
+        block: usize,
+        /// The numbers that it holds.
+        given: usize,
+        /// Values times lanes.
+        needed: usize,
+    },
+}
