@@ -33,6 +33,9 @@ impl Crossing {
 
 /// The first share τ in [0, 1] of a step of `step_s` at which g, between `start` and `end`, goes through zero in the
 /// direction of `crossing`; also when it comes back within the step.
+///
+/// A start beyond zero is the end of the event before, and off by its tolerance: g must come back first. Where it does not but
+/// goes on instead, the event is at the start.
 pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Crossing) -> Option<f64> {
     /// The step is searched piece by piece: a polynomial of degree five turns at most four times.
     const PIECES: usize = 8;
@@ -53,10 +56,16 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
         return None;
     }
     let quintic = Quintic::new([p0, v0, a0], [p1, v1, a1], h);
-    let mut left = (0.0, p0.min(0.0));
+    let mut has_come_back = p0 <= 0.0;
+    let mut left = (0.0, p0);
     for piece in 1..=PIECES {
         let tau = piece as f64 / PIECES as f64;
         let right = (tau, quintic.value(tau));
+        if !has_come_back {
+            has_come_back = right.1 <= 0.0;
+            left = right;
+            continue;
+        }
         if right.1 > 0.0 {
             return Some(root(&quintic, left.0, right.0));
         }
@@ -69,7 +78,7 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
         }
         left = right;
     }
-    None
+    (!has_come_back && p1 > p0).then_some(0.0)
 }
 
 /// Largest value of g within a step, m².
@@ -190,6 +199,12 @@ mod tests {
         let f = hump(0.0);
         let end = first_crossing(&jet(f, 0.3), &jet(f, 1.0), 0.7, Crossing::Separation).expect("g falls at 0.7");
         assert!((0.3 + 0.7 * end - 0.7).abs() < 1e-12);
+        // Just beyond zero at the start of a flight that goes on: no event. One that turns back at once is one at the start.
+        let leaving = |t: f64| [1e-9 - t, -1.0, 0.0];
+        assert!(first_crossing(&jet(leaving, 0.0), &jet(leaving, 1e-10), 1e-10, Crossing::Onset).is_none());
+        let turning = |t: f64| [1e-9 - t + 40.0 * t * t, -1.0 + 80.0 * t, 80.0];
+        let back = first_crossing(&jet(turning, 0.0), &jet(turning, 0.5), 0.5, Crossing::Onset);
+        assert!((back.expect("it comes back at 0.025") - 0.05).abs() < 1e-6);
         let largest = largest_gap_m2(&jet(f, 0.0), &jet(f, 1.0), 1.0);
         assert!((largest - 0.04).abs() < 1e-15);
     }

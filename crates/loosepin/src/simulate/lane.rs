@@ -132,20 +132,12 @@ impl<O> LaneRun<O> {
     }
 
     /// The event of the step that comes first, with its share of the step.
-    pub fn earliest_event(&self, step: &LaneStep<'_>, event_tolerance_m: f64) -> Option<(Event, f64)> {
+    pub fn earliest_event(&self, step: &LaneStep<'_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
         for play in 0..step.gaps.len() {
             let [start, end] = &step.gaps[play];
             let crossing = if step.is_closed[play] { Crossing::Separation } else { Crossing::Onset };
-            let tolerance = self.gap_tolerance(play, step.is_root[play], event_tolerance_m);
-            let share = match first_crossing(start, end, step.step, crossing) {
-                // Beyond the tolerance at the start and going on: nothing is gained by creeping towards it.
-                Some(_) if crossing.sign() * start.jet[0] > tolerance && crossing.sign() * start.jet[1] > 0.0 => 0.0,
-                Some(share) => share,
-                // Already across at the start, by less than the tolerance of the event before.
-                None if crossing.sign() * end.jet[0] > 0.0 => 0.0,
-                None => continue,
-            };
+            let Some(share) = first_crossing(start, end, step.step, crossing) else { continue };
             if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
                 earliest = Some((Event::Contact { play, crossing }, share));
             }
@@ -183,7 +175,7 @@ impl<O> LaneRun<O> {
         let search = match self.phase {
             Phase::Stopping => return Decision::Accept(None),
             Phase::Stepping => {
-                let Some((event, share)) = self.earliest_event(step, event_tolerance_m) else {
+                let Some((event, share)) = self.earliest_event(step) else {
                     return Decision::Accept(None);
                 };
                 let trial = share * step.step;
@@ -206,7 +198,7 @@ impl<O> LaneRun<O> {
         search.trials += 1;
         let trial = search.trial;
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
-        let other = self.earliest_event(step, event_tolerance_m).filter(|(event, _)| *event != search.event);
+        let other = self.earliest_event(step).filter(|(event, _)| *event != search.event);
         if let Some((event, share)) = other {
             // Another event was hidden behind this one.
             search.high = trial;
@@ -261,8 +253,12 @@ impl<O> LaneRun<O> {
             return Decision::Retry(search.trial);
         }
         // A touch that does not quite happen: go to the last place before it. A half step makes sure that time goes on.
+        let stop = if search.low > 0.0 { search.low } else { 0.5 * search.high };
+        if stop <= self.smallest_s {
+            return Decision::SwitchAtStart(search.event);
+        }
         self.phase = Phase::Stopping;
-        Decision::Retry(if search.low > 0.0 { search.low } else { 0.5 * search.high })
+        Decision::Retry(stop)
     }
 
     /// The next step from the one that the error allows: the end of the window is met exactly, and a last crumb is joined to
