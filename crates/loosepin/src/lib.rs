@@ -21,6 +21,7 @@ pub mod results;
 pub mod simulate;
 pub mod study;
 pub mod templates;
+pub mod trace;
 pub mod uncertainty;
 pub mod units;
 

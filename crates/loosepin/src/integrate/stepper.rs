@@ -7,6 +7,12 @@ use crate::math::{Lanes, Real};
 pub trait System<T = f64> {
     /// Writes f(s, y) to `slope`, and behind it the integrands.
     fn derivative(&mut self, place: T, state: &[T], slope: &mut [T]);
+
+    /// The same at an end of a step, where the system may note more than its derivative.
+    #[inline(always)]
+    fn derivative_at_end(&mut self, place: T, state: &[T], slope: &mut [T]) {
+        self.derivative(place, state, slope);
+    }
 }
 
 /// One step at a time with an embedded pair, each lane with a step of its own. The caller decides about steps, events and
@@ -78,7 +84,7 @@ impl<T: Real> Stepper<T> {
     /// state or the system there.
     #[inline(always)]
     pub fn restart_where(&mut self, system: &mut impl System<T>, mask: T::Mask) {
-        system.derivative(self.place, &self.start[..self.dimension], &mut self.trial);
+        system.derivative_at_end(self.place, &self.start[..self.dimension], &mut self.trial);
         self.evaluations += 1;
         for (slope, fresh) in self.stages[..self.stride].iter_mut().zip(&self.trial) {
             *slope = T::select(mask, *fresh, *slope);
@@ -122,7 +128,7 @@ impl<T: Real> Stepper<T> {
     pub fn finish(&mut self, system: &mut impl System<T>) {
         let last = self.tableau.stages.len() * self.stride;
         let slope = &mut self.stages[last..last + self.stride];
-        system.derivative(self.place + self.step, &self.end[..self.dimension], slope);
+        system.derivative_at_end(self.place + self.step, &self.end[..self.dimension], slope);
         self.evaluations += 1;
     }
 

@@ -4,7 +4,10 @@
 //! chosen when the program runs; the results have the same bits on all of them, since every multiply-add is a fused one
 //! and no operation mixes lanes.
 
-#![allow(unsafe_code)] // A token of an instruction set is made from nothing in one place, under the guard written there.
+#![allow(
+    unsafe_code,
+    reason = "a token of an instruction set is made from nothing, and lanes are seen as numbers in a row"
+)]
 
 use super::Real;
 use core::fmt;
@@ -24,6 +27,8 @@ pub trait Lanes: Real {
     fn lane(&self, lane: usize) -> f64;
     /// Replaces the value in one lane.
     fn set_lane(&mut self, lane: usize, value: f64);
+    /// All lanes of several numbers in a row: lane l of number i is at `i * COUNT + l`.
+    fn in_a_row(numbers: &mut [Self]) -> &mut [f64];
     /// Bit k tells whether the mask holds in lane k.
     fn flags(mask: Self::Mask) -> u32;
     /// The mask whose lane k holds where bit k is set.
@@ -40,6 +45,10 @@ impl Lanes for f64 {
     #[inline(always)]
     fn set_lane(&mut self, _lane: usize, value: f64) {
         *self = value;
+    }
+    #[inline(always)]
+    fn in_a_row(numbers: &mut [Self]) -> &mut [f64] {
+        numbers
     }
     #[inline(always)]
     fn flags(mask: bool) -> u32 {
@@ -148,6 +157,7 @@ instruction_sets!(fearless_simd::aarch64::Neon);
 
 /// `VECTORS` vectors of eight lanes on the instruction set `S`.
 #[derive(Clone, Copy)]
+#[repr(transparent)]
 pub struct LaneGroup<S: InstructionSet, const VECTORS: usize>([f64x8<S>; VECTORS]);
 
 impl<S: InstructionSet, const VECTORS: usize> LaneGroup<S, VECTORS> {
@@ -304,6 +314,13 @@ impl<S: InstructionSet, const VECTORS: usize> Lanes for LaneGroup<S, VECTORS> {
     #[inline(always)]
     fn set_lane(&mut self, lane: usize, value: f64) {
         self.0[lane / WIDTH].as_mut_slice()[lane % WIDTH] = value;
+    }
+    #[inline(always)]
+    fn in_a_row(numbers: &mut [Self]) -> &mut [f64] {
+        let length = numbers.len() * Self::COUNT;
+        // SAFETY: a group is nothing but an array of vectors, whose layout is documented as that of an array of eight numbers;
+        // there is no padding, a vector is aligned more strictly than a number, and every pattern of bits is a number.
+        unsafe { core::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast::<f64>(), length) }
     }
     #[inline(always)]
     fn flags(mask: Self::Mask) -> u32 {

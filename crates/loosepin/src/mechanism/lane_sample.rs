@@ -1,11 +1,11 @@
-//! The numbers of several samples side by side, one a lane.
+//! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::sample::{DriveMotion, PlayGeometry, Sample};
 use crate::contact::{AmbrosioFriction, NormalContact};
-use crate::math::{Lanes, Real, Vec2};
+use crate::math::{Real, Vec2};
 
-impl<T: Lanes> Sample<T> {
+impl<T: Real> Sample<T> {
     /// The same sample in every lane.
     pub fn broadcast(sample: &Sample<f64>) -> Self {
         let number = T::from_f64;
@@ -21,51 +21,60 @@ impl<T: Lanes> Sample<T> {
         }
     }
 
-    /// Replaces the numbers of one lane that the equations of motion use: those of the real tree, plays and drives.
+    /// Shows every number that the equations of motion use, those of the real tree, plays and drives, in an order that
+    /// depends on the mechanism alone.
     ///
     /// What is no number (which contacts have friction, which exponent) belongs to the mechanism and is the same in all lanes.
-    pub fn set_lane(&mut self, lane: usize, sample: &Sample<f64>) {
-        let number = |to: &mut T, from: f64| to.set_lane(lane, from);
-        let vector = |to: &mut Vec2<T>, from: Vec2<f64>| {
-            to.x.set_lane(lane, from.x);
-            to.y.set_lane(lane, from.y);
-        };
-        vector(&mut self.real.gravity_m_s2, sample.real.gravity_m_s2);
-        for (to, from) in self.real.links.iter_mut().zip(&sample.real.links) {
-            vector(&mut to.parent_arm_m, from.parent_arm_m);
-            vector(&mut to.own_arm_m, from.own_arm_m);
-            number(&mut to.parent_angle_rad, from.parent_angle_rad);
-            number(&mut to.own_angle_rad, from.own_angle_rad);
-            vector(&mut to.parent_direction, from.parent_direction);
-            vector(&mut to.turn_from_parent, from.turn_from_parent);
-            vector(&mut to.eccentricity_m, from.eccentricity_m);
-            vector(&mut to.centre_of_mass_m, from.centre_of_mass_m);
-            number(&mut to.mass_kg, from.mass_kg);
-            number(&mut to.inertia_kg_m2, from.inertia_kg_m2);
-        }
-        for (to, from) in self.real.cuts.iter_mut().zip(&sample.real.cuts) {
-            for side in 0..2 {
-                vector(&mut to.arms_m[side], from.arms_m[side]);
-                number(&mut to.angles_rad[side], from.angles_rad[side]);
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.real.gravity_m_s2.visit(visit);
+        for link in &mut self.real.links {
+            for vector in [
+                &mut link.parent_arm_m,
+                &mut link.own_arm_m,
+                &mut link.parent_direction,
+                &mut link.turn_from_parent,
+                &mut link.eccentricity_m,
+                &mut link.centre_of_mass_m,
+            ] {
+                vector.visit(visit);
             }
-            vector(&mut to.eccentricity_m, from.eccentricity_m);
+            visit(&mut link.parent_angle_rad);
+            visit(&mut link.own_angle_rad);
+            visit(&mut link.mass_kg);
+            visit(&mut link.inertia_kg_m2);
         }
-        for (to, from) in self.plays.iter_mut().zip(&sample.plays) {
-            vector(&mut to.bearing_arm_m, from.bearing_arm_m);
-            vector(&mut to.journal_arm_m, from.journal_arm_m);
-            number(&mut to.bearing_radius_m, from.bearing_radius_m);
-            number(&mut to.clearance_m, from.clearance_m);
-            number(&mut to.normal.stiffness_n_m_n, from.normal.stiffness_n_m_n);
-            number(&mut to.normal.damping_factor, from.normal.damping_factor);
-            number(&mut to.friction.coefficient, from.friction.coefficient);
-            number(&mut to.friction.lower_speed_m_s, from.friction.lower_speed_m_s);
-            number(&mut to.friction.upper_speed_m_s, from.friction.upper_speed_m_s);
-            number(&mut to.minimum_impact_speed_m_s, from.minimum_impact_speed_m_s);
+        for cut in &mut self.real.cuts {
+            for side in 0..2 {
+                cut.arms_m[side].visit(visit);
+                visit(&mut cut.angles_rad[side]);
+            }
+            cut.eccentricity_m.visit(visit);
         }
-        for (to, from) in self.drives.iter_mut().zip(&sample.drives) {
-            number(&mut to.start, from.start);
-            number(&mut to.speed, from.speed);
+        for play in &mut self.plays {
+            play.bearing_arm_m.visit(visit);
+            play.journal_arm_m.visit(visit);
+            visit(&mut play.bearing_radius_m);
+            visit(&mut play.clearance_m);
+            visit(&mut play.normal.stiffness_n_m_n);
+            visit(&mut play.normal.damping_factor);
+            visit(&mut play.friction.coefficient);
+            visit(&mut play.friction.lower_speed_m_s);
+            visit(&mut play.friction.upper_speed_m_s);
+            visit(&mut play.minimum_impact_speed_m_s);
         }
+        for drive in &mut self.drives {
+            visit(&mut drive.start);
+            visit(&mut drive.speed);
+        }
+    }
+}
+
+impl Sample<f64> {
+    /// Every number that the equations of motion use, in the order of [`Sample::visit`].
+    pub fn numbers(&self) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        self.clone().visit(&mut |number| numbers.push(*number));
+        numbers
     }
 }
 

@@ -11,6 +11,7 @@ use super::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use super::motion::Motion;
 use super::observer::{DenseOutput, Observer, Onset, Separation, Source, Step};
 use super::projection::Projection;
+use super::reads::ReadLayout;
 use super::report::{Counters, EnergyAccount, PlaySummary, RunReport};
 use super::settings::{Settings, Window};
 use crate::dynamics::PlayState;
@@ -18,6 +19,7 @@ use crate::integrate::Stepper;
 use crate::math::{Lanes, Real};
 use crate::mechanism::{IdealMotion, Mechanism, Sample};
 use crate::model::JointKind;
+use crate::native::Level;
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
@@ -90,6 +92,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         mechanism: &'a Mechanism,
         readings: &[Reading],
         settings: &Settings,
+        level: Option<Level>,
         queue: &mut dyn Queue<Observer = O>,
     ) {
         let Some(first) = queue.next() else { return };
@@ -97,7 +100,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let view = Motion::new(mechanism, &first.sample);
         let mut batch = Self {
             mechanism,
-            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings),
+            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings, level),
             runs: (0..T::COUNT).map(|_| None).collect(),
             view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
             view_state: vec![0.0; view.layout.length()],
@@ -142,7 +145,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         state[..n].copy_from_slice(&coordinates[..n]);
         state[n..2 * n].copy_from_slice(&rates[..n]);
         let rate_1_s = fastest_drive_rad_s(self.mechanism, &sample);
-        self.view.dynamics.sample_mut().set_lane(0, &sample);
+        *self.view.dynamics.sample_mut() = sample.clone();
         self.view.set_state(0.0, state);
         let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
@@ -178,7 +181,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         for (lane, run) in self.runs.iter_mut().enumerate() {
             if let Some(run) = run.as_mut().filter(|_| lanes >> lane & 1 != 0) {
                 if run.counters.evaluations == 0 {
-                    run.account = EnergyAccount::starting_at(self.core.energies_j.lane(lane));
+                    run.account = EnergyAccount::starting_at(self.core.start[ReadLayout::ENERGY].lane(lane));
                 }
                 run.counters.evaluations += 1;
             }
@@ -202,7 +205,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                     self.reject(lane, queue);
                     continue;
                 }
-                let passes_end = self.core.end.time[0].lane(lane) > run.window.end_s;
+                let passes_end = self.core.equations.reads[ReadLayout::TIME].lane(lane) > run.window.end_s;
                 if attempt.eventful & bit != 0 || passes_end { self.decide(lane) } else { Decision::Accept(None) }
             } else {
                 self.decide(lane)
@@ -227,7 +230,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             return;
         }
         self.core.accept(accepted);
-        if self.core.holds_loops() {
+        if self.core.equations.holds_loops() {
             self.restart(accepted);
         }
         for lane in 0..T::COUNT {
@@ -258,7 +261,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     fn reject(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
         let error = self.core.errors.lane(lane);
         let step = self.core.steps.lane(lane);
-        let [time_s, pace, change] = self.core.start.time.map(|value| value.lane(lane));
+        let [time_s, pace, change] = self.times(lane)[0].jet;
         let Some(run) = &mut self.runs[lane] else { return };
         run.counters.rejections += 1;
         run.was_rejected = true;
@@ -282,8 +285,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     /// Notes what an accepted step shows before it is left behind.
     fn show(&mut self, lane: usize, event: Option<Event>) -> Result<(), RunFailure> {
         let step = self.core.steps.lane(lane);
-        let end_s = self.core.end.time[0].lane(lane);
-        let start_s = self.core.start.time[0].lane(lane);
+        let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
+        let start_s = self.core.start[ReadLayout::TIME].lane(lane);
         self.check_bearings(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_end = event == Some(Event::End) || (event.is_none() && step == run.window.end_s - start_s);
@@ -292,10 +295,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             return Ok(());
         }
         self.note_penetrations(lane);
-        for (jets, (start, end)) in
-            self.output_jets.iter_mut().zip(self.core.start.outputs.iter().zip(&self.core.end.outputs))
-        {
-            *jets = [start.map(|value| value.lane(lane)), end.map(|value| value.lane(lane))];
+        for (output, jets) in self.output_jets.iter_mut().enumerate() {
+            *jets = self.core.jets(lane, self.core.layout.output(output)).map(|gap| gap.jet);
         }
         let time = self.times(lane);
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
@@ -318,8 +319,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
         for (play, numbers) in run.sample.plays.iter().enumerate() {
             let (radius_m, clearance_m) = (numbers.bearing_radius_m, numbers.clearance_m);
-            let gap = self.core.end.gaps[play][0].lane(lane);
-            let (_, is_root) = self.core.contact(lane, play);
+            let gap = self.core.equations.reads[self.core.layout.gap(play)].lane(lane);
+            let (_, is_root) = self.core.equations.contact(lane, play);
             let limit =
                 if is_root { (radius_m - clearance_m).sqrt() } else { radius_m * radius_m - clearance_m * clearance_m };
             if gap > limit {
@@ -328,7 +329,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                     joint: self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone(),
                     penetration_m,
                     bearing_radius_m: radius_m,
-                    time_s: self.core.start.time[0].lane(lane),
+                    time_s: self.core.start[ReadLayout::TIME].lane(lane),
                 });
             }
         }
@@ -338,7 +339,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     fn note_penetrations(&mut self, lane: usize) {
         let time = self.times(lane);
         for play in 0..self.mechanism.plays.len() {
-            let (state, is_root) = self.core.contact(lane, play);
+            let (state, is_root) = self.core.equations.contact(lane, play);
             if !(state.contact > 0.0) {
                 continue;
             }
@@ -355,10 +356,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     /// Closes the account of an accepted step and chooses the next one.
     fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Queue<Observer = O>) {
         let step = self.core.steps.lane(lane);
-        let layout = &self.core.motion.layout;
+        let layout = &self.core.equations.motion.layout;
         let (place, first) = (layout.time(), layout.dimension);
         let account = [0, 1, 2].map(|k| self.core.stepper.start()[first + k].lane(lane));
-        let energy_j = self.core.energies_j.lane(lane);
+        let energy_j = self.core.start[ReadLayout::ENERGY].lane(lane);
         let growth = self.core.growth.lane(lane);
         let time_s = self.core.stepper.start()[place].lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
@@ -396,8 +397,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
 
     /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
     fn watch_stalling(&mut self, lane: usize) {
-        let Some(play) = (0..self.mechanism.plays.len()).find(|&play| self.core.contact(lane, play).1) else { return };
-        let pace = self.core.start.time[1].lane(lane);
+        let Some(play) = (0..self.mechanism.plays.len()).find(|&play| self.core.equations.contact(lane, play).1) else {
+            return;
+        };
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let step = self.core.steps.lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         if step * pace.abs() > STALLED_SHARE * run.longest_s {
@@ -408,9 +411,9 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         if run.stalled > MOST_STALLED_STEPS {
             run.stalled = 0;
             run.next = STALLED_SHARE * run.longest_s;
-            let (state, _) = self.core.contact(lane, play);
+            let (state, _) = self.core.equations.contact(lane, play);
             self.core.set_contact(lane, play, &state, false);
-            self.core.start.time[1].set_lane(lane, 1.0);
+            self.core.start[ReadLayout::TIME + 1].set_lane(lane, 1.0);
             self.restarts |= 1 << lane;
         }
     }
@@ -434,11 +437,11 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                 return self.choose_step(lane);
             }
         };
-        let time_s = self.core.start.time[0].lane(lane);
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
         let speed_m_s = self.gap_rate_m_s(lane, play);
         let had_root = self.has_root(lane);
-        let has_layout_root = self.core.motion.layout.roots[play].is_some();
-        let pace = self.core.start.time[1].lane(lane);
+        let has_layout_root = self.core.equations.motion.layout.roots[play].is_some();
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         run.phase = Phase::Stepping;
         run.stalled = 0;
@@ -476,30 +479,30 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         self.restarts |= 1 << lane;
         // The root begins at zero, and the time with it; without any root it goes on evenly.
         if has_root || !self.has_root(lane) {
-            self.core.start.time[1].set_lane(lane, f64::from(u8::from(!has_root)));
+            self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
         }
         self.choose_step(lane);
     }
 
     /// δ̇ at the start of the step.
     fn gap_rate_m_s(&self, lane: usize, play: usize) -> f64 {
-        let [value, slope, _] = self.core.start.gaps[play].map(|value| value.lane(lane));
-        if self.core.contact(lane, play).1 {
+        let [value, slope, _] = self.gap(lane, play)[0].jet;
+        if self.core.equations.contact(lane, play).1 {
             return 2.0 * slope;
         }
-        let pace = self.core.start.time[1].lane(lane);
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let clearance_m = self.runs[lane].as_ref().map_or(0.0, |run| run.sample.plays[play].clearance_m);
         slope / (2.0 * (value + clearance_m * clearance_m).max(0.0).sqrt() * pace)
     }
 
     fn has_root(&self, lane: usize) -> bool {
-        (0..self.mechanism.plays.len()).any(|play| self.core.contact(lane, play).1)
+        (0..self.mechanism.plays.len()).any(|play| self.core.equations.contact(lane, play).1)
     }
 
     fn choose_step(&mut self, lane: usize) {
         let has_root = self.has_root(lane);
-        let time_s = self.core.stepper.start()[self.core.motion.layout.time()].lane(lane);
-        let pace = self.core.start.time[1].lane(lane);
+        let time_s = self.core.stepper.start()[self.core.equations.motion.layout.time()].lane(lane);
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         if let Some(run) = &self.runs[lane] {
             let step = run.choose_step(time_s, pace, has_root);
             self.core.steps.set_lane(lane, step);
@@ -522,18 +525,19 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {
-        [&self.core.start, &self.core.end].map(|jets| GapJet { jet: jets.time.map(|value| value.lane(lane)) })
+        self.core.jets(lane, ReadLayout::TIME)
     }
 
     fn gap(&self, lane: usize, play: usize) -> [GapJet; 2] {
-        [&self.core.start, &self.core.end].map(|jets| GapJet { jet: jets.gaps[play].map(|value| value.lane(lane)) })
+        self.core.jets(lane, self.core.layout.gap(play))
     }
 
     fn read_gaps(&mut self, lane: usize) {
         for play in 0..self.mechanism.plays.len() {
-            let (state, is_root) = self.core.contact(lane, play);
+            let (state, is_root) = self.core.equations.contact(lane, play);
             self.gaps[play] = self.gap(lane, play);
-            self.slidings_m_s[play] = [&self.core.start, &self.core.end].map(|jets| jets.slidings_m_s[play].lane(lane));
+            let place = self.core.layout.sliding(play);
+            self.slidings_m_s[play] = [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane));
             self.is_closed[play] = state.contact > 0.0;
             self.is_root[play] = is_root;
         }
@@ -569,6 +573,6 @@ impl<T: Lanes> DenseOutput for LaneDense<'_, '_, T> {
     }
 
     fn contact(&self, play: usize) -> PlayState<f64> {
-        self.core.contact(self.lane, play).0
+        self.core.equations.contact(self.lane, play).0
     }
 }

@@ -1,7 +1,7 @@
 //! Outputs as columns of numbers, read off the state of a mechanism.
 
 use crate::dynamics::Dynamics;
-use crate::math::{Lanes, Real, Vec2};
+use crate::math::{Real, Vec2};
 use crate::mechanism::{Mechanism, acceleration_at};
 use crate::model::{Axis, BodyId, Component, JointId, OutputKind, PointId};
 use crate::units::SiUnit;
@@ -185,6 +185,11 @@ impl Arms {
 }
 
 impl Arms {
+    /// Every coordinate, in the order of [`Arms::visit`].
+    pub fn numbers(&self) -> Vec<f64> {
+        self.0.iter().flatten().flat_map(|point| [point.x, point.y]).collect()
+    }
+
     /// No points: for runs whose outputs are not followed.
     pub fn none() -> Self {
         Self(Vec::new())
@@ -198,20 +203,13 @@ impl<T: Real> Arms<T> {
         self.0[point.body.0][point.point]
     }
 
+    /// Shows every coordinate, in the order of the model.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.0.iter_mut().flatten().for_each(|point| point.visit(visit));
+    }
+
     /// The same points in every lane.
     pub fn broadcast(arms: &Arms) -> Self {
         Self(arms.0.iter().map(|body| body.iter().map(|point| Vec2::from_f64(*point)).collect()).collect())
-    }
-}
-
-impl<T: Lanes> Arms<T> {
-    /// Replaces the points of one lane.
-    pub fn set_lane(&mut self, lane: usize, arms: &Arms) {
-        for (body, from) in self.0.iter_mut().zip(&arms.0) {
-            for (point, from) in body.iter_mut().zip(from) {
-                point.x.set_lane(lane, from.x);
-                point.y.set_lane(lane, from.y);
-            }
-        }
     }
 }

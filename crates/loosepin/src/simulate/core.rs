@@ -1,52 +1,16 @@
 //! The arithmetic of a step, on all lanes at once: stages, error, and everything read off the end of the step.
 
 use super::column::{Arms, Reading};
-use super::motion::{Motion, tolerances};
-use super::projection::Projection;
+use super::equations::Equations;
+use super::gap::GapJet;
+use super::motion::tolerances;
+use super::reads::ReadLayout;
 use super::settings::{STEP_SHARE, Settings};
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
 use crate::math::{Lanes, Real};
-use crate::mechanism::{Mechanism, Sample, acceleration_at};
-
-/// Values with their first two derivatives over the variable of integration, at one end of a step.
-#[derive(Debug, Clone)]
-pub struct Jets<T> {
-    /// The time, s.
-    pub time: [T; 3],
-    /// For each joint with play g = |e|² - c², m², or the root of the penetration where that is an unknown, √m.
-    pub gaps: Vec<[T; 3]>,
-    /// Sliding velocity of each joint with play, m/s; zero where there is no friction.
-    pub slidings_m_s: Vec<T>,
-    /// The followed outputs.
-    pub outputs: Vec<[T; 3]>,
-}
-
-impl<T: Real> Jets<T> {
-    fn new(plays: usize, outputs: usize) -> Self {
-        let zero = [T::zero(); 3];
-        Self { time: zero, gaps: vec![zero; plays], slidings_m_s: vec![T::zero(); plays], outputs: vec![zero; outputs] }
-    }
-
-    #[inline(always)]
-    fn take_where(&mut self, mask: T::Mask, other: &Self) {
-        let choose = |to: &mut [T; 3], from: &[T; 3]| {
-            for (to, from) in to.iter_mut().zip(from) {
-                *to = T::select(mask, *from, *to);
-            }
-        };
-        choose(&mut self.time, &other.time);
-        for (to, from) in self.gaps.iter_mut().zip(&other.gaps) {
-            choose(to, from);
-        }
-        for (to, from) in self.slidings_m_s.iter_mut().zip(&other.slidings_m_s) {
-            *to = T::select(mask, *from, *to);
-        }
-        for (to, from) in self.outputs.iter_mut().zip(&other.outputs) {
-            choose(to, from);
-        }
-    }
-}
+use crate::mechanism::{Mechanism, Sample};
+use crate::native::Level;
 
 /// What one attempted step of all lanes showed: a bit for each lane.
 #[derive(Debug, Clone, Copy, Default)]
@@ -60,10 +24,13 @@ pub struct Attempt {
 /// States, steps and scratch of all lanes.
 pub struct Core<'a, T> {
     /// The equations.
-    pub motion: Motion<'a, T>,
+    pub equations: Equations<'a, T>,
     /// The integrator.
     pub stepper: Stepper<T>,
-    projection: Option<Projection<T>>,
+    /// Where things are in the rows below.
+    pub layout: ReadLayout,
+    /// What was read at the start of the step.
+    pub start: Vec<T>,
     /// Tolerances of all unknowns; those of the roots are set before each step.
     tolerances: Vec<T>,
     /// Local error allowed in lengths, m.
@@ -75,14 +42,6 @@ pub struct Core<'a, T> {
     pub errors: T,
     /// 0.9 · error^(-1/order): how much longer the next step may be.
     pub growth: T,
-    /// Mechanical energy at the end of the last attempt, or at the start after a projection, J.
-    pub energies_j: T,
-    readings: Vec<Reading>,
-    arms: Arms<T>,
-    /// At the start of the step.
-    pub start: Jets<T>,
-    /// At its end.
-    pub end: Jets<T>,
 }
 
 impl<'a, T: Lanes> Core<'a, T> {
@@ -94,26 +53,22 @@ impl<'a, T: Lanes> Core<'a, T> {
         arms: &Arms,
         readings: &[Reading],
         settings: &Settings,
+        level: Option<Level>,
     ) -> Self {
-        let motion = Motion::new(mechanism, &Sample::broadcast(sample));
-        let layout = &motion.layout;
-        let stepper = Stepper::with_integrals(settings.method, layout.dimension, layout.length() - layout.dimension);
-        let (plays, outputs) = (mechanism.plays.len(), readings.len());
+        let equations = Equations::new(mechanism, sample, arms, readings, level);
+        let layout = &equations.motion.layout;
+        let reads = ReadLayout::new(mechanism.plays.len(), readings.len());
         Self {
-            stepper,
-            projection: Projection::<T>::is_needed(mechanism).then(|| Projection::new(mechanism)),
-            tolerances: tolerances(&motion, 1.0, 1.0, 1.0).into_iter().map(T::from_f64).collect(),
+            stepper: Stepper::with_integrals(settings.method, layout.dimension, layout.length() - layout.dimension),
+            layout: reads,
+            start: vec![T::zero(); reads.length()],
+            tolerances: tolerances(&equations.motion, 1.0, 1.0, 1.0).into_iter().map(T::from_f64).collect(),
             local_m: settings.tolerance_m * STEP_SHARE,
             order: settings.method.order,
             steps: T::zero(),
             errors: T::zero(),
             growth: T::one(),
-            energies_j: T::zero(),
-            readings: readings.to_vec(),
-            arms: Arms::broadcast(arms),
-            start: Jets::new(plays, outputs),
-            end: Jets::new(plays, outputs),
-            motion,
+            equations,
         }
     }
 
@@ -127,16 +82,15 @@ impl<'a, T: Lanes> Core<'a, T> {
         rate_1_s: f64,
         energy_j: f64,
     ) {
-        self.motion.dynamics.sample_mut().set_lane(lane, sample);
-        self.arms.set_lane(lane, arms);
-        let tolerances = tolerances(&self.motion, self.local_m, rate_1_s, energy_j);
+        self.equations.load(lane, sample, arms);
+        let tolerances = tolerances(&self.equations.motion, self.local_m, rate_1_s, energy_j);
         for (to, from) in self.tolerances.iter_mut().zip(tolerances) {
             to.set_lane(lane, from);
         }
         for (to, from) in self.stepper.start_mut().iter_mut().zip(state) {
             to.set_lane(lane, *from);
         }
-        for play in 0..self.motion.states.len() {
+        for play in 0..self.equations.motion.states.len() {
             self.set_contact(lane, play, &PlayState::flight(), false);
         }
     }
@@ -144,42 +98,28 @@ impl<'a, T: Lanes> Core<'a, T> {
     /// Sets the contact state of a joint with play in a lane. The lane needs a restart. A penetration whose root becomes an
     /// unknown begins at zero.
     pub fn set_contact(&mut self, lane: usize, play: usize, state: &PlayState<f64>, has_root: bool) {
-        let to = &mut self.motion.states[play];
-        to.contact.set_lane(lane, state.contact);
-        to.inverse_impact_speed_s_m.set_lane(lane, state.inverse_impact_speed_s_m);
-        if let (Some(root), Some(place)) = (&mut self.motion.roots[play], self.motion.layout.roots[play]) {
-            root.is_unknown.set_lane(lane, f64::from(u8::from(has_root)));
+        self.equations.set_contact(lane, play, state, has_root);
+        if let Some(place) = self.equations.motion.layout.roots[play] {
             self.stepper.start_mut()[place].set_lane(lane, 0.0);
         }
     }
 
-    /// The contact state of a joint with play in a lane, and whether the root of its penetration is an unknown.
-    pub fn contact(&self, lane: usize, play: usize) -> (PlayState<f64>, bool) {
-        let state = &self.motion.states[play];
-        let has_root = self.motion.roots[play].is_some_and(|root| root.is_unknown.lane(lane) > 0.5);
-        let state = PlayState {
-            contact: state.contact.lane(lane),
-            inverse_impact_speed_s_m: state.inverse_impact_speed_s_m.lane(lane),
-        };
-        (state, has_root)
+    /// Three numbers in a row of a lane at the start and at the end of the step: a value and its derivatives.
+    #[inline]
+    pub fn jets(&self, lane: usize, place: usize) -> [GapJet; 2] {
+        [&self.start, &self.equations.reads].map(|row| GapJet { jet: [0, 1, 2].map(|k| row[place + k].lane(lane)) })
     }
 
-    /// Evaluates the derivative at the start again in the flagged lanes, and reads their jets and energy there.
+    /// Evaluates the derivative at the start again in the flagged lanes, and reads there.
     pub fn restart(&mut self, lanes: u32) {
         T::vectorize(
             #[inline(always)]
             || {
                 let mask = T::mask(lanes);
-                self.stepper.restart_where(&mut self.motion, mask);
-                self.read_end();
-                self.start.take_where(mask, &self.end);
+                self.stepper.restart_where(&mut self.equations, mask);
+                self.take_reads(mask);
             },
         );
-    }
-
-    /// Whether loops are held after every step: then the accepted lanes need a restart.
-    pub fn holds_loops(&self) -> bool {
-        self.projection.is_some()
     }
 
     /// Tries the steps of all lanes.
@@ -188,14 +128,10 @@ impl<'a, T: Lanes> Core<'a, T> {
             #[inline(always)]
             || {
                 self.set_root_tolerances();
-                let errors = self.stepper.attempt(&mut self.motion, self.steps, &self.tolerances);
+                let errors = self.stepper.attempt(&mut self.equations, self.steps, &self.tolerances);
                 if !self.stepper.finishes_by_itself() {
-                    self.stepper.finish(&mut self.motion);
+                    self.stepper.finish(&mut self.equations);
                 }
-                if let Some(projection) = &mut self.projection {
-                    projection.keep_mass(&self.motion);
-                }
-                self.read_end();
                 self.errors = errors;
                 self.growth = growth(errors, self.order);
                 let is_good = T::flags(errors.less_than(T::from_f64(1.0 + f64::EPSILON)));
@@ -211,20 +147,24 @@ impl<'a, T: Lanes> Core<'a, T> {
             || {
                 let mask = T::mask(lanes);
                 self.stepper.accept_where(mask);
-                self.start.take_where(mask, &self.end);
-                if let Some(projection) = &mut self.projection {
-                    let place = self.motion.layout.time();
-                    projection.apply_where(mask, &mut self.motion, place, self.stepper.start_mut());
-                }
+                self.take_reads(mask);
+                self.equations.hold_loops(mask, self.stepper.start_mut());
             },
         );
+    }
+
+    #[inline(always)]
+    fn take_reads(&mut self, mask: T::Mask) {
+        for (start, end) in self.start.iter_mut().zip(&self.equations.reads) {
+            *start = T::select(mask, *end, *start);
+        }
     }
 
     /// Computes what looks inside of the step at hand need.
     pub fn prepare_dense(&mut self) {
         T::vectorize(
             #[inline(always)]
-            || self.stepper.prepare_dense(&mut self.motion),
+            || self.stepper.prepare_dense(&mut self.equations),
         );
     }
 
@@ -233,61 +173,13 @@ impl<'a, T: Lanes> Core<'a, T> {
     #[inline(always)]
     fn set_root_tolerances(&mut self) {
         let smallest = T::from_f64(2.0 * self.local_m.sqrt());
-        for place in self.motion.layout.roots.iter().flatten() {
+        for place in self.equations.motion.layout.roots.iter().flatten() {
             // A step from u = 0 on has its size from u' h.
             let slope = self.stepper.start_slope()[*place];
             let root = slope.mul_add(self.steps, self.stepper.start()[*place]).abs();
             let size = root + self.stepper.start()[*place].abs();
             self.tolerances[*place] = T::from_f64(self.local_m) / size.max(smallest);
         }
-    }
-
-    /// Reads times, gaps, outputs and energy off the state that was evaluated last.
-    #[inline(always)]
-    fn read_end(&mut self) {
-        let [pace, change] = self.motion.pace();
-        let dynamics = &self.motion.dynamics;
-        // d/ds = w d/dt and d²/ds² = w² d²/dt² + w' d/dt.
-        let over_s = |[value, rate, acceleration]: [T; 3]| {
-            [value, rate * pace, (pace * pace).mul_add(acceleration, change * rate)]
-        };
-        let two = T::from_f64(2.0);
-        for (play, gap) in self.end.gaps.iter_mut().enumerate() {
-            let (motion, force) = &dynamics.plays()[play];
-            let [i, j] = dynamics.play_slots()[play];
-            let twists = &dynamics.kinematics.twists;
-            let acceleration = acceleration_at(&dynamics.acceleration(j), &twists[j], motion.journal_arm_m)
-                - acceleration_at(&dynamics.acceleration(i), &twists[i], motion.bearing_arm_m);
-            let (e, rate) = (motion.eccentricity_m, motion.eccentricity_rate_m_s);
-            let along = rate.length_squared() + e.dot(acceleration);
-            let clearance_m = dynamics.sample().plays[play].clearance_m;
-            self.end.slidings_m_s[play] = force.sliding_m_s;
-            *gap = over_s([motion.gap_m2(clearance_m), two * e.dot(rate), two * along]);
-            if let Some(root) = &self.motion.roots[play] {
-                let is_unknown = T::from_f64(0.5).less_than(root.is_unknown);
-                let half = T::from_f64(0.5);
-                let speed = force.penetration_rate_m_s;
-                // δ̈ from d²|e|²/dt² = 2(δ̇² + |e| δ̈).
-                let length_m = e.length().max(T::from_f64(f64::MIN_POSITIVE));
-                let second = (along - speed * speed) / length_m * half * pace;
-                *gap = [
-                    T::select(is_unknown, root.root, gap[0]),
-                    T::select(is_unknown, half * speed, gap[1]),
-                    T::select(is_unknown, second, gap[2]),
-                ];
-            }
-        }
-        for (output, reading) in self.end.outputs.iter_mut().zip(&self.readings) {
-            *output = over_s(reading.jet(&self.arms, dynamics));
-        }
-        let states = &self.motion.states;
-        self.energies_j = dynamics
-            .energy_in(
-                #[inline(always)]
-                |play| states[play].contact,
-            )
-            .total_j();
-        self.end.time = [self.motion.time_s, pace, change];
     }
 
     /// Lanes in which the gap of some joint may go through zero within the step in the direction of its next event (it lies
@@ -297,8 +189,11 @@ impl<'a, T: Lanes> Core<'a, T> {
         let h = self.steps;
         let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));
         let mut eventful = 0;
-        for (play, state) in self.motion.states.iter().enumerate() {
-            let ([p0, v0, a0], [p1, v1, a1]) = (self.start.gaps[play], self.end.gaps[play]);
+        let (starts, ends) = (&self.start, &self.equations.reads);
+        for (play, state) in self.equations.motion.states.iter().enumerate() {
+            let place = self.layout.gap(play);
+            let [p0, v0, a0] = [starts[place], starts[place + 1], starts[place + 2]];
+            let [p1, v1, a1] = [ends[place], ends[place + 1], ends[place + 2]];
             let (first, last) = (fifth * v0, fifth * v1);
             let coefficients = [
                 p0,
@@ -311,9 +206,10 @@ impl<'a, T: Lanes> Core<'a, T> {
             let is_closed = T::from_f64(0.5).less_than(state.contact);
             let highest = highest_control_value(coefficients, is_closed);
             eventful |= !T::flags(highest.less_than(T::zero()));
-            let numbers = &self.motion.dynamics.sample().plays[play];
+            let numbers = &self.equations.motion.dynamics.sample().plays[play];
             if numbers.has_friction {
-                let (start, end) = (self.start.slidings_m_s[play], self.end.slidings_m_s[play]);
+                let place = self.layout.sliding(play);
+                let (start, end) = (starts[place], ends[place]);
                 for speed in numbers.friction.kink_speeds_m_s() {
                     for level in [speed, -speed] {
                         eventful |= T::flags(((start - level) * (end - level)).less_than(T::zero()));

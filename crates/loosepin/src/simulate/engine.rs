@@ -10,6 +10,7 @@ use super::report::{Counters, RunReport};
 use super::settings::{Settings, Window};
 use crate::math::{InstructionSet, LaneGroup, Vectors};
 use crate::mechanism::{IdealMotion, Mechanism, Sample};
+use crate::native::Level;
 
 /// Runs one sample to the end of `window`, showing every step to `observer`.
 ///
@@ -49,13 +50,13 @@ pub fn conduct<O: Observer>(
         return;
     }
     match vectors {
-        Vectors::None => Batch::<f64, O>::conduct(mechanism, readings, settings, queue),
+        Vectors::None => Batch::<f64, O>::conduct(mechanism, readings, settings, None, queue),
         #[cfg(target_arch = "x86_64")]
-        Vectors::Avx512(token) => on_lanes(token, mechanism, readings, settings, queue),
+        Vectors::Avx512(token) => on_lanes(token, Some(Level::Avx512), mechanism, readings, settings, queue),
         #[cfg(target_arch = "x86_64")]
-        Vectors::Avx2(token) => on_lanes(token, mechanism, readings, settings, queue),
+        Vectors::Avx2(token) => on_lanes(token, Some(Level::Avx2), mechanism, readings, settings, queue),
         #[cfg(target_arch = "aarch64")]
-        Vectors::Neon(token) => on_lanes(token, mechanism, readings, settings, queue),
+        Vectors::Neon(token) => on_lanes(token, None, mechanism, readings, settings, queue),
     }
 }
 
@@ -65,12 +66,14 @@ const VECTORS: usize = 1;
 /// The one place that names lane groups: the token proves that this processor has their instructions.
 fn on_lanes<S: InstructionSet, O: Observer>(
     _token: S,
+    level: Option<Level>,
     mechanism: &Mechanism,
     readings: &[Reading],
     settings: &Settings,
     queue: &mut dyn Queue<Observer = O>,
 ) {
-    Batch::<LaneGroup<S, VECTORS>, O>::conduct(mechanism, readings, settings, queue);
+    let level = level.filter(|_| settings.machine_code);
+    Batch::<LaneGroup<S, VECTORS>, O>::conduct(mechanism, readings, settings, level, queue);
 }
 
 /// A queue of one run.

@@ -161,7 +161,7 @@ impl<'a> Step<'_, 'a> {
             Source::Integrated { dense, sample, view, projection, state, is_viewed } => {
                 if !*is_viewed {
                     *is_viewed = true;
-                    view.dynamics.sample_mut().set_lane(0, sample);
+                    view.dynamics.sample_mut().clone_from(sample);
                     for (play, contact) in view.states.iter_mut().enumerate() {
                         *contact = dense.contact(play);
                     }

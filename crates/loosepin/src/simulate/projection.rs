@@ -12,7 +12,6 @@ const STEPS: usize = 2;
 pub struct Projection<T> {
     /// Factors of the mass matrix at the end of the step.
     mass: Vec<T>,
-    state: Vec<T>,
     residuals: Vec<T>,
     jacobian: Vec<T>,
     /// Defects of the independent rows, then their multipliers.
@@ -30,7 +29,6 @@ impl<T: Real> Projection<T> {
         let (rows, m) = (tree.constraint_rows(), mechanism.real_rows().len());
         Self {
             mass: vec![T::zero(); tree.free * tree.free],
-            state: Vec::new(),
             residuals: vec![T::zero(); rows],
             jacobian: vec![T::zero(); rows * tree.coordinates()],
             defects: vec![T::zero(); m],
@@ -49,19 +47,6 @@ impl<T: Real> Projection<T> {
     #[inline(always)]
     pub fn keep_mass(&mut self, motion: &Motion<'_, T>) {
         self.mass.copy_from_slice(motion.dynamics.factored_mass());
-    }
-
-    /// Projects `state`, which holds its time at `time_place`, in the lanes of `mask`.
-    #[inline(always)]
-    pub fn apply_where(&mut self, mask: T::Mask, motion: &mut Motion<'_, T>, time_place: usize, state: &mut [T]) {
-        let mut projected = std::mem::take(&mut self.state);
-        projected.clear();
-        projected.extend_from_slice(state);
-        self.apply(motion, state[time_place], &mut projected);
-        for (value, projected) in state.iter_mut().zip(&projected) {
-            *value = T::select(mask, *projected, *value);
-        }
-        self.state = projected;
     }
 
     /// Projects the state in place, with the mass matrix that was kept last.

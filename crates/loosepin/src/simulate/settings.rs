@@ -12,6 +12,8 @@ pub struct Settings {
     pub method: &'static Tableau,
     /// Evaluations of the equations of motion after which a run is given up. Default: 3e8 for one simulation, a minute or so; 1e8 in a study.
     pub largest_evaluations: u64,
+    /// Whether batches may turn the equations into machine code; the bits are the same without. Default: yes.
+    pub machine_code: bool,
 }
 
 /// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
@@ -23,7 +25,7 @@ pub const EVENT_SHARE: f64 = 1e-3;
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {
-        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000 }
+        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000, machine_code: true }
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {
