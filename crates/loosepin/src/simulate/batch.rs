@@ -6,13 +6,13 @@
 use super::column::{Arms, Reading};
 use super::core::Core;
 use super::failure::RunFailure;
-use super::gap::{ContactStep, Crossing, GapJet};
+use super::gap::{ContactStep, Crossing, GapJet, penetration_m};
 use super::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use super::motion::Motion;
 use super::observer::{DenseOutput, Observer, Onset, Separation, Source, Step};
 use super::projection::Projection;
 use super::reads::ReadLayout;
-use super::report::{Counters, EnergyAccount, PlaySummary, RunReport};
+use super::report::{Counters, PlaySummary, RunReport};
 use super::settings::{Settings, Window};
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -149,6 +149,14 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         self.view.set_state(0.0, state);
         let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
+        let gap_limits = sample
+            .plays
+            .iter()
+            .map(|play| {
+                let (radius_m, clearance_m) = (play.bearing_radius_m, play.clearance_m);
+                [radius_m * radius_m - clearance_m * clearance_m, (radius_m - clearance_m).max(0.0).sqrt()]
+            })
+            .collect();
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
         self.runs[lane] = Some(LaneRun {
@@ -166,7 +174,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             stalled: 0,
             counters: Counters::default(),
             plays: vec![PlaySummary::default(); self.mechanism.plays.len()],
-            account: EnergyAccount::default(),
+            gap_limits,
+            root: None,
         });
         self.restarts |= 1 << lane;
         self.choose_step(lane);
@@ -181,7 +190,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         for (lane, run) in self.runs.iter_mut().enumerate() {
             if let Some(run) = run.as_mut().filter(|_| lanes >> lane & 1 != 0) {
                 if run.counters.evaluations == 0 {
-                    run.account = EnergyAccount::starting_at(self.core.start[ReadLayout::ENERGY].lane(lane));
+                    self.core.open_account(lane);
                 }
                 run.counters.evaluations += 1;
             }
@@ -233,6 +242,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         if self.core.equations.holds_loops() {
             self.restart(accepted);
         }
+        self.core.close_accounts(accepted);
         for lane in 0..T::COUNT {
             if accepted >> lane & 1 != 0 {
                 self.go_on(lane, events[lane], queue);
@@ -317,18 +327,15 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     /// No pin may be pressed so deep that its centre leaves the hole.
     fn check_bearings(&self, lane: usize) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
-        for (play, numbers) in run.sample.plays.iter().enumerate() {
-            let (radius_m, clearance_m) = (numbers.bearing_radius_m, numbers.clearance_m);
+        for (play, limits) in run.gap_limits.iter().enumerate() {
             let gap = self.core.equations.reads[self.core.layout.gap(play)].lane(lane);
-            let (_, is_root) = self.core.equations.contact(lane, play);
-            let limit =
-                if is_root { (radius_m - clearance_m).sqrt() } else { radius_m * radius_m - clearance_m * clearance_m };
-            if gap > limit {
-                let penetration_m = if is_root { gap * gap } else { super::gap::penetration_m(gap, clearance_m) };
+            let is_root = run.root == Some(play);
+            if gap > limits[usize::from(is_root)] {
+                let numbers = &run.sample.plays[play];
                 return Err(RunFailure::LeavesBearing {
                     joint: self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone(),
-                    penetration_m,
-                    bearing_radius_m: radius_m,
+                    penetration_m: if is_root { gap * gap } else { penetration_m(gap, numbers.clearance_m) },
+                    bearing_radius_m: numbers.bearing_radius_m,
                     time_s: self.core.start[ReadLayout::TIME].lane(lane),
                 });
             }
@@ -347,24 +354,25 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             let Some(run) = &mut self.runs[lane] else { return };
             let (numbers, summary) = (&run.sample.plays[play], &mut run.plays[play]);
             let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
-            let depth_m = step.largest_penetration_m(numbers.clearance_m);
-            summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
-            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+            // Most steps are far from any record: limits that cost little tell so.
+            let limit_m = step.penetration_limit_m(numbers.clearance_m);
+            if limit_m > summary.largest_penetration_m {
+                let depth_m = step.largest_penetration_m(numbers.clearance_m);
+                summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
+            }
+            if step.force_limit_n(limit_m, numbers, &state) > summary.peak_force_n {
+                summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+            }
         }
     }
 
     /// Closes the account of an accepted step and chooses the next one.
     fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Queue<Observer = O>) {
         let step = self.core.steps.lane(lane);
-        let layout = &self.core.equations.motion.layout;
-        let (place, first) = (layout.time(), layout.dimension);
-        let account = [0, 1, 2].map(|k| self.core.stepper.start()[first + k].lane(lane));
-        let energy_j = self.core.start[ReadLayout::ENERGY].lane(lane);
         let growth = self.core.growth.lane(lane);
-        let time_s = self.core.stepper.start()[place].lane(lane);
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         run.counters.steps += 1;
-        run.account.close(energy_j, account);
         let was_searching = !matches!(run.phase, Phase::Stepping);
         run.phase = Phase::Stepping;
         if run.reaches_end {
@@ -397,12 +405,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
 
     /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
     fn watch_stalling(&mut self, lane: usize) {
-        let Some(play) = (0..self.mechanism.plays.len()).find(|&play| self.core.equations.contact(lane, play).1) else {
-            return;
-        };
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let step = self.core.steps.lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
+        let Some(play) = run.root else { return };
         if step * pace.abs() > STALLED_SHARE * run.longest_s {
             run.stalled = 0;
             return;
@@ -411,6 +417,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         if run.stalled > MOST_STALLED_STEPS {
             run.stalled = 0;
             run.next = STALLED_SHARE * run.longest_s;
+            run.root = None;
             let (state, _) = self.core.equations.contact(lane, play);
             self.core.set_contact(lane, play, &state, false);
             self.core.start[ReadLayout::TIME + 1].set_lane(lane, 1.0);
@@ -439,12 +446,12 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         };
         let time_s = self.core.start[ReadLayout::TIME].lane(lane);
         let speed_m_s = self.gap_rate_m_s(lane, play);
-        let had_root = self.has_root(lane);
         let has_layout_root = self.core.equations.motion.layout.roots[play].is_some();
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         run.phase = Phase::Stepping;
         run.stalled = 0;
+        let had_root = run.root.is_some();
         let numbers = &run.sample.plays[play];
         let (state, has_root, kind) = match crossing {
             Crossing::Onset => {
@@ -475,10 +482,16 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             _ => cut_s,
         };
         run.last_event = Some(kind);
+        if has_root {
+            run.root = Some(play);
+        } else if run.root == Some(play) {
+            run.root = None;
+        }
+        let is_even = run.root.is_none();
         self.core.set_contact(lane, play, &state, has_root);
         self.restarts |= 1 << lane;
         // The root begins at zero, and the time with it; without any root it goes on evenly.
-        if has_root || !self.has_root(lane) {
+        if has_root || is_even {
             self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
         }
         self.choose_step(lane);
@@ -495,16 +508,11 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         slope / (2.0 * (value + clearance_m * clearance_m).max(0.0).sqrt() * pace)
     }
 
-    fn has_root(&self, lane: usize) -> bool {
-        (0..self.mechanism.plays.len()).any(|play| self.core.equations.contact(lane, play).1)
-    }
-
     fn choose_step(&mut self, lane: usize) {
-        let has_root = self.has_root(lane);
         let time_s = self.core.stepper.start()[self.core.equations.motion.layout.time()].lane(lane);
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         if let Some(run) = &self.runs[lane] {
-            let step = run.choose_step(time_s, pace, has_root);
+            let step = run.choose_step(time_s, pace);
             self.core.steps.set_lane(lane, step);
         }
     }
@@ -512,7 +520,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     fn succeed(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
         let Some(run) = &mut self.runs[lane] else { return };
         let plays = std::mem::take(&mut run.plays);
-        let report = RunReport { counters: run.counters, plays, energy: Some(run.account) };
+        let report = RunReport { counters: run.counters, plays, energy: Some(self.core.account(lane)) };
         self.finish(lane, Ok(report), queue);
     }
 

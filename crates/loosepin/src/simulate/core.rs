@@ -5,6 +5,7 @@ use super::equations::Equations;
 use super::gap::GapJet;
 use super::motion::tolerances;
 use super::reads::ReadLayout;
+use super::report::EnergyAccount;
 use super::settings::{STEP_SHARE, Settings};
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -42,6 +43,11 @@ pub struct Core<'a, T> {
     pub errors: T,
     /// 0.9 · error^(-1/order): how much longer the next step may be.
     pub growth: T,
+    /// Mechanical energy at the start of the run, J.
+    energy_at_start_j: T,
+    /// Largest residual and largest exchange of the energy account so far, J.
+    largest_residual_j: T,
+    largest_exchange_j: T,
 }
 
 impl<'a, T: Lanes> Core<'a, T> {
@@ -68,6 +74,9 @@ impl<'a, T: Lanes> Core<'a, T> {
             steps: T::zero(),
             errors: T::zero(),
             growth: T::one(),
+            energy_at_start_j: T::zero(),
+            largest_residual_j: T::zero(),
+            largest_exchange_j: T::zero(),
             equations,
         }
     }
@@ -151,6 +160,47 @@ impl<'a, T: Lanes> Core<'a, T> {
                 self.equations.hold_loops(mask, self.stepper.start_mut());
             },
         );
+    }
+
+    /// Begins the energy account of a lane that was loaded and evaluated.
+    pub fn open_account(&mut self, lane: usize) {
+        self.energy_at_start_j.set_lane(lane, self.start[ReadLayout::ENERGY].lane(lane));
+        self.largest_residual_j.set_lane(lane, 0.0);
+        self.largest_exchange_j.set_lane(lane, 0.0);
+    }
+
+    /// Takes the end of a step into the energy accounts of the flagged lanes.
+    pub fn close_accounts(&mut self, lanes: u32) {
+        T::vectorize(
+            #[inline(always)]
+            || {
+                let first = self.equations.motion.layout.dimension;
+                let integrals = &self.stepper.start()[first..first + 3];
+                let (supplied_j, losses_j) = (integrals[0], integrals[1] + integrals[2]);
+                let change_j = self.start[ReadLayout::ENERGY] - self.energy_at_start_j;
+                let residual_j = (change_j + losses_j - supplied_j).abs();
+                let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs());
+                let mask = T::mask(lanes);
+                let raise = |to: &mut T, value: T| *to = T::select(mask, to.max(value), *to);
+                raise(&mut self.largest_residual_j, residual_j);
+                raise(&mut self.largest_exchange_j, exchange_j);
+            },
+        );
+    }
+
+    /// The energy account of a lane after its last step.
+    pub fn account(&self, lane: usize) -> EnergyAccount {
+        let first = self.equations.motion.layout.dimension;
+        let integral = |k: usize| self.stepper.start()[first + k].lane(lane);
+        EnergyAccount {
+            at_start_j: self.energy_at_start_j.lane(lane),
+            at_end_j: self.start[ReadLayout::ENERGY].lane(lane),
+            supplied_j: integral(0),
+            contact_loss_j: integral(1),
+            friction_loss_j: integral(2),
+            largest_residual_j: self.largest_residual_j.lane(lane),
+            largest_exchange_j: self.largest_exchange_j.lane(lane),
+        }
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
 
 use super::gap::{Crossing, GapJet, first_crossing};
-use super::report::{Counters, EnergyAccount, PlaySummary};
+use super::report::{Counters, PlaySummary};
 use super::settings::Window;
 use crate::mechanism::Sample;
 
@@ -84,8 +84,10 @@ pub struct LaneRun<O> {
     pub counters: Counters,
     /// By joint with play.
     pub plays: Vec<PlaySummary>,
-    /// Energy.
-    pub account: EnergyAccount,
+    /// By joint with play: the largest g, and the largest root of a penetration, with the pin's centre inside the hole.
+    pub gap_limits: Vec<[f64; 2]>,
+    /// The joint with play the root of whose penetration is an unknown.
+    pub root: Option<usize>,
 }
 
 /// The ends of an attempted step in one lane.
@@ -263,9 +265,9 @@ impl<O> LaneRun<O> {
 
     /// The next step from the one that the error allows: the end of the window is met exactly, and a last crumb is joined to
     /// the step before it. `pace` is dt/ds; where that is not one, the end is an event.
-    pub fn choose_step(&self, time_s: f64, pace: f64, has_root: bool) -> f64 {
+    pub fn choose_step(&self, time_s: f64, pace: f64) -> f64 {
         let left_s = self.window.end_s - time_s;
-        if has_root {
+        if self.root.is_some() {
             return if pace > 0.0 { self.next.min(self.longest_s / pace) } else { self.next };
         }
         let step_s = self.next.min(self.longest_s);

@@ -129,19 +129,22 @@ impl<'a> Step<'_, 'a> {
     /// Which share of the step, in its variable of integration, has passed at `time_s`.
     pub fn share(&self, time_s: f64) -> f64 {
         let [start, end] = &self.time;
-        let mut share = ((time_s - self.start_s) / (self.end_s - self.start_s)).clamp(0.0, 1.0);
-        if start.jet[1] == 1.0 && end.jet[1] == 1.0 {
-            return share;
+        let passed = ((time_s - self.start_s) / (self.end_s - self.start_s)).clamp(0.0, 1.0);
+        let (first, last) = (start.jet[1], end.jet[1]);
+        if first == 1.0 && last == 1.0 {
+            return passed;
         }
-        // Newton's method on the time as a polynomial of degree five; it grows steadily.
+        // A pace that changes evenly gives a good guess; Newton's method on the time as a polynomial of degree five the rest.
+        let squares = (first * first + passed * (last * last - first * first)).max(0.0);
+        let mut share = (passed * (first + last) / (first + squares.sqrt()).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         let time = Quintic::new(start.jet, end.jet, self.length);
         for _ in 0..20 {
-            let next =
-                (share - (time.value(share) - time_s) / time.slope(share).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-            if (next - share).abs() < 1e-15 {
-                return next;
+            let change = (time.value(share) - time_s) / time.slope(share).max(f64::MIN_POSITIVE);
+            share = (share - change).clamp(0.0, 1.0);
+            // The next change would be about the square of this one.
+            if change.abs() < 1e-8 {
+                break;
             }
-            share = next;
         }
         share
     }

@@ -48,25 +48,6 @@ pub struct EnergyAccount {
 }
 
 impl EnergyAccount {
-    /// At the start of a run.
-    pub(super) fn starting_at(energy_j: f64) -> Self {
-        Self { at_start_j: energy_j, at_end_j: energy_j, ..Self::default() }
-    }
-
-    /// Takes in the end of a step: mechanical energy, and work of the drives, contact loss and friction loss since the start.
-    #[inline]
-    pub(super) fn close(&mut self, energy_j: f64, [supplied_j, contact_loss_j, friction_loss_j]: [f64; 3]) {
-        self.at_end_j = energy_j;
-        self.supplied_j = supplied_j;
-        self.contact_loss_j = contact_loss_j;
-        self.friction_loss_j = friction_loss_j;
-        let losses_j = contact_loss_j + friction_loss_j;
-        let change_j = energy_j - self.at_start_j;
-        self.largest_residual_j = self.largest_residual_j.max((change_j + losses_j - supplied_j).abs());
-        let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs());
-        self.largest_exchange_j = self.largest_exchange_j.max(exchange_j);
-    }
-
     /// The run's own check: largest residual over largest exchange.
     pub fn relative_residual(&self) -> f64 {
         if self.largest_exchange_j > 0.0 { self.largest_residual_j / self.largest_exchange_j } else { 0.0 }
