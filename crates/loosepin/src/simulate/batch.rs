@@ -4,7 +4,7 @@
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
 use super::column::{Arms, Reading};
-use super::core::Core;
+use super::core::{Attempt, Core};
 use super::failure::RunFailure;
 use super::gap::{ContactStep, Crossing, GapJet, penetration_m};
 use super::lane::{Decision, Event, LaneRun, LaneStep, Phase};
@@ -226,7 +226,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                     self.act(lane, event, queue);
                 }
                 Decision::Accept(event) => {
-                    if let Err(failure) = self.show(lane, event) {
+                    if let Err(failure) = self.show(lane, event, &attempt) {
                         self.finish(lane, Err(failure), queue);
                         continue;
                     }
@@ -293,7 +293,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Notes what an accepted step shows before it is left behind.
-    fn show(&mut self, lane: usize, event: Option<Event>) -> Result<(), RunFailure> {
+    fn show(&mut self, lane: usize, event: Option<Event>, attempt: &Attempt) -> Result<(), RunFailure> {
         let step = self.core.steps.lane(lane);
         let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
         let start_s = self.core.start[ReadLayout::TIME].lane(lane);
@@ -304,9 +304,12 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         if end_s <= run.window.start_s || step <= 0.0 {
             return Ok(());
         }
-        self.note_penetrations(lane);
+        if attempt.notable >> lane & 1 != 0 {
+            self.note_penetrations(lane);
+        }
         for (output, jets) in self.output_jets.iter_mut().enumerate() {
-            *jets = self.core.jets(lane, self.core.layout.output(output)).map(|gap| gap.jet);
+            let [start, end] = self.core.jets(lane, self.core.layout.output(output));
+            *jets = [start.jet, end.jet];
         }
         let time = self.times(lane);
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
@@ -343,6 +346,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         Ok(())
     }
 
+    /// Takes in the largest penetration and force of a step that may hold a record.
     fn note_penetrations(&mut self, lane: usize) {
         let time = self.times(lane);
         for play in 0..self.mechanism.plays.len() {
@@ -354,15 +358,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             let Some(run) = &mut self.runs[lane] else { return };
             let (numbers, summary) = (&run.sample.plays[play], &mut run.plays[play]);
             let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
-            // Most steps are far from any record: limits that cost little tell so.
-            let limit_m = step.penetration_limit_m(numbers.clearance_m);
-            if limit_m > summary.largest_penetration_m {
-                let depth_m = step.largest_penetration_m(numbers.clearance_m);
-                summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
-            }
-            if step.force_limit_n(limit_m, numbers, &state) > summary.peak_force_n {
-                summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
-            }
+            let depth_m = step.largest_penetration_m(numbers.clearance_m);
+            summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
+            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+            self.core.set_records(lane, play, summary);
         }
     }
 

@@ -5,7 +5,7 @@ use super::equations::Equations;
 use super::gap::GapJet;
 use super::motion::tolerances;
 use super::reads::ReadLayout;
-use super::report::EnergyAccount;
+use super::report::{EnergyAccount, PlaySummary};
 use super::settings::{STEP_SHARE, Settings};
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -20,6 +20,8 @@ pub struct Attempt {
     pub good: u32,
     /// A contact may begin or end within the step.
     pub eventful: u32,
+    /// A penetration or a contact force may be the largest of its run.
+    pub notable: u32,
 }
 
 /// States, steps and scratch of all lanes.
@@ -48,6 +50,8 @@ pub struct Core<'a, T> {
     /// Largest residual and largest exchange of the energy account so far, J.
     largest_residual_j: T,
     largest_exchange_j: T,
+    /// Largest penetration, m, and largest normal force, N, of each joint with play so far.
+    records: Vec<[T; 2]>,
 }
 
 impl<'a, T: Lanes> Core<'a, T> {
@@ -77,6 +81,7 @@ impl<'a, T: Lanes> Core<'a, T> {
             energy_at_start_j: T::zero(),
             largest_residual_j: T::zero(),
             largest_exchange_j: T::zero(),
+            records: vec![[T::zero(); 2]; mechanism.plays.len()],
             equations,
         }
     }
@@ -101,7 +106,14 @@ impl<'a, T: Lanes> Core<'a, T> {
         }
         for play in 0..self.equations.motion.states.len() {
             self.set_contact(lane, play, &PlayState::flight(), false);
+            self.set_records(lane, play, &PlaySummary::default());
         }
+    }
+
+    /// Keeps the records of a joint with play, against which steps are judged.
+    pub fn set_records(&mut self, lane: usize, play: usize, summary: &PlaySummary) {
+        self.records[play][0].set_lane(lane, summary.largest_penetration_m);
+        self.records[play][1].set_lane(lane, summary.peak_force_n);
     }
 
     /// Sets the contact state of a joint with play in a lane. The lane needs a restart. A penetration whose root becomes an
@@ -144,7 +156,8 @@ impl<'a, T: Lanes> Core<'a, T> {
                 self.errors = errors;
                 self.growth = growth(errors, self.order);
                 let is_good = T::flags(errors.less_than(T::from_f64(1.0 + f64::EPSILON)));
-                Attempt { good: is_good, eventful: self.eventful() }
+                let (eventful, notable) = self.look_at_gaps();
+                Attempt { good: is_good, eventful, notable }
             },
         )
     }
@@ -233,14 +246,16 @@ impl<'a, T: Lanes> Core<'a, T> {
     }
 
     /// Lanes in which the gap of some joint may go through zero within the step in the direction of its next event (it lies
-    /// below the largest Bernstein coefficient of its polynomial), or friction passes a kink.
+    /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; and lanes in which a penetration
+    /// or a contact force may be a record.
     #[inline(always)]
-    fn eventful(&self) -> u32 {
+    fn look_at_gaps(&self) -> (u32, u32) {
         let h = self.steps;
         let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));
-        let mut eventful = 0;
+        let (mut eventful, mut notable) = (0, 0);
         let (starts, ends) = (&self.start, &self.equations.reads);
-        for (play, state) in self.equations.motion.states.iter().enumerate() {
+        let motion = &self.equations.motion;
+        for (play, state) in motion.states.iter().enumerate() {
             let place = self.layout.gap(play);
             let [p0, v0, a0] = [starts[place], starts[place + 1], starts[place + 2]];
             let [p1, v1, a1] = [ends[place], ends[place + 1], ends[place + 2]];
@@ -256,7 +271,27 @@ impl<'a, T: Lanes> Core<'a, T> {
             let is_closed = T::from_f64(0.5).less_than(state.contact);
             let highest = highest_control_value(coefficients, is_closed);
             eventful |= !T::flags(highest.less_than(T::zero()));
-            let numbers = &self.equations.motion.dynamics.sample().plays[play];
+
+            let numbers = &motion.dynamics.sample().plays[play];
+            let mut limit = coefficients[0];
+            for coefficient in &coefficients[1..] {
+                limit = limit.max(*coefficient);
+            }
+            // δ from g = |e|² - c², or from the root; δ̇ is below v0 or twice its values at the ends.
+            let clearance_m = numbers.clearance_m;
+            let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
+            let is_root = motion.roots[play].map_or(T::zero(), |root| root.is_unknown);
+            let is_root = T::from_f64(0.5).less_than(is_root);
+            let depth_m = T::select(is_root, limit * limit, limit / (distance_m + clearance_m));
+            let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
+            let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (clearance_m * pace));
+            let fastest = (rate_m_s * state.inverse_impact_speed_s_m).max(T::one());
+            let elastic_n = numbers.normal.stiffness_n_m_n * depth_m.max(T::zero()).powf(numbers.normal.exponent);
+            let force_n = elastic_n * numbers.normal.damping_factor.mul_add(fastest, T::one());
+            let [deepest_m, strongest_n] = self.records[play];
+            let is_closed = T::flags(is_closed);
+            notable |= is_closed & (T::flags(deepest_m.less_than(depth_m)) | T::flags(strongest_n.less_than(force_n)));
+
             if numbers.has_friction {
                 let place = self.layout.sliding(play);
                 let (start, end) = (starts[place], ends[place]);
@@ -267,7 +302,7 @@ impl<'a, T: Lanes> Core<'a, T> {
                 }
             }
         }
-        eventful
+        (eventful, notable)
     }
 }
 

@@ -61,7 +61,7 @@ pub fn conduct<O: Observer>(
 }
 
 /// Vectors of eight lanes that are worked on at once.
-const VECTORS: usize = 1;
+const VECTORS: usize = 2;
 
 /// The one place that names lane groups: the token proves that this processor has their instructions.
 fn on_lanes<S: InstructionSet, O: Observer>(

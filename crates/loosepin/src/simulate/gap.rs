@@ -92,15 +92,6 @@ pub fn largest_gap_m2(start: &GapJet, end: &GapJet, step_s: f64) -> f64 {
     }
 }
 
-/// The largest Bernstein coefficient of g over a step: no value lies above it.
-fn gap_limit_m2([start, end]: &[GapJet; 2], step: f64) -> f64 {
-    let [p0, v0, a0] = start.jet;
-    let [p1, v1, a1] = end.jet;
-    let (first, last, bend) = (0.2 * step * v0, 0.2 * step * v1, 0.05 * step * step);
-    let inner = (p0 + first).max(p0 + 2.0 * first + bend * a0).max(p1 - last).max(p1 - 2.0 * last + bend * a1);
-    p0.max(p1).max(inner)
-}
-
 /// δ, m, from g = |e|² - c².
 pub fn penetration_m(gap_m2: f64, clearance_m: f64) -> f64 {
     gap_m2 / ((gap_m2 + clearance_m * clearance_m).sqrt() + clearance_m)
@@ -120,26 +111,6 @@ pub struct ContactStep {
 }
 
 impl ContactStep {
-    /// No penetration within the step is larger, m: a limit that costs little.
-    pub fn penetration_limit_m(&self, clearance_m: f64) -> f64 {
-        let limit = gap_limit_m2(&self.gap, self.step);
-        if self.is_root { limit * limit } else { penetration_m(limit.max(0.0), clearance_m) }
-    }
-
-    /// No normal force within the step is larger, N, given the limit of the penetration and a rate of penetration of v0 or
-    /// twice those at the ends.
-    pub fn force_limit_n(&self, limit_m: f64, play: &PlayGeometry<f64>, state: &PlayState<f64>) -> f64 {
-        let rate_m_s = |side: usize| {
-            let [value, slope, _] = self.gap[side].jet;
-            if self.is_root {
-                return 2.0 * slope;
-            }
-            slope / (2.0 * (value + play.clearance_m * play.clearance_m).max(0.0).sqrt() * self.time[side].jet[1])
-        };
-        let fastest_m_s = (1.0 / state.inverse_impact_speed_s_m).max(2.0 * rate_m_s(0)).max(2.0 * rate_m_s(1));
-        play.normal.force(limit_m, fastest_m_s, state.inverse_impact_speed_s_m).total_n
-    }
-
     /// Largest penetration within the step, m.
     pub fn largest_penetration_m(&self, clearance_m: f64) -> f64 {
         let largest = largest_gap_m2(&self.gap[0], &self.gap[1], self.step);
