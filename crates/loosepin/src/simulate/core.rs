@@ -128,7 +128,12 @@ impl<'a, T: Lanes> Core<'a, T> {
     /// Three numbers in a row of a lane at the start and at the end of the step: a value and its derivatives.
     #[inline]
     pub fn jets(&self, lane: usize, place: usize) -> [GapJet; 2] {
-        [&self.start, &self.equations.reads].map(|row| GapJet { jet: [0, 1, 2].map(|k| row[place + k].lane(lane)) })
+        // Written out: closures over arrays are not always inlined, and this is read for every step of every lane.
+        let (start, end) = (&self.start[place..place + 3], &self.equations.reads[place..place + 3]);
+        [
+            GapJet { jet: [start[0].lane(lane), start[1].lane(lane), start[2].lane(lane)] },
+            GapJet { jet: [end[0].lane(lane), end[1].lane(lane), end[2].lane(lane)] },
+        ]
     }
 
     /// Evaluates the derivative at the start again in the flagged lanes, and reads there.

@@ -40,8 +40,9 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
     /// The step is searched piece by piece: a polynomial of degree five turns at most four times.
     const PIECES: usize = 8;
     let sign = crossing.sign();
-    let [p0, v0, a0] = start.jet.map(|value| sign * value);
-    let [p1, v1, a1] = end.jet.map(|value| sign * value);
+    let signed = |[value, slope, curvature]: [f64; 3]| [sign * value, sign * slope, sign * curvature];
+    let [p0, v0, a0] = signed(start.jet);
+    let [p1, v1, a1] = signed(end.jet);
     let h = step_s;
     // The polynomial lies below the largest of its Bernstein coefficients: mostly that settles it. The first one is g at
     // the start, where the sign is known up to the tolerance of the event before.

@@ -200,7 +200,12 @@ impl<O> LaneRun<O> {
         search.trials += 1;
         let trial = search.trial;
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
-        let other = self.earliest_event(step).filter(|(event, _)| *event != search.event);
+        let may_hide = step.gaps.len() > 1
+            || self.sample.plays[0].has_friction
+            || step.time[1].jet[0] > self.window.end_s
+            || !matches!(search.event, Event::Contact { .. });
+        let other = if may_hide { self.earliest_event(step) } else { None };
+        let other = other.filter(|(event, _)| *event != search.event);
         if let Some((event, share)) = other {
             // Another event was hidden behind this one.
             search.high = trial;

@@ -142,7 +142,7 @@ impl<'a> Step<'_, 'a> {
             let change = (time.value(share) - time_s) / time.slope(share).max(f64::MIN_POSITIVE);
             share = (share - change).clamp(0.0, 1.0);
             // The next change would be about the square of this one.
-            if change.abs() < 1e-6 {
+            if change.abs() < 1e-5 {
                 break;
             }
         }
