@@ -33,6 +33,25 @@ impl Quintic {
         let c = &self.coefficients;
         c[0] + tau * (c[1] + tau * (c[2] + tau * (c[3] + tau * (c[4] + tau * c[5]))))
     }
+    /// d²p/dτ².
+    #[inline]
+    pub fn curvature(&self, tau: f64) -> f64 {
+        let c = &self.coefficients;
+        2.0 * c[2] + tau * (6.0 * c[3] + tau * (12.0 * c[4] + tau * 20.0 * c[5]))
+    }
+    /// The largest and the smallest Bernstein coefficient: the polynomial stays between them on [0, 1].
+    #[inline]
+    pub fn limits(&self) -> [f64; 2] {
+        let c = &self.coefficients;
+        // b_i = Σ_k binomial(i, k) / binomial(5, k) c_k.
+        let b1 = c[0] + 0.2 * c[1];
+        let b2 = c[0] + 0.4 * c[1] + 0.1 * c[2];
+        let b3 = c[0] + 0.6 * c[1] + 0.3 * c[2] + 0.1 * c[3];
+        let b4 = c[0] + 0.8 * c[1] + 0.6 * c[2] + 0.4 * c[3] + 0.2 * c[4];
+        let b5 = c[0] + c[1] + c[2] + c[3] + c[4] + c[5];
+        let (low, high) = (c[0].min(b1).min(b2), c[0].max(b1).max(b2));
+        [low.min(b3).min(b4).min(b5), high.max(b3).max(b4).max(b5)]
+    }
     /// dp/dτ.
     #[inline]
     pub fn slope(&self, tau: f64) -> f64 {
@@ -57,6 +76,9 @@ mod tests {
             // Round-off on numbers of order ten.
             assert!((quintic.value(tau) - f(a + tau * h)).abs() < 1e-13);
             assert!((quintic.slope(tau) - h * df(a + tau * h)).abs() < 1e-12);
+            assert!((quintic.curvature(tau) - h * h * ddf(a + tau * h)).abs() < 1e-11);
+            let [low, high] = quintic.limits();
+            assert!(low <= quintic.value(tau) && quintic.value(tau) <= high);
         }
     }
 }

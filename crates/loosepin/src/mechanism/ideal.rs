@@ -22,8 +22,8 @@ const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct IdealMotion<'a> {
     mechanism: &'a Mechanism,
-    geometry: &'a Geometry<f64>,
-    drives: &'a [DriveMotion<f64>],
+    geometry: Geometry<f64>,
+    drives: Vec<DriveMotion<f64>>,
     /// Time of the present state, s.
     time_s: f64,
     /// Coordinates, free ones first.
@@ -49,15 +49,15 @@ impl<'a> IdealMotion<'a> {
     /// The sample cannot close, or only in a singular position.
     pub fn new(
         mechanism: &'a Mechanism,
-        geometry: &'a Geometry<f64>,
-        drives: &'a [DriveMotion<f64>],
+        geometry: &Geometry<f64>,
+        drives: &[DriveMotion<f64>],
     ) -> Result<Self, SampleError> {
         let tree = &mechanism.ideal;
         let (n, rows) = (tree.free, tree.constraint_rows());
         let mut motion = Self {
             mechanism,
-            geometry,
-            drives,
+            geometry: geometry.clone(),
+            drives: drives.to_vec(),
             time_s: 0.0,
             coordinates: mechanism.ideal_start.clone(),
             rates: vec![0.0; tree.coordinates()],
@@ -153,8 +153,8 @@ impl<'a> IdealMotion<'a> {
         let mut polished = false;
         for _ in 0..NEWTON_STEPS {
             self.set_positions();
-            constraints::residuals(tree, self.geometry, &self.kinematics, &mut self.residuals);
-            constraints::jacobian(tree, self.geometry, &self.kinematics, &mut self.jacobian);
+            constraints::residuals(tree, &self.geometry, &self.kinematics, &mut self.residuals);
+            constraints::jacobian(tree, &self.geometry, &self.kinematics, &mut self.jacobian);
             if n < tree.constraint_rows() {
                 self.rows = independent_rows(tree, &self.jacobian, n);
                 if self.rows.len() < n {
@@ -184,7 +184,7 @@ impl<'a> IdealMotion<'a> {
     }
 
     fn set_positions(&mut self) {
-        self.kinematics.set_positions(&self.mechanism.ideal, self.geometry, &self.coordinates);
+        self.kinematics.set_positions(&self.mechanism.ideal, &self.geometry, &self.coordinates);
     }
 
     fn set_rates_and_accelerations(&mut self) {
@@ -203,8 +203,8 @@ impl<'a> IdealMotion<'a> {
         self.rates[..n].copy_from_slice(&self.right_hand_side);
 
         self.kinematics.set_velocities(tree, &self.rates);
-        self.kinematics.set_biases(tree, self.geometry, &self.rates, &self.driven_accelerations);
-        constraints::biases(tree, self.geometry, &self.kinematics, &mut self.residuals);
+        self.kinematics.set_biases(tree, &self.geometry, &self.rates, &self.driven_accelerations);
+        constraints::biases(tree, &self.geometry, &self.kinematics, &mut self.residuals);
         for (row, &independent) in self.rows.iter().enumerate() {
             self.right_hand_side[row] = -self.residuals[independent];
         }

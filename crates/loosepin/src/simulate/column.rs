@@ -2,7 +2,7 @@
 
 use crate::dynamics::Dynamics;
 use crate::math::{Real, Vec2};
-use crate::mechanism::{Mechanism, acceleration_at};
+use crate::mechanism::{Kinematics, Mechanism, Twist, acceleration_at};
 use crate::model::{Axis, BodyId, Component, JointId, OutputKind, PointId};
 use crate::units::SiUnit;
 
@@ -152,12 +152,33 @@ impl Reading {
     /// Value and first two time derivatives of a position or angle at the last state of `dynamics`.
     #[inline(always)]
     pub fn jet<T: Real>(&self, arms: &Arms<T>, dynamics: &Dynamics<'_, T>) -> [T; 3] {
-        let [first, second] = match *self {
-            Self::Angle(body) => [Self::AngularVelocity(body), Self::AngularAcceleration(body)],
-            Self::Position(point, axis) => [Self::Velocity(point, axis), Self::Acceleration(point, axis)],
-            other => [other, other],
-        };
-        [self.value(arms, dynamics), first.value(arms, dynamics), second.value(arms, dynamics)]
+        self.position_jet(arms, dynamics.mechanism(), &dynamics.kinematics, |slot| dynamics.acceleration(slot))
+    }
+
+    /// The same from poses and velocities by slot of the real tree, and the acceleration of each slot. Zeros for what is
+    /// neither a position nor an angle.
+    #[inline(always)]
+    pub fn position_jet<T: Real>(
+        &self,
+        arms: &Arms<T>,
+        mechanism: &Mechanism,
+        kinematics: &Kinematics<T>,
+        acceleration: impl Fn(usize) -> Twist<T>,
+    ) -> [T; 3] {
+        match *self {
+            Self::Position(point, axis) => {
+                let slot = mechanism.real.slot_of_body[point.body.0];
+                let (pose, twist) = (&kinematics.poses[slot], &kinematics.twists[slot]);
+                let arm = pose.turn(arms.of(point));
+                let change = acceleration_at(&acceleration(slot), twist, arm);
+                [along(pose.position_m + arm, axis), along(twist.at(arm), axis), along(change, axis)]
+            }
+            Self::Angle(body) => {
+                let slot = mechanism.real.slot_of_body[body.0];
+                [kinematics.poses[slot].angle_rad, kinematics.twists[slot].angular, acceleration(slot).angular]
+            }
+            _ => [T::zero(); 3],
+        }
     }
 }
 

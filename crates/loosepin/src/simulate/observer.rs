@@ -149,6 +149,11 @@ impl<'a> Step<'_, 'a> {
         share
     }
 
+    /// The time and its first two derivatives over the variable of integration at the start (0) or at the end (1).
+    pub fn time(&self, side: usize) -> [f64; 3] {
+        self.time[side].jet
+    }
+
     /// dt over the variable of integration at `share` of the step.
     pub fn pace(&self, share: f64) -> f64 {
         let [start, end] = &self.time;

@@ -1,5 +1,6 @@
 //! The ideal mechanism beside a run: what every deviation is measured against.
 
+use super::column::{Arms, Reading};
 use super::motion::Motion;
 use crate::dynamics::Dynamics;
 use crate::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
@@ -15,7 +16,7 @@ impl<'a> IdealReference<'a> {
     ///
     /// # Errors
     /// The loops cannot close at time zero.
-    pub fn new(mechanism: &'a Mechanism, sample: &'a Sample<f64>) -> Result<Self, SampleError> {
+    pub fn new(mechanism: &'a Mechanism, sample: &Sample<f64>) -> Result<Self, SampleError> {
         Ok(Self {
             ideal: IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?,
             motion: Motion::new(mechanism, sample),
@@ -39,6 +40,18 @@ impl<'a> IdealReference<'a> {
             self.motion.dynamics.set_state(time_s, &coordinates[..n], &rates[..n]);
         }
         Ok(&self.motion.dynamics)
+    }
+
+    /// Value and first two time derivatives of a position or angle at `time_s`, without forces.
+    ///
+    /// # Errors
+    /// The loops cannot close there.
+    pub fn jet(&mut self, reading: &Reading, arms: &Arms, time_s: f64) -> Result<[f64; 3], SampleError> {
+        if self.ideal.time_s() != time_s {
+            self.ideal.move_to(time_s)?;
+        }
+        let ideal = &self.ideal;
+        Ok(reading.position_jet(arms, self.motion.dynamics.mechanism(), ideal.kinematics(), |slot| ideal.acceleration(slot)))
     }
 
     /// The solved loop equations behind it.

@@ -5,14 +5,17 @@ use super::file::Study;
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
-use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, Response, RunInputs, SampleTable, Sampling, TableError};
+use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, RunInputs, SampleTable, Sampling, TableError};
+use crate::math::Vectors;
 use crate::simulate::RunFailure;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use thiserror::Error;
 
-/// Runs between two looks at the emergency stop and two reports of progress: enough to keep many threads busy.
-const RUNS_PER_BATCH: usize = 256;
+/// Runs that are handed to the threads at once: so many that the lanes which idle at the end hardly count.
+const RUNS_PER_BATCH: usize = 8192;
+/// Runs between two reports of progress.
+const RUNS_PER_REPORT: usize = 64;
 
 /// Runs of the probability-only treatment beside the double loop.
 const MIXTURE_RUNS: usize = 1024;
@@ -102,13 +105,23 @@ pub fn conduct(
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
         for batch in round.chunks(RUNS_PER_BATCH) {
-            let outcomes = pool.install(|| evaluate(batch, &response, stop));
-            let Some(outcomes) = outcomes else {
+            let done = AtomicUsize::new(table.len());
+            let finished = || {
+                let runs = done.fetch_add(1, Ordering::Relaxed) + 1;
+                if runs.is_multiple_of(RUNS_PER_REPORT) {
+                    progress.runs(runs, most_runs);
+                }
+            };
+            let outcomes = pool.install(|| evaluate(batch, &response, stop, &finished));
+            let is_stopped = outcomes.iter().any(Option::is_none);
+            for (inputs, outcome) in batch.iter().zip(outcomes) {
+                if let Some(outcome) = outcome {
+                    table.push(inputs.clone(), outcome.as_deref().map_err(|&failure| failure))?;
+                }
+            }
+            if is_stopped {
                 let finished = Box::new(super::assemble::runs_table(study, &response, &table));
                 return Err(StudyError::Interrupted { finished, most_runs });
-            };
-            for (inputs, outcome) in batch.iter().zip(outcomes) {
-                table.push(inputs.clone(), outcome.as_deref().map_err(|&failure| failure))?;
             }
             progress.runs(table.len(), most_runs);
         }
@@ -122,22 +135,38 @@ pub fn conduct(
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
 
-/// The rows of a batch; nothing where the emergency stop was pulled meanwhile.
+/// The rows of a batch; nothing for runs that the emergency stop has kept from starting. Each thread takes the next run as soon as one
+/// of its lanes is free; which thread and which lane a run meets has no influence on its bits.
 fn evaluate(
     batch: &[RunInputs],
     response: &StudyResponse,
     stop: &AtomicBool,
-) -> Option<Vec<Result<Vec<f64>, Failure>>> {
-    batch
-        .par_iter()
-        .map(|inputs| {
-            if stop.load(Ordering::Relaxed) {
-                return None;
-            }
-            let mut row = vec![f64::NAN; response.row_length()];
-            Some(response.evaluate(&inputs.random, &inputs.epistemic, &mut row).map(|()| row))
+    finished: &(dyn Fn() + Sync),
+) -> Vec<Option<Result<Vec<f64>, Failure>>> {
+    let taken = AtomicUsize::new(0);
+    let vectors = Vectors::best();
+    let parts: Vec<Vec<(usize, Result<Vec<f64>, Failure>)>> = (0..rayon::current_num_threads())
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|_| {
+            let mut rows = Vec::new();
+            let next = || {
+                let index = taken.fetch_add(1, Ordering::Relaxed);
+                let inputs = batch.get(index).filter(|_| !stop.load(Ordering::Relaxed))?;
+                Some((index, &inputs.random[..], &inputs.epistemic[..]))
+            };
+            response.run_all(vectors, next, |index, outcome| {
+                rows.push((index, outcome.map_err(|failure| Failure(failure.number()))));
+                finished();
+            });
+            rows
         })
-        .collect()
+        .collect();
+    let mut rows: Vec<Option<Result<Vec<f64>, Failure>>> = vec![None; batch.len()];
+    for (index, row) in parts.into_iter().flatten() {
+        rows[index] = Some(row);
+    }
+    rows
 }
 
 fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {

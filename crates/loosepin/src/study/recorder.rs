@@ -5,7 +5,7 @@ use super::file::{Deviation, Reduction};
 use super::ideal_curve::IdealCurve;
 use crate::math::Quintic;
 use crate::mechanism::SampleError;
-use crate::simulate::{Arms, IdealReference, Observer, Peak, Step, Window, maximum_within};
+use crate::simulate::{Arms, IdealReference, Observer, Peak, Reading, Step, Window, maximum_within};
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
 const POINTS_PER_STEP: usize = 5;
@@ -40,29 +40,44 @@ impl Followed {
         }
     }
 
-    /// Takes in a piece of the recorded part on which the deviation is `f`, a function of the time.
-    fn take(&mut self, start_s: f64, end_s: f64, mut f: impl FnMut(f64) -> f64) {
-        let length_s = end_s - start_s;
+    /// Takes in the part of a step from share `from` to share `to` on which the deviation is `f`, a function of the share;
+    /// `pace` is dt over the share. Extremes are looked for where `limits` allow a new one.
+    fn take(
+        &mut self,
+        [from, to]: [f64; 2],
+        limits: Option<[f64; 2]>,
+        pace: impl Fn(f64) -> f64,
+        mut f: impl FnMut(f64) -> f64,
+    ) {
+        let length = to - from;
+        let [low, high] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+        if high > self.maximum.value || -low > self.minimum.value {
+            self.take_extremes(from, length, &mut f);
+        }
+        for (place, weight) in GAUSS {
+            let share = from + place * length;
+            let (value, weight_s) = (f(share), weight * length * pace(share));
+            self.integral += weight_s * value;
+            self.integral_of_square += weight_s * value * value;
+        }
+    }
+
+    fn take_extremes(&mut self, from: f64, length: f64, f: &mut impl FnMut(f64) -> f64) {
         let mut points = [(0.0, 0.0); POINTS_PER_STEP];
         for (k, point) in points.iter_mut().enumerate() {
-            let time_s = start_s + length_s * k as f64 / (POINTS_PER_STEP - 1) as f64;
-            *point = (time_s, f(time_s));
+            let share = from + length * k as f64 / (POINTS_PER_STEP - 1) as f64;
+            *point = (share, f(share));
         }
         for sign in [1.0, -1.0] {
-            let signed = points.map(|(time_s, value)| (time_s, sign * value));
+            let signed = points.map(|(share, value)| (share, sign * value));
             let (low, high) =
                 signed.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
             let peak = if sign > 0.0 { &mut self.maximum } else { &mut self.minimum };
             // Between the points the value can rise above them by a part of their range only.
             if high + 0.25 * (high - low) > peak.value {
-                let found = maximum_within(&signed, |time_s| sign * f(time_s));
+                let found = maximum_within(&signed, |share| sign * f(share));
                 peak.raise(found.value, found.time_s);
             }
-        }
-        for (place, weight) in GAUSS {
-            let value = f(start_s + place * length_s);
-            self.integral += weight * length_s * value;
-            self.integral_of_square += weight * length_s * value * value;
         }
     }
 }
@@ -74,6 +89,12 @@ pub struct Shared {
     pub plan: ColumnPlan,
     /// Which outputs any column uses.
     pub is_used: Vec<bool>,
+    /// Whether any column asks for a deviation from the sample's own ideal motion.
+    pub needs_own_ideal: bool,
+    /// Used outputs that are positions: they are followed by every run.
+    pub readings: Vec<Reading>,
+    /// Place of each output among those that are followed.
+    pub places: Vec<Option<usize>>,
     /// Nominal ideal positions over the recorded part.
     pub nominal_curve: IdealCurve,
     /// Nominal ideal value of each column's output at its pose; not a number for reduced columns.
@@ -82,15 +103,15 @@ pub struct Shared {
     pub pose_order: Vec<usize>,
 }
 
-/// Follows one run.
-pub struct Recorder<'r, 'a> {
+/// Follows one run. It owns what belongs to the run alone, since many runs go on side by side.
+pub struct Recorder<'r> {
     shared: &'r Shared,
-    arms: &'r Arms,
-    /// The ideal motion of this sample, and its table.
-    reference: &'r mut IdealReference<'a>,
-    curve: &'r IdealCurve,
+    arms: Arms,
+    /// The ideal motion of this sample, and its table where a deviation from it is asked for.
+    reference: IdealReference<'r>,
+    curve: Option<IdealCurve>,
     /// The nominal ideal motion at this sample's instants, for outputs without a table.
-    nominal: Option<&'r mut IdealReference<'a>>,
+    nominal: Option<IdealReference<'r>>,
     /// Time of this sample to time of the nominal one, both from the start of the recorded part.
     nominal_per_own: f64,
     nominal_start_s: f64,
@@ -98,8 +119,6 @@ pub struct Recorder<'r, 'a> {
     turn_s: f64,
     next_pose: usize,
     followed: Vec<Followed>,
-    /// Jets of the used position outputs at the end of the last step.
-    jets: Option<Vec<[f64; 3]>>,
     /// Poses one turn before the end, and at the end: x, y, angle by slot.
     turn_before: Option<Vec<[f64; 3]>>,
     at_end: Option<Vec<[f64; 3]>>,
@@ -109,19 +128,21 @@ pub struct Recorder<'r, 'a> {
     pub failure: Option<SampleError>,
 }
 
-impl<'r, 'a> Recorder<'r, 'a> {
+/// The motions that a run is compared with.
+pub struct References<'r> {
+    /// The ideal motion of the sample.
+    pub own: IdealReference<'r>,
+    /// Its table, where a deviation from it is asked for.
+    pub curve: Option<IdealCurve>,
+    /// The nominal ideal motion, where outputs without a table are used.
+    pub nominal: Option<IdealReference<'r>>,
+    /// The recorded part of the nominal motion.
+    pub nominal_window: Window,
+}
+
+impl<'r> Recorder<'r> {
     /// Ready for a run over `window` whose turns last `turn_s`.
-    #[allow(clippy::too_many_arguments)]
-    pub fn new(
-        shared: &'r Shared,
-        arms: &'r Arms,
-        reference: &'r mut IdealReference<'a>,
-        curve: &'r IdealCurve,
-        nominal: Option<&'r mut IdealReference<'a>>,
-        nominal_window: &Window,
-        window: &Window,
-        turn_s: f64,
-    ) -> Self {
+    pub fn new(shared: &'r Shared, arms: Arms, references: References<'r>, window: &Window, turn_s: f64) -> Self {
         let mut followed: Vec<Followed> = Vec::new();
         for column in &shared.plan.columns {
             let is_known = followed.iter().any(|f| f.output == column.output && f.deviation == column.deviation);
@@ -136,19 +157,19 @@ impl<'r, 'a> Recorder<'r, 'a> {
                 });
             }
         }
+        let nominal_window = references.nominal_window;
         Self {
             shared,
             arms,
-            reference,
-            curve,
-            nominal,
+            reference: references.own,
+            curve: references.curve,
+            nominal: references.nominal,
             nominal_per_own: (nominal_window.end_s - nominal_window.start_s) / (window.end_s - window.start_s),
             nominal_start_s: nominal_window.start_s,
             window: *window,
             turn_s,
             next_pose: 0,
             followed,
-            jets: None,
             turn_before: None,
             at_end: None,
             values: vec![f64::NAN; shared.plan.columns.len()],
@@ -185,10 +206,10 @@ impl<'r, 'a> Recorder<'r, 'a> {
     /// Ideal value of this sample.
     fn own_ideal(&mut self, output: usize, time_s: f64) -> f64 {
         let reading = self.shared.plan.outputs[output].reading;
-        if reading.is_position() {
-            return self.curve.value(output, self.share(time_s));
+        if let Some(curve) = self.curve.as_ref().filter(|_| reading.is_position()) {
+            return curve.value(output, self.share(time_s));
         }
-        read(self.reference, &mut self.failure, |dynamics| reading.value(self.arms, dynamics), time_s)
+        read(&mut self.reference, &mut self.failure, |dynamics| reading.value(&self.arms, dynamics), time_s)
     }
 
     /// Nominal ideal value at the same place of the cycle.
@@ -199,7 +220,9 @@ impl<'r, 'a> Recorder<'r, 'a> {
         }
         let nominal_s = self.nominal_start_s + self.nominal_per_own * (time_s - self.window.start_s);
         match &mut self.nominal {
-            Some(nominal) => read(nominal, &mut self.failure, |dynamics| reading.value(self.arms, dynamics), nominal_s),
+            Some(nominal) => {
+                read(nominal, &mut self.failure, |dynamics| reading.value(&self.arms, dynamics), nominal_s)
+            }
             None => f64::NAN,
         }
     }
@@ -223,17 +246,16 @@ impl<'r, 'a> Recorder<'r, 'a> {
                 return;
             }
             // All columns of this pose from one look at the step.
-            let at = |column: usize| matches!(self.shared.plan.columns[column].spot, Spot::Pose { turns: t, .. } if t == turns);
-            let count = self.shared.pose_order[self.next_pose..].iter().take_while(|&&c| at(c)).count();
-            let columns = &self.shared.pose_order[self.next_pose..self.next_pose + count];
+            let shared = self.shared;
+            let at = |column: usize| matches!(shared.plan.columns[column].spot, Spot::Pose { turns: t, .. } if t == turns);
+            let count = shared.pose_order[self.next_pose..].iter().take_while(|&&c| at(c)).count();
+            let columns = &shared.pose_order[self.next_pose..self.next_pose + count];
             self.next_pose += count;
-            let needs_forces = columns.iter().any(|&c| self.output_of(c).reading.needs_forces());
-            let dynamics = if needs_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
-            let actual: Vec<f64> =
-                columns.iter().map(|&c| self.output_of(c).reading.value(self.arms, dynamics)).collect();
-            for (&column, actual) in columns.iter().zip(actual) {
-                let planned = self.shared.plan.columns[column];
-                let nominal = self.shared.nominal_at_pose[column];
+            let share = step.share(time_s);
+            for &column in columns {
+                let planned = shared.plan.columns[column];
+                let actual = self.actual(step, planned.output, time_s, share);
+                let nominal = shared.nominal_at_pose[column];
                 self.values[column] = match planned.deviation {
                     Deviation::Value => actual,
                     Deviation::Total => actual - nominal,
@@ -244,49 +266,70 @@ impl<'r, 'a> Recorder<'r, 'a> {
         }
     }
 
-    fn output_of(&self, column: usize) -> &crate::simulate::Column {
-        &self.shared.plan.outputs[self.shared.plan.columns[column].output]
+    /// Value of the real mechanism within a step: positions from their polynomial, anything else from a look inside.
+    fn actual(&self, step: &mut Step<'_, '_>, output: usize, time_s: f64, share: f64) -> f64 {
+        let reading = self.shared.plan.outputs[output].reading;
+        if let Some(place) = self.shared.places[output] {
+            let [start, end] = step.outputs[place];
+            return Quintic::new(start, end, step.length).value(share);
+        }
+        let dynamics = if reading.needs_forces() { step.evaluate(time_s) } else { step.set_state(time_s) };
+        reading.value(&self.arms, dynamics)
     }
 
     fn follow(&mut self, step: &mut Step<'_, '_>) {
-        if self.followed.is_empty() {
+        let (start_s, end_s) = (step.start_s.max(self.window.start_s), step.end_s.min(self.window.end_s));
+        if self.followed.is_empty() || !(end_s > start_s) {
             return;
         }
-        let outputs = &self.shared.plan.outputs;
-        let start_jets = match self.jets.take() {
-            Some(jets) => jets,
-            None => {
-                let dynamics = step.evaluate(step.start_s);
-                outputs.iter().map(|output| output.reading.jet(self.arms, dynamics)).collect()
-            }
-        };
-        let dynamics = step.end();
-        let end_jets: Vec<[f64; 3]> = outputs.iter().map(|output| output.reading.jet(self.arms, dynamics)).collect();
-        let (start_s, end_s) = (step.start_s.max(self.window.start_s), step.end_s.min(self.window.end_s));
-        let length_s = step.end_s - step.start_s;
+        let shares = [step.share(start_s), step.share(end_s)];
         let mut followed = std::mem::take(&mut self.followed);
-        if end_s > start_s {
-            for one in &mut followed {
-                let (output, deviation) = (one.output, one.deviation);
-                let reading = outputs[output].reading;
-                if reading.is_position() {
-                    let quintic = Quintic::new(start_jets[output], end_jets[output], length_s);
-                    one.take(start_s, end_s, |time_s| {
-                        let actual = quintic.value((time_s - step.start_s) / length_s);
-                        self.deviation(output, deviation, actual, time_s)
-                    });
-                } else {
-                    one.take(start_s, end_s, |time_s| {
-                        let dynamics =
-                            if reading.needs_forces() { step.evaluate(time_s) } else { step.set_state(time_s) };
-                        let actual = reading.value(self.arms, dynamics);
-                        self.deviation(output, deviation, actual, time_s)
-                    });
-                }
+        for one in &mut followed {
+            let (output, deviation) = (one.output, one.deviation);
+            if self.shared.places[output].is_some() {
+                let quintic = self.deviation_polynomial(step, output, deviation);
+                let pace = |share: f64| step.pace(share) * step.length;
+                one.take(shares, Some(quintic.limits()), pace, |share| quintic.value(share));
+            } else {
+                // No polynomial: by time, looking inside the step.
+                let span_s = end_s - start_s;
+                one.take([0.0, 1.0], None, |_| span_s, |share| {
+                    let time_s = start_s + share * span_s;
+                    let actual = self.actual(step, output, time_s, 0.0);
+                    self.deviation(output, deviation, actual, time_s)
+                });
             }
         }
         self.followed = followed;
-        self.jets = Some(end_jets);
+    }
+
+    /// The deviation of a position over a step, as a polynomial of the share of the step.
+    fn deviation_polynomial(&self, step: &Step<'_, '_>, output: usize, deviation: Deviation) -> Quintic {
+        let own = self.curve.as_ref();
+        let nominal = &self.shared.nominal_curve;
+        let [from, to] = [0, 1].map(|side| {
+            let time = step.time(side);
+            let share = self.share(time[0]);
+            // The nominal motion is read at the same place of the cycle, where its time runs in proportion.
+            let nominal_jet = || {
+                let [value, rate, acceleration] = nominal.jet(output, share);
+                [value, rate * self.nominal_per_own, acceleration * self.nominal_per_own * self.nominal_per_own]
+            };
+            let own_jet = || own.map_or([f64::NAN; 3], |curve| curve.jet(output, share));
+            let actual = self.shared.places[output].map_or([f64::NAN; 3], |place| step.outputs[place][side]);
+            // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
+            let over_step = |[value, rate, acceleration]: [f64; 3]| {
+                [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]]
+            };
+            let less = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+            match deviation {
+                Deviation::Value => actual,
+                Deviation::Total => less(actual, over_step(nominal_jet())),
+                Deviation::Clearance => less(actual, over_step(own_jet())),
+                Deviation::Dimensional => less(over_step(own_jet()), over_step(nominal_jet())),
+            }
+        });
+        Quintic::new(from, to, step.length)
     }
 
     fn note_turn(&mut self, step: &mut Step<'_, '_>) {
@@ -301,7 +344,7 @@ impl<'r, 'a> Recorder<'r, 'a> {
     }
 }
 
-impl Observer for Recorder<'_, '_> {
+impl Observer for Recorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         self.follow(step);
         self.record_poses(step);
