@@ -50,6 +50,7 @@ pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
 
 /// Solves the n × n system a x = b (row-major) in place by elimination with row exchanges; `a` is destroyed, `b`
 /// becomes x. Gives the ratio of the smallest to the largest pivot: zero where a is singular, and then b is worthless.
+#[inline]
 pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
     let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
     for j in 0..n {

@@ -8,7 +8,7 @@ use super::kinematics::{Kinematics, Twist};
 use super::mobility::eliminate_free;
 use super::sample::DriveMotion;
 use super::tree::Tree;
-use crate::math::solve_square;
+use crate::math::{Real, solve_square};
 use crate::model::Model;
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
@@ -143,6 +143,14 @@ impl<'a> IdealMotion<'a> {
 
     /// Newton's method for Φ(q, t) = 0 from the present coordinates.
     fn close(&mut self, time_s: f64) -> Result<(), SampleError> {
+        f64::vectorize(
+            #[inline(always)]
+            || self.close_here(time_s),
+        )
+    }
+
+    #[inline(always)]
+    fn close_here(&mut self, time_s: f64) -> Result<(), SampleError> {
         let tree = &self.mechanism.ideal;
         let n = tree.free;
         for (k, &drive) in tree.drives.iter().enumerate() {
@@ -183,11 +191,20 @@ impl<'a> IdealMotion<'a> {
         Err(self.cannot_close())
     }
 
+    #[inline(always)]
     fn set_positions(&mut self) {
         self.kinematics.set_positions(&self.mechanism.ideal, &self.geometry, &self.coordinates);
     }
 
     fn set_rates_and_accelerations(&mut self) {
+        f64::vectorize(
+            #[inline(always)]
+            || self.set_rates_and_accelerations_here(),
+        );
+    }
+
+    #[inline(always)]
+    fn set_rates_and_accelerations_here(&mut self) {
         let tree = &self.mechanism.ideal;
         let (n, columns) = (tree.free, tree.coordinates());
         for (k, &drive) in tree.drives.iter().enumerate() {
@@ -214,6 +231,7 @@ impl<'a> IdealMotion<'a> {
         self.matrix = matrix;
     }
 
+    #[inline(always)]
     fn copy_matrix(&self, matrix: &mut [f64]) {
         let tree = &self.mechanism.ideal;
         let (n, columns) = (tree.free, tree.coordinates());

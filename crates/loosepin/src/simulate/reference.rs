@@ -51,7 +51,8 @@ impl<'a> IdealReference<'a> {
             self.ideal.move_to(time_s)?;
         }
         let ideal = &self.ideal;
-        Ok(reading.position_jet(arms, self.motion.dynamics.mechanism(), ideal.kinematics(), |slot| ideal.acceleration(slot)))
+        Ok(reading
+            .position_jet(arms, self.motion.dynamics.mechanism(), ideal.kinematics(), |slot| ideal.acceleration(slot)))
     }
 
     /// The solved loop equations behind it.

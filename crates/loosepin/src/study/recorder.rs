@@ -247,7 +247,8 @@ impl<'r> Recorder<'r> {
             }
             // All columns of this pose from one look at the step.
             let shared = self.shared;
-            let at = |column: usize| matches!(shared.plan.columns[column].spot, Spot::Pose { turns: t, .. } if t == turns);
+            let at =
+                |column: usize| matches!(shared.plan.columns[column].spot, Spot::Pose { turns: t, .. } if t == turns);
             let count = shared.pose_order[self.next_pose..].iter().take_while(|&&c| at(c)).count();
             let columns = &shared.pose_order[self.next_pose..self.next_pose + count];
             self.next_pose += count;
@@ -293,11 +294,16 @@ impl<'r> Recorder<'r> {
             } else {
                 // No polynomial: by time, looking inside the step.
                 let span_s = end_s - start_s;
-                one.take([0.0, 1.0], None, |_| span_s, |share| {
-                    let time_s = start_s + share * span_s;
-                    let actual = self.actual(step, output, time_s, 0.0);
-                    self.deviation(output, deviation, actual, time_s)
-                });
+                one.take(
+                    [0.0, 1.0],
+                    None,
+                    |_| span_s,
+                    |share| {
+                        let time_s = start_s + share * span_s;
+                        let actual = self.actual(step, output, time_s, 0.0);
+                        self.deviation(output, deviation, actual, time_s)
+                    },
+                );
             }
         }
         self.followed = followed;
@@ -305,31 +311,34 @@ impl<'r> Recorder<'r> {
 
     /// The deviation of a position over a step, as a polynomial of the share of the step.
     fn deviation_polynomial(&self, step: &Step<'_, '_>, output: usize, deviation: Deviation) -> Quintic {
-        let own = self.curve.as_ref();
-        let nominal = &self.shared.nominal_curve;
-        let [from, to] = [0, 1].map(|side| {
-            let time = step.time(side);
-            let share = self.share(time[0]);
-            // The nominal motion is read at the same place of the cycle, where its time runs in proportion.
-            let nominal_jet = || {
-                let [value, rate, acceleration] = nominal.jet(output, share);
-                [value, rate * self.nominal_per_own, acceleration * self.nominal_per_own * self.nominal_per_own]
-            };
-            let own_jet = || own.map_or([f64::NAN; 3], |curve| curve.jet(output, share));
-            let actual = self.shared.places[output].map_or([f64::NAN; 3], |place| step.outputs[place][side]);
-            // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
-            let over_step = |[value, rate, acceleration]: [f64; 3]| {
-                [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]]
-            };
-            let less = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-            match deviation {
-                Deviation::Value => actual,
-                Deviation::Total => less(actual, over_step(nominal_jet())),
-                Deviation::Clearance => less(actual, over_step(own_jet())),
-                Deviation::Dimensional => less(over_step(own_jet()), over_step(nominal_jet())),
-            }
-        });
-        Quintic::new(from, to, step.length)
+        let [start, end] =
+            [self.deviation_jet(step, 0, output, deviation), self.deviation_jet(step, 1, output, deviation)];
+        Quintic::new(start, end, step.length)
+    }
+
+    /// The deviation of a position at an end of a step, with its derivatives over the variable of integration.
+    #[inline(always)]
+    fn deviation_jet(&self, step: &Step<'_, '_>, side: usize, output: usize, deviation: Deviation) -> [f64; 3] {
+        let time = step.time(side);
+        let share = self.share(time[0]);
+        // The nominal motion is read at the same place of the cycle, where its time runs in proportion.
+        let nominal = || {
+            let [value, rate, acceleration] = self.shared.nominal_curve.jet(output, share);
+            [value, rate * self.nominal_per_own, acceleration * self.nominal_per_own * self.nominal_per_own]
+        };
+        let own = || self.curve.as_ref().map_or([f64::NAN; 3], |curve| curve.jet(output, share));
+        let actual = || self.shared.places[output].map_or([f64::NAN; 3], |place| step.outputs[place][side]);
+        // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
+        let over_step = |[value, rate, acceleration]: [f64; 3]| {
+            [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]]
+        };
+        let less = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        match deviation {
+            Deviation::Value => actual(),
+            Deviation::Total => less(actual(), over_step(nominal())),
+            Deviation::Clearance => less(actual(), over_step(own())),
+            Deviation::Dimensional => less(over_step(own()), over_step(nominal())),
+        }
     }
 
     fn note_turn(&mut self, step: &mut Step<'_, '_>) {

@@ -5,9 +5,9 @@ use super::file::{Deviation, Study, Where};
 use super::ideal_curve::IdealCurve;
 use super::recorder::{Recorder, References, Shared};
 use crate::bounds::{Failure, Response};
+use crate::math::Vectors;
 use crate::mechanism::{Mechanism, MechanismError, Sample};
 use crate::model::{QuantityError, QuantityId, Values};
-use crate::math::Vectors;
 use crate::simulate::{
     Arms, IdealReference, Observer, Queue, Run, RunFailure, RunReport, Settings, Step, Window, conduct,
 };
@@ -470,10 +470,8 @@ fn share_nominal(
         nominal_at_pose[index] = reading.value(&arms, dynamics);
     }
     let pose_order = pose_order.into_iter().map(|(_, index)| index).collect();
-    let needs_own_ideal = plan
-        .columns
-        .iter()
-        .any(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
+    let needs_own_ideal =
+        plan.columns.iter().any(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
     let mut readings = Vec::new();
     let places = plan
         .outputs
