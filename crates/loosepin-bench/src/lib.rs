@@ -3,6 +3,8 @@
 //! Seconds vary with the machine, counts do not: a change of the work per run shows in
 //! [`Throughput::evaluations_per_run`] even where the clock is noisy.
 
+pub mod batch;
+
 use std::fmt;
 use std::time::Instant;
 

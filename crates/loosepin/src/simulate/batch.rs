@@ -65,6 +65,9 @@ pub(super) struct Batch<'a, T, O> {
     view: Motion<'a, f64>,
     view_projection: Option<Projection<f64>>,
     view_state: Vec<f64>,
+    /// Number of the run whose sample `view` holds, and of the run started last.
+    viewed: u64,
+    started: u64,
     output_jets: Vec<[[f64; 3]; 2]>,
     settings: Settings,
     /// Lanes whose derivative is to be evaluated again before the next step.
@@ -105,6 +108,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
             view_state: vec![0.0; view.layout.length()],
             view,
+            viewed: 0,
+            started: 0,
             output_jets: vec![[[0.0; 3]; 2]; readings.len()],
             settings: *settings,
             restarts: 0,
@@ -145,7 +150,9 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         state[..n].copy_from_slice(&coordinates[..n]);
         state[n..2 * n].copy_from_slice(&rates[..n]);
         let rate_1_s = fastest_drive_rad_s(self.mechanism, &sample);
-        *self.view.dynamics.sample_mut() = sample.clone();
+        self.started += 1;
+        self.viewed = self.started;
+        self.view.dynamics.sample_mut().clone_from(&sample);
         self.view.set_state(0.0, state);
         let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
@@ -160,6 +167,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
         self.runs[lane] = Some(LaneRun {
+            number: self.started,
             sample,
             window,
             observer,
@@ -320,7 +328,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             view: &mut self.view,
             projection: self.view_projection.as_mut(),
             state: &mut self.view_state,
-            is_viewed: false,
+            viewed: &mut self.viewed,
+            run: run.number,
         };
         run.observer.step(&mut Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets });
         run.counters.evaluations += dense.evaluations;

@@ -56,6 +56,8 @@ pub enum Phase {
 
 /// The run of a lane.
 pub struct LaneRun<O> {
+    /// Runs of a batch are numbered as they start, from 1.
+    pub number: u64,
     /// All numbers of the run.
     pub sample: Sample<f64>,
     /// What is recorded.

@@ -65,8 +65,9 @@ pub(super) enum Source<'s, 'a> {
         view: &'s mut Motion<'a, f64>,
         projection: Option<&'s mut Projection<f64>>,
         state: &'s mut Vec<f64>,
-        /// Whether `view` holds the numbers and the contacts of this run already.
-        is_viewed: bool,
+        /// Number of the run whose sample `view` holds, and number of this run.
+        viewed: &'s mut u64,
+        run: u64,
     },
     /// The motion of a mechanism without play, solved afresh at each instant.
     Kinematic { motion: &'s mut Motion<'a, f64>, ideal: &'s mut IdealMotion<'a>, failure: &'s mut Option<SampleError> },
@@ -166,13 +167,13 @@ impl<'a> Step<'_, 'a> {
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {
         let place = self.share(time_s);
         match &mut self.source {
-            Source::Integrated { dense, sample, view, projection, state, is_viewed } => {
-                if !*is_viewed {
-                    *is_viewed = true;
+            Source::Integrated { dense, sample, view, projection, state, viewed, run } => {
+                if **viewed != *run {
+                    **viewed = *run;
                     view.dynamics.sample_mut().clone_from(sample);
-                    for (play, contact) in view.states.iter_mut().enumerate() {
-                        *contact = dense.contact(play);
-                    }
+                }
+                for (play, contact) in view.states.iter_mut().enumerate() {
+                    *contact = dense.contact(play);
                 }
                 dense.interpolate(place, state);
                 if let Some(projection) = projection {

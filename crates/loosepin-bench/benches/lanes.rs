@@ -1,0 +1,89 @@
+//! Runs a second on one core, one run at a time and on lanes, with the equations evaluated as they stand and as machine
+//! code; and on two threads. Every block of runs is repeated in turn, so that a noisy machine disturbs all alike; printed is
+//! the median. Bits are compared on the way.
+//!
+//! `cargo bench --bench lanes` for the four mechanisms of the table in `docs/performance.md`; case names as arguments choose
+//! others.
+
+use loosepin::math::Vectors;
+use loosepin::simulate::Settings;
+use loosepin_bench::batch::{Case, Finished, Plan};
+use std::time::Instant;
+
+const CASES: [&str; 4] = ["slider_crank_5000", "four_bar_600", "slider_crank_two_clearances", "six_bar"];
+/// Rounds, and runs of each block: those on lanes take about as long as those without.
+const ROUNDS: usize = 5;
+const RUNS: usize = 768;
+const SCALAR_RUNS: usize = 48;
+
+struct Way {
+    name: String,
+    vectors: Vectors,
+    machine_code: bool,
+    threads: usize,
+    seconds_a_run: Vec<f64>,
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let names = if arguments.is_empty() { CASES.map(String::from).to_vec() } else { arguments };
+    for name in names {
+        measure(&Case::read(&name));
+    }
+}
+
+fn measure(case: &Case) {
+    let mut ways = Vec::new();
+    for vectors in Vectors::available().into_iter().rev() {
+        let mut push = |name: String, machine_code: bool, threads: usize| {
+            ways.push(Way { name, vectors, machine_code, threads, seconds_a_run: Vec::new() });
+        };
+        if matches!(vectors, Vectors::None) {
+            push("scalar".to_owned(), false, 1);
+        } else {
+            push(format!("{}, as they stand", vectors.name()), false, 1);
+            push(format!("{}, machine code", vectors.name()), true, 1);
+        }
+    }
+    if let Some(best) = ways.last() {
+        let (name, vectors, machine_code) = (format!("{}, two threads", best.name), best.vectors, best.machine_code);
+        ways.push(Way { name, vectors, machine_code, threads: 2, seconds_a_run: Vec::new() });
+    }
+    let mut reference: Option<Vec<Finished>> = None;
+    for _ in 0..ROUNDS {
+        for way in &mut ways {
+            let runs = if matches!(way.vectors, Vectors::None) { SCALAR_RUNS } else { RUNS };
+            let settings = Settings { machine_code: way.machine_code, ..Settings::for_study() };
+            let plan = Plan { runs, turns: 2, readings_per_turn: 1000, settings };
+            let started = Instant::now();
+            let finished = case.conduct_on_threads(&plan, way.vectors, way.threads);
+            way.seconds_a_run.push(started.elapsed().as_secs_f64() / runs as f64);
+            if runs == RUNS {
+                let reference = reference.get_or_insert_with(|| finished.clone());
+                assert!(*reference == finished, "{}: {} has other bits", case.name, way.name);
+            }
+        }
+    }
+    let reference = reference.unwrap_or_default();
+    let turns = (2 * reference.len()) as f64;
+    let per_turn = |count: fn(&Finished) -> u64| reference.iter().map(count).sum::<u64>() as f64 / turns;
+    println!(
+        "{}: {:.0} evaluations, {:.0} steps, {:.0} rejections, {:.1} events a turn",
+        case.name,
+        per_turn(|run| run.counters.evaluations),
+        per_turn(|run| run.counters.steps),
+        per_turn(|run| run.counters.rejections),
+        per_turn(|run| run.counters.events),
+    );
+    let scalar_s = median(&ways[0].seconds_a_run);
+    for way in &ways {
+        let seconds = median(&way.seconds_a_run);
+        println!("  {:28} {:8.0} runs/s   {:6.2} times scalar", way.name, 1.0 / seconds, scalar_s / seconds);
+    }
+}
+
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted[sorted.len() / 2]
+}

@@ -1,0 +1,171 @@
+//! Batches of runs of a reference case with varied clearances, on the lanes of one thread.
+
+use loosepin::math::{Quintic, Vectors};
+use loosepin::mechanism::{Mechanism, Sample};
+use loosepin::model::{JointKind, Model, QuantityId};
+use loosepin::simulate::{
+    Arms, Counters, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, columns, conduct,
+};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The clearances of a batch lie evenly between 1 - `VARIATION` and 1 + `VARIATION` times the nominal ones.
+const VARIATION: f64 = 0.1;
+
+/// A reference case, compiled.
+#[derive(Debug)]
+pub struct Case {
+    /// Name of its folder in `cases/`.
+    pub name: String,
+    /// The mechanism at its nominal values.
+    pub mechanism: Mechanism,
+    /// Duration of a turn of the cycle's drive, s.
+    pub turn_s: f64,
+    /// The first output that is a position: it is read at equidistant times.
+    pub reading: Reading,
+    clearances: Vec<(QuantityId, f64)>,
+}
+
+/// What is run.
+#[derive(Debug, Clone, Copy)]
+pub struct Plan {
+    /// Number of runs.
+    pub runs: usize,
+    /// Turns of a run.
+    pub turns: usize,
+    /// Times a turn at which the position is read.
+    pub readings_per_turn: usize,
+    /// Accuracy and limits.
+    pub settings: Settings,
+}
+
+/// A finished run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finished {
+    /// What it counted.
+    pub counters: Counters,
+    /// The position at the times of the plan, m or rad.
+    pub readings: Vec<f64>,
+}
+
+impl Case {
+    /// Compiles `cases/NAME/model.toml`.
+    ///
+    /// # Panics
+    /// Where the case is not there or is no mechanism.
+    pub fn read(name: &str) -> Self {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
+        let model = Model::from_path(&file).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let nominal = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let turn_s = std::f64::consts::TAU / nominal[model.drives[model.cycle.drive.0].speed].abs();
+        let clearances = mechanism
+            .plays
+            .iter()
+            .filter_map(|play| match &model.joints[play.0].kind {
+                JointKind::Revolute { clearance: Some(clearance), .. } => Some(clearance.radial_clearance_m),
+                _ => None,
+            })
+            .map(|quantity| (quantity, nominal[quantity]))
+            .collect();
+        let position = columns(&mechanism).into_iter().find(|column| column.reading.is_position());
+        let reading = position.unwrap_or_else(|| panic!("{name} has no output that is a position")).reading;
+        Self { name: name.to_owned(), mechanism, turn_s, reading, clearances }
+    }
+
+    /// Everything for run `index` of `runs`, whose clearances are spread evenly. One run alone has the nominal ones.
+    fn run(&self, index: usize, plan: &Plan) -> Run<Reader> {
+        let factor = 1.0 + VARIATION * ((2 * index + 1) as f64 / plan.runs as f64 - 1.0);
+        let set: Vec<(QuantityId, f64)> = self.clearances.iter().map(|&(id, nominal_m)| (id, factor * nominal_m)).collect();
+        let values = self.mechanism.model.quantities.evaluate(&set).expect("the clearances are possible");
+        let rows = plan.turns * plan.readings_per_turn;
+        Run {
+            sample: Sample::new(&self.mechanism, &values).expect("the sample fits the mechanism"),
+            arms: Arms::new(&self.mechanism, &values),
+            window: Window { start_s: 0.0, end_s: plan.turns as f64 * self.turn_s },
+            observer: Reader {
+                index,
+                interval_s: self.turn_s / plan.readings_per_turn as f64,
+                rows: rows + 1,
+                readings: Vec::with_capacity(rows + 1),
+            },
+        }
+    }
+
+    /// Runs the whole plan on this thread and on the lanes of `vectors`; the runs in their order.
+    pub fn conduct(&self, plan: &Plan, vectors: Vectors) -> Vec<Finished> {
+        let next = AtomicUsize::new(0);
+        in_order(self.conduct_shared(plan, vectors, &next))
+    }
+
+    /// Runs the whole plan on `threads` threads, each taking the next run as soon as a lane is free.
+    ///
+    /// # Panics
+    /// Where a thread did.
+    pub fn conduct_on_threads(&self, plan: &Plan, vectors: Vectors, threads: usize) -> Vec<Finished> {
+        let next = AtomicUsize::new(0);
+        let parts: Vec<(usize, Finished)> = std::thread::scope(|scope| {
+            let workers: Vec<_> =
+                (0..threads).map(|_| scope.spawn(|| self.conduct_shared(plan, vectors, &next))).collect();
+            workers.into_iter().flat_map(|worker| worker.join().expect("no thread panics")).collect()
+        });
+        in_order(parts)
+    }
+
+    fn conduct_shared(&self, plan: &Plan, vectors: Vectors, next: &AtomicUsize) -> Vec<(usize, Finished)> {
+        let mut waiting = Waiting { case: self, plan, next, finished: Vec::new() };
+        conduct(&self.mechanism, &[self.reading], &plan.settings, vectors, &mut waiting);
+        waiting.finished
+    }
+}
+
+fn in_order(mut finished: Vec<(usize, Finished)>) -> Vec<Finished> {
+    finished.sort_by_key(|(index, _)| *index);
+    finished.into_iter().map(|(_, run)| run).collect()
+}
+
+/// Reads a position at equidistant times.
+struct Reader {
+    index: usize,
+    interval_s: f64,
+    rows: usize,
+    readings: Vec<f64>,
+}
+
+impl Observer for Reader {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        let mut position = None;
+        while self.readings.len() < self.rows {
+            let time_s = self.readings.len() as f64 * self.interval_s;
+            // The last reading is the end of the run, where the two may differ by rounding.
+            if time_s > step.end_s * (1.0 + 1e-12) {
+                break;
+            }
+            let [start, end] = step.outputs[0];
+            let position = position.get_or_insert_with(|| Quintic::new(start, end, step.length));
+            self.readings.push(position.value(step.share(time_s)));
+        }
+    }
+}
+
+/// Runs that wait for a lane.
+struct Waiting<'c> {
+    case: &'c Case,
+    plan: &'c Plan,
+    next: &'c AtomicUsize,
+    finished: Vec<(usize, Finished)>,
+}
+
+impl Queue for Waiting<'_> {
+    type Observer = Reader;
+
+    fn next(&mut self) -> Option<Run<Reader>> {
+        let index = self.next.fetch_add(1, Ordering::Relaxed);
+        (index < self.plan.runs).then(|| self.case.run(index, self.plan))
+    }
+
+    fn finished(&mut self, reader: Reader, outcome: Result<RunReport, RunFailure>) {
+        let report = outcome.unwrap_or_else(|failure| panic!("{} run {}: {failure}", self.case.name, reader.index));
+        self.finished.push((reader.index, Finished { counters: report.counters, readings: reader.readings }));
+    }
+}

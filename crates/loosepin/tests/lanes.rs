@@ -1,0 +1,183 @@
+//! Runs on lanes against runs alone: the same bits, whatever the instructions, the lane, the neighbours and the order.
+
+use loosepin::math::Vectors;
+use loosepin::mechanism::{Mechanism, Sample};
+use loosepin::model::{JointKind, Model};
+use loosepin::simulate::{
+    Arms, Counters, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation, Settings, Step, Window,
+    columns, conduct,
+};
+use std::path::Path;
+
+/// More runs than the widest group has lanes, so that lanes are filled again.
+const RUNS: usize = 19;
+
+struct Case {
+    mechanism: Mechanism,
+    readings: Vec<Reading>,
+    turn_s: f64,
+}
+
+fn case(name: &str) -> Case {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
+    let model = Model::from_path(&file).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let nominal = model.quantities.nominal();
+    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let readings = columns(&mechanism).iter().map(|column| column.reading).filter(Reading::is_position).collect();
+    let turn_s = std::f64::consts::TAU / nominal[model.drives[model.cycle.drive.0].speed].abs();
+    Case { mechanism, readings, turn_s }
+}
+
+/// Everything that an observer can see of a run.
+#[derive(Debug, Default, Clone, PartialEq)]
+struct Seen {
+    /// Ends of all steps with the outputs there.
+    steps: Vec<(f64, Vec<[[f64; 3]; 2]>)>,
+    /// A look inside of some steps: positions of all bodies.
+    looks: Vec<f64>,
+    contacts: Vec<(f64, f64)>,
+    report: Option<RunReport>,
+}
+
+struct Watcher {
+    index: usize,
+    seen: Seen,
+    looks_inside: bool,
+}
+
+impl Observer for Watcher {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        self.seen.steps.push((step.end_s, step.outputs.to_vec()));
+        if self.looks_inside && self.seen.steps.len().is_multiple_of(17) {
+            let poses = &step.evaluate(step.start_s + 0.37 * (step.end_s - step.start_s)).kinematics.poses;
+            self.seen.looks.extend(poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]));
+        }
+    }
+    fn contact_begins(&mut self, onset: &Onset) {
+        self.seen.contacts.push((onset.time_s, onset.speed_m_s));
+    }
+    fn contact_ends(&mut self, separation: &Separation) {
+        self.seen.contacts.push((separation.time_s, separation.speed_m_s));
+    }
+}
+
+struct Waiting<'c> {
+    case: &'c Case,
+    order: Vec<usize>,
+    turns: f64,
+    seen: Vec<Seen>,
+}
+
+impl Queue for Waiting<'_> {
+    type Observer = Watcher;
+
+    fn next(&mut self) -> Option<Run<Watcher>> {
+        let index = self.order.pop()?;
+        let model = &self.case.mechanism.model;
+        let factor = 0.9 + 0.2 * index as f64 / RUNS as f64;
+        let mut set = Vec::new();
+        for play in &self.case.mechanism.plays {
+            if let JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints[play.0].kind {
+                let id = clearance.radial_clearance_m;
+                set.push((id, factor * model.quantities.nominal()[id]));
+            }
+        }
+        let values = model.quantities.evaluate(&set).expect("the clearances are possible");
+        // Every third run is longer, so that lanes become free at different times.
+        let turns = self.turns * if index.is_multiple_of(3) { 1.3 } else { 1.0 };
+        Some(Run {
+            sample: Sample::new(&self.case.mechanism, &values).expect("the sample fits"),
+            arms: Arms::new(&self.case.mechanism, &values),
+            window: Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s },
+            observer: Watcher { index, seen: Seen::default(), looks_inside: index.is_multiple_of(2) },
+        })
+    }
+
+    fn finished(&mut self, watcher: Watcher, outcome: Result<RunReport, RunFailure>) {
+        let report = outcome.unwrap_or_else(|failure| panic!("run {}: {failure}", watcher.index));
+        self.seen[watcher.index] = Seen { report: Some(report), ..watcher.seen };
+    }
+}
+
+fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, settings: &Settings) -> Vec<Seen> {
+    let mut waiting = Waiting { case, order, turns, seen: vec![Seen::default(); RUNS] };
+    conduct(&case.mechanism, &case.readings, settings, vectors, &mut waiting);
+    waiting.seen
+}
+
+/// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone.
+const CASES: [(&str, f64); 8] = [
+    ("slider_crank_5000", 0.3),
+    ("slider_crank_two_clearances", 0.06),
+    ("slider_crank_friction", 0.3),
+    ("six_bar", 0.05),
+    ("five_bar_driven_slider", 0.1),
+    ("four_bar_linear_contact", 0.05),
+    ("slider_crank_given_stiffness", 0.1),
+    ("four_bar_floating_coupler", 0.03),
+];
+
+#[test]
+fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set() {
+    for (name, turns) in CASES {
+        let case = case(name);
+        let forward: Vec<usize> = (0..RUNS).collect();
+        let backward: Vec<usize> = (0..RUNS).rev().collect();
+        let settings = Settings::for_study();
+        let alone = conducted(&case, forward.clone(), turns, Vectors::None, &settings);
+        assert!(alone.iter().all(|seen| seen.steps.len() > 3), "{name}: the runs are long enough to tell something");
+        assert!(alone.iter().any(|seen| !seen.contacts.is_empty()), "{name}: there is contact");
+        for vectors in Vectors::available() {
+            for (order, machine_code) in [(&forward, true), (&backward, true), (&backward, false)] {
+                let settings = Settings { machine_code, ..settings };
+                let together = conducted(&case, order.clone(), turns, vectors, &settings);
+                for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                    assert_eq!(one, other, "{name}, run {index}, {}, machine code {machine_code}", vectors.name());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn identity_a_run_is_not_changed_by_who_looks_at_it() {
+    let case = case("six_bar");
+    let mut counters: Vec<Vec<Option<RunReport>>> = Vec::new();
+    for readings in [case.readings.clone(), Vec::new()] {
+        let case = Case { mechanism: case.mechanism.clone(), readings, turn_s: case.turn_s };
+        let seen = conducted(&case, (0..RUNS).collect(), 0.03, Vectors::best(), &Settings::for_study());
+        counters.push(seen.into_iter().map(|seen| seen.report).collect());
+    }
+    assert_eq!(counters[0], counters[1]);
+}
+
+/// Work of one turn of the nominal slider-crank at the accuracy of a study, and of mechanisms with other traits: what a change of
+/// the integrator, of the events or of the tolerances shows first. From our own last run.
+#[test]
+fn pinned_counts_of_reference_cases() {
+    struct Nobody;
+    impl Observer for Nobody {
+        fn step(&mut self, _step: &mut Step<'_, '_>) {}
+    }
+    let mut found = Vec::new();
+    for (name, turns) in [
+        ("slider_crank_5000", 1.0),
+        ("slider_crank_two_clearances", 0.25),
+        ("slider_crank_friction", 1.0),
+        ("six_bar", 0.25),
+    ] {
+        let case = case(name);
+        let sample = Sample::new(&case.mechanism, &case.mechanism.model.quantities.nominal()).expect("nominal");
+        let window = Window { start_s: 0.0, end_s: turns * case.turn_s };
+        let report = loosepin::simulate::run(&case.mechanism, &sample, &window, &Settings::for_study(), &mut Nobody);
+        let Counters { steps, rejections, evaluations, events } = report.expect("the cases run").counters;
+        found.push((name, [evaluations, steps, rejections, events]));
+    }
+    let expected = [
+        ("slider_crank_5000", [0, 0, 0, 0]),
+        ("slider_crank_two_clearances", [0, 0, 0, 0]),
+        ("slider_crank_friction", [0, 0, 0, 0]),
+        ("six_bar", [0, 0, 0, 0]),
+    ];
+    assert_eq!(found, expected, "evaluations, steps, rejections, events");
+}
