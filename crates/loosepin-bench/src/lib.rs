@@ -3,6 +3,9 @@
 //! Seconds vary with the machine, counts do not: a change of the work per run shows in
 //! [`Throughput::evaluations_per_run`] even where the clock is noisy.
 
+pub mod diagram;
+pub mod precision;
+
 use std::fmt;
 use std::time::Instant;
 
