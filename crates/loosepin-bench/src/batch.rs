@@ -76,7 +76,8 @@ impl Case {
     /// Everything for run `index` of `runs`, whose clearances are spread evenly. One run alone has the nominal ones.
     fn run(&self, index: usize, plan: &Plan) -> Run<Reader> {
         let factor = 1.0 + VARIATION * ((2 * index + 1) as f64 / plan.runs as f64 - 1.0);
-        let set: Vec<(QuantityId, f64)> = self.clearances.iter().map(|&(id, nominal_m)| (id, factor * nominal_m)).collect();
+        let set: Vec<(QuantityId, f64)> =
+            self.clearances.iter().map(|&(id, nominal_m)| (id, factor * nominal_m)).collect();
         let values = self.mechanism.model.quantities.evaluate(&set).expect("the clearances are possible");
         let rows = plan.turns * plan.readings_per_turn;
         Run {

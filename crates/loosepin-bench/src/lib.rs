@@ -4,6 +4,8 @@
 //! [`Throughput::evaluations_per_run`] even where the clock is noisy.
 
 pub mod batch;
+pub mod diagram;
+pub mod precision;
 
 use std::fmt;
 use std::time::Instant;

@@ -50,7 +50,9 @@ impl Observer for Watcher {
         self.seen.steps.push((step.end_s, step.outputs.to_vec()));
         if self.looks_inside && self.seen.steps.len().is_multiple_of(17) {
             let poses = &step.evaluate(step.start_s + 0.37 * (step.end_s - step.start_s)).kinematics.poses;
-            self.seen.looks.extend(poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]));
+            self.seen
+                .looks
+                .extend(poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]));
         }
     }
     fn contact_begins(&mut self, onset: &Onset) {

@@ -217,11 +217,13 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             let Some(run) = &mut self.runs[lane] else { continue };
             run.counters.evaluations += per_attempt;
             let bit = 1 << lane;
+            // A step onto an event is part of a good one; where it is not good itself, the search is given up.
+            if attempt.good & bit == 0 {
+                run.phase = Phase::Stepping;
+                self.reject(lane, queue);
+                continue;
+            }
             let decision = if matches!(run.phase, Phase::Stepping) {
-                if attempt.good & bit == 0 {
-                    self.reject(lane, queue);
-                    continue;
-                }
                 let passes_end = self.core.equations.reads[ReadLayout::TIME].lane(lane) > run.window.end_s;
                 if attempt.eventful & bit != 0 || passes_end { self.decide(lane) } else { Decision::Accept(None) }
             } else {

@@ -64,6 +64,13 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
         let right = (tau, quintic.value(tau));
         if !has_come_back {
             has_come_back = right.1 <= 0.0;
+            if right.1 > 0.0 && quintic.slope(left.0) < 0.0 && quintic.slope(tau) > 0.0 {
+                // Below zero and up again within the piece.
+                let bottom = turning_point(&Quintic::new([-p0, -v0, -a0], [-p1, -v1, -a1], h), left.0, tau);
+                if quintic.value(bottom) <= 0.0 {
+                    return Some(root(&quintic, bottom, tau));
+                }
+            }
             left = right;
             continue;
         }

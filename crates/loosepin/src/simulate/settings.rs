@@ -17,10 +17,10 @@ pub struct Settings {
 }
 
 /// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
-pub const STEP_SHARE: f64 = 1e-3;
+pub const STEP_SHARE: f64 = 5e-3;
 
 /// Distance from δ = 0 at which a contact begins or ends over the tolerance asked for: measured like [`STEP_SHARE`].
-pub const EVENT_SHARE: f64 = 1e-3;
+pub const EVENT_SHARE: f64 = 1e-4;
 
 impl Settings {
     /// Default settings for one simulation.
