@@ -34,7 +34,7 @@ pub struct ProbabilityBox {
 impl ProbabilityBox {
     pub(super) fn new(evidence: &Evidence<'_>, table: &SampleTable, column: usize) -> Self {
         let samples = evidence.pool.samples(column);
-        let ends = samples.iter().filter_map(|sample| Some((*sample.sorted().first()?, *sample.sorted().last()?)));
+        let ends = samples.iter().filter_map(|sample| sample.ends());
         let (low, high) = ends
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (first, last)| (low.min(first), high.max(last)));
         let values: Vec<f64> = if low > high {

@@ -17,7 +17,7 @@ pub(super) struct QuantileAt {
 /// Statistical Association 47 (1952) 635-646) with the errors of [`super::probability`]; where the interval needs an order
 /// statistic that the sample does not have, it is infinite on that side.
 pub(super) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> QuantileAt {
-    let sorted = sample.sorted();
+    let sorted = &sample.sorted()[..];
     if sorted.is_empty() {
         return QuantileAt { low: Estimate::UNDEFINED, high: Estimate::UNDEFINED };
     }

@@ -1,7 +1,5 @@
 //! One column at one u: the finished values, replicate by replicate.
 
-use std::sync::OnceLock;
-
 use crate::uncertainty::{normal_quantile, student_factor};
 
 /// The values of one column that belong together, in the order of the plan.
@@ -10,7 +8,6 @@ pub(super) struct Sample {
     values: Vec<f64>,
     replicate_ends: Vec<usize>,
     failed: usize,
-    sorted: OnceLock<Vec<f64>>,
 }
 
 impl Sample {
@@ -27,7 +24,8 @@ impl Sample {
             }
             replicate_ends.push(values.len());
         }
-        Self { values, replicate_ends, failed, sorted: OnceLock::new() }
+        values.shrink_to_fit();
+        Self { values, replicate_ends, failed }
     }
 
     /// Finished values.
@@ -45,13 +43,18 @@ impl Sample {
         self.values.len() + self.failed
     }
 
-    /// Finished values in increasing order.
-    pub fn sorted(&self) -> &[f64] {
-        self.sorted.get_or_init(|| {
-            let mut sorted = self.values.clone();
-            sorted.sort_unstable_by(f64::total_cmp);
-            sorted
-        })
+    /// Finished values in increasing order. Sorted anew each time: to keep a second copy of every column costs more than it
+    /// saves.
+    pub fn sorted(&self) -> Vec<f64> {
+        let mut sorted = self.values.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        sorted
+    }
+
+    /// The least and the greatest finished value.
+    pub fn ends(&self) -> Option<(f64, f64)> {
+        let first = *self.values.first()?;
+        Some(self.values.iter().fold((first, first), |(low, high), &value| (low.min(value), high.max(value))))
     }
 
     /// The finished values of each replicate that has any.
@@ -67,7 +70,7 @@ impl Sample {
 
     /// How many of the finished values do not exceed `limit`.
     pub fn count_up_to(&self, limit: f64) -> usize {
-        self.sorted().partition_point(|&value| value <= limit)
+        self.values.iter().filter(|&&value| value <= limit).count()
     }
 }
 

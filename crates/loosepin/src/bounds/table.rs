@@ -69,6 +69,16 @@ impl SampleTable {
         Self { columns, ..Self::default() }
     }
 
+    /// An empty table with room for `runs` runs, so that adding them never needs room for a second copy.
+    pub fn with_capacity(columns: usize, runs: usize) -> Self {
+        Self {
+            columns,
+            inputs: Vec::with_capacity(runs),
+            failures: Vec::with_capacity(runs),
+            values: Vec::with_capacity(columns * runs),
+        }
+    }
+
     /// Adds a run.
     ///
     /// # Errors

@@ -98,9 +98,9 @@ pub fn conduct(
 ) -> Result<Conducted, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
-    let mut table = SampleTable::new(response.row_length());
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let most_runs = plan.most_runs();
+    let mut table = SampleTable::with_capacity(response.row_length(), most_runs);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     progress.runs(0, most_runs);
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
