@@ -13,7 +13,7 @@ mod response;
 pub mod result;
 pub mod runs;
 
-pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs};
+pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use file::{
     Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, StudyProblem, Where,
     study_schema,

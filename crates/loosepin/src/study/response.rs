@@ -235,6 +235,16 @@ impl StudyResponse {
         &self.settings
     }
 
+    /// Gives every run up after this many evaluations.
+    pub fn limit_evaluations(&mut self, largest_evaluations: u64) {
+        self.settings.largest_evaluations = largest_evaluations;
+    }
+
+    /// Time at the end of the nominal run, s.
+    pub fn nominal_end_s(&self) -> f64 {
+        self.nominal_window.end_s
+    }
+
     /// The values of the model for these inputs.
     ///
     /// # Errors

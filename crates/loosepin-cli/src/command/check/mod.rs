@@ -48,8 +48,8 @@ fn describe_input(file: InputFile) -> Result<String, Failure> {
         InputFile::Study(study) => {
             warn(&study.warnings);
             let values = study::middle_values(&study)?;
-            let (mechanism, tried) = compile_and_try(&study.model, &values)?;
-            study::words(&study, &mechanism, &values, &tried)
+            let (_, tried) = compile_and_try(&study.model, &values)?;
+            study::words(&study, &tried)
         }
     }
 }

@@ -2,15 +2,17 @@
 
 use std::fmt::Write;
 
-use loosepin::mechanism::Mechanism;
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{Study, plan_runs};
+use loosepin::study::{Study, StudyError, plan_runs, time_a_run_s};
 use loosepin::uncertainty::Distribution;
 use loosepin::units::{Dimension, format_number, format_value};
 
-use super::trial::{RunTime, Trial, run_time_s};
+use super::trial::Trial;
 use crate::console::{counted, duration};
 use crate::ending::Failure;
+
+/// Evaluations after which a timed run is given up: a hundredth of a second or so.
+const TIMED_EVALUATIONS: u64 = 1_000_000;
 
 /// The values of the model with every interval input in the middle of its interval.
 ///
@@ -28,7 +30,7 @@ pub fn middle_values(study: &Study) -> Result<Values, Failure> {
 ///
 /// # Errors
 /// The study cannot be planned, or its nominal run fails.
-pub fn words(study: &Study, mechanism: &Mechanism, values: &Values, tried: &Trial) -> Result<String, Failure> {
+pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
     let mut text = format!("{}\n\nof {}: {}\n", study.name, study.model_path.display(), study.model.name);
     push_inputs(&mut text, study);
     let _ = writeln!(
@@ -38,8 +40,10 @@ pub fn words(study: &Study, mechanism: &Mechanism, values: &Values, tried: &Tria
         counted(study.requirements.len(), "requirement", "requirements")
     );
     let most_runs = plan_runs(study).map_err(|error| error.complaint(study))?;
-    let run_time = run_time_s(mechanism, values, &study.cycle, study.sampling.tolerance_m)
-        .map_err(|failure| failure.complaint(&study.model))?;
+    let run_s = time_a_run_s(study, TIMED_EVALUATIONS).map_err(|error| match error {
+        StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
+        error => error.complaint(study),
+    })?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let _ = writeln!(
         text,
@@ -49,12 +53,8 @@ pub fn words(study: &Study, mechanism: &Mechanism, values: &Values, tried: &Tria
         format_value(tried.turn_s, Dimension::TIME),
         study.sampling.tolerance_m
     );
-    let on_all_threads = |run_s: f64| duration(run_s * most_runs as f64 / threads as f64);
-    let time = match run_time {
-        RunTime::About(run_s) => format!("about {}", on_all_threads(run_s)),
-        RunTime::MoreThan(run_s) => format!("more than {}", on_all_threads(run_s)),
-    };
-    let _ = writeln!(text, "At most {most_runs} runs: {time} on {}", counted(threads, "thread", "threads"));
+    let time = duration(run_s * most_runs as f64 / threads as f64);
+    let _ = writeln!(text, "At most {most_runs} runs: about {time} on {}", counted(threads, "thread", "threads"));
     Ok(text)
 }
 

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{Cycle, JointKind, Values};
-use loosepin::simulate::{IdealReference, Plan, RunFailure, Settings, Window, run, turn_s};
+use loosepin::model::{JointKind, Values};
+use loosepin::simulate::{IdealReference, RunFailure, Settings, Window, run, turn_s};
 use loosepin::simulate::{Observer, Step};
 
 /// Positions of a turn in which the ideal mechanism is closed.
@@ -17,10 +17,6 @@ const MOST_TURNS_OF_THE_FASTEST: f64 = 1000.0;
 const TRIAL_TURNS: f64 = 1.0 / 360.0;
 /// Evaluations after which the trial has shown enough: a slow mechanism settles into resting contact long before.
 const TRIAL_EVALUATIONS: u64 = 100_000;
-/// Turns of a run whose time is measured, at most.
-const MOST_TIMED_TURNS: f64 = 3.0;
-/// Evaluations after which the measurement is given up: a second or so.
-const TIMED_EVALUATIONS: u64 = 1_000_000;
 
 /// What the trial showed.
 #[derive(Debug)]
@@ -79,40 +75,6 @@ fn speed_ratio(mechanism: &Mechanism, values: &Values) -> f64 {
     };
     let fastest = model.drives.iter().map(rate).fold(0.0, f64::max);
     fastest / rate(&model.drives[model.cycle.drive.0])
-}
-
-/// Seconds that one nominal run takes on this machine.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RunTime {
-    /// As measured, or scaled up from fewer turns.
-    About(f64),
-    /// The trial was given up after this.
-    MoreThan(f64),
-}
-
-/// Measures a nominal run by the clock: a turn of it, and as many more as there are.
-///
-/// # Errors
-/// Why it failed.
-pub fn run_time_s(
-    mechanism: &Mechanism,
-    values: &Values,
-    cycle: &Cycle,
-    tolerance_m: f64,
-) -> Result<RunTime, RunFailure> {
-    let settings = Settings { tolerance_m, largest_evaluations: TIMED_EVALUATIONS, ..Settings::for_study() };
-    let turns = cycle.transient_turns + cycle.recorded_turns;
-    let timed_turns = turns.min(MOST_TIMED_TURNS);
-    let timed = Cycle { transient_turns: 0.0, recorded_turns: timed_turns, ..cycle.clone() };
-    let plan = Plan { cycle: timed, settings, with_states: false, overrides: Vec::new() };
-    let began = std::time::Instant::now();
-    let outcome = loosepin::simulate::simulate(mechanism, values, &plan);
-    let run_s = began.elapsed().as_secs_f64() * turns / timed_turns;
-    match outcome {
-        Ok(_) => Ok(RunTime::About(run_s)),
-        Err(RunFailure::TooManyEvaluations { .. }) => Ok(RunTime::MoreThan(run_s)),
-        Err(failure) => Err(failure),
-    }
 }
 
 fn body_starts(
