@@ -168,6 +168,9 @@ pub fn conduct(
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
 
+/// Columns and extras of a finished run, or why it gave nothing.
+type Row = Result<Vec<f64>, Failure>;
+
 /// The rows of a batch; nothing for runs that the emergency stop has kept from starting. Each thread takes the next run as soon as one
 /// of its lanes is free; which thread and which lane a run meets has no influence on its bits.
 fn evaluate(
@@ -175,10 +178,10 @@ fn evaluate(
     response: &StudyResponse,
     stop: &AtomicBool,
     finished: &(dyn Fn() + Sync),
-) -> Vec<Option<Result<Vec<f64>, Failure>>> {
+) -> Vec<Option<Row>> {
     let taken = AtomicUsize::new(0);
     let vectors = Vectors::best();
-    let parts: Vec<Vec<(usize, Result<Vec<f64>, Failure>)>> = (0..rayon::current_num_threads())
+    let parts: Vec<Vec<(usize, Row)>> = (0..rayon::current_num_threads())
         .into_par_iter()
         .with_max_len(1)
         .map(|_| {
@@ -195,7 +198,7 @@ fn evaluate(
             rows
         })
         .collect();
-    let mut rows: Vec<Option<Result<Vec<f64>, Failure>>> = vec![None; batch.len()];
+    let mut rows: Vec<Option<Row>> = vec![None; batch.len()];
     for (index, row) in parts.into_iter().flatten() {
         rows[index] = Some(row);
     }

@@ -8,6 +8,7 @@ mod file;
 pub mod files;
 mod ideal_curve;
 mod input_file;
+mod lanes;
 mod recorder;
 mod response;
 pub mod result;

@@ -3,23 +3,25 @@
 //! A pass tries one step in every lane at once, then decides lane by lane: try again, accept, begin or end a contact, finish.
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
-use super::column::{Arms, Reading};
-use super::core::{Attempt, Core};
-use super::failure::RunFailure;
-use super::gap::{ContactStep, Crossing, GapJet, penetration_m};
-use super::lane::{Decision, Event, LaneRun, LaneStep, Phase};
-use super::motion::Motion;
-use super::observer::{DenseOutput, Observer, Onset, Separation, Source, Step};
-use super::projection::Projection;
-use super::reads::ReadLayout;
-use super::report::{Counters, PlaySummary, RunReport};
-use super::settings::{Settings, Window};
+mod switch;
+
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
-use crate::math::{Lanes, Real};
+use crate::math::Lanes;
 use crate::mechanism::{IdealMotion, Mechanism, Sample};
 use crate::model::JointKind;
 use crate::native::Level;
+use crate::simulate::column::{Arms, Reading};
+use crate::simulate::core::{Attempt, Core};
+use crate::simulate::failure::RunFailure;
+use crate::simulate::gap::{ContactStep, GapJet, penetration_m};
+use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
+use crate::simulate::motion::Motion;
+use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
+use crate::simulate::projection::Projection;
+use crate::simulate::reads::ReadLayout;
+use crate::simulate::report::{Counters, PlaySummary, RunReport};
+use crate::simulate::settings::{Settings, Window};
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
@@ -28,10 +30,6 @@ pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
 /// Largest growth from one step to the next.
 const LARGEST_GROWTH: f64 = 6.0;
-/// Steps in turn that hardly move the time before the root of a penetration is given up as an unknown.
-const MOST_STALLED_STEPS: u32 = 12;
-/// Share of the longest step below which time hardly moves.
-const STALLED_SHARE: f64 = 1e-7;
 
 /// A run that waits for a lane.
 pub struct Run<O> {
@@ -411,111 +409,6 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                 self.act(lane, event, queue);
             }
         }
-    }
-
-    /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
-    fn watch_stalling(&mut self, lane: usize) {
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
-        let step = self.core.steps.lane(lane);
-        let Some(run) = &mut self.runs[lane] else { return };
-        let Some(play) = run.root else { return };
-        if step * pace.abs() > STALLED_SHARE * run.longest_s {
-            run.stalled = 0;
-            return;
-        }
-        run.stalled += 1;
-        if run.stalled > MOST_STALLED_STEPS {
-            run.stalled = 0;
-            run.next = STALLED_SHARE * run.longest_s;
-            run.root = None;
-            let (state, _) = self.core.equations.contact(lane, play);
-            self.core.set_contact(lane, play, &state, false);
-            self.core.start[ReadLayout::TIME + 1].set_lane(lane, 1.0);
-            self.restarts |= 1 << lane;
-        }
-    }
-
-    fn count_event(&mut self, lane: usize, event: Event) {
-        if let (Some(run), Event::Contact { .. }) = (&mut self.runs[lane], event) {
-            run.counters.events += 1;
-        }
-    }
-
-    /// Lets a contact begin or end at the start of the step, or ends the run.
-    fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Queue<Observer = O>) {
-        let (play, crossing) = match event {
-            Event::Contact { play, crossing } => (play, crossing),
-            Event::End => return self.succeed(lane, queue),
-            Event::Kink { .. } => {
-                // The force goes on evenly here: the step before was only not to reach across.
-                if let Some(run) = &mut self.runs[lane] {
-                    run.phase = Phase::Stepping;
-                }
-                return self.choose_step(lane);
-            }
-        };
-        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
-        let speed_m_s = self.gap_rate_m_s(lane, play);
-        let has_layout_root = self.core.equations.motion.layout.roots[play].is_some();
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
-        let Some(run) = &mut self.runs[lane] else { return };
-        run.phase = Phase::Stepping;
-        run.stalled = 0;
-        let had_root = run.root.is_some();
-        let numbers = &run.sample.plays[play];
-        let (state, has_root, kind) = match crossing {
-            Crossing::Onset => {
-                let is_floored = !(speed_m_s > numbers.minimum_impact_speed_m_s);
-                let impact_speed_m_s = Real::max(speed_m_s, numbers.minimum_impact_speed_m_s);
-                if time_s >= run.window.start_s {
-                    let summary = &mut run.plays[play];
-                    summary.contacts += 1;
-                    summary.floored_contacts += u64::from(is_floored);
-                    summary.impacts_beyond_validity += u64::from(speed_m_s > numbers.largest_valid_impact_speed_m_s);
-                }
-                run.observer.contact_begins(&Onset { play, time_s, speed_m_s, is_floored });
-                let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s };
-                // One root at a time: two that vanish together would never leave zero.
-                (state, has_layout_root && !had_root && !is_floored, 0)
-            }
-            Crossing::Separation => {
-                run.observer.contact_ends(&Separation { play, time_s, speed_m_s: -speed_m_s });
-                (PlayState::flight(), false, 1)
-            }
-        };
-        // The first step after an event is as long as the last one after such an event. Before there is one, a tenth of the
-        // step that was cut, in time; from u = 0 on the time is v0 s²/4.
-        let cut_s = 0.1 * run.next * if had_root { pace.abs().max(1e-3 * numbers.clearance_m.sqrt()) } else { 1.0 };
-        run.next = match run.after_event[kind] {
-            known if known > 0.0 => known,
-            _ if has_root => (4.0 * cut_s * state.inverse_impact_speed_s_m).sqrt(),
-            _ => cut_s,
-        };
-        run.last_event = Some(kind);
-        if has_root {
-            run.root = Some(play);
-        } else if run.root == Some(play) {
-            run.root = None;
-        }
-        let is_even = run.root.is_none();
-        self.core.set_contact(lane, play, &state, has_root);
-        self.restarts |= 1 << lane;
-        // The root begins at zero, and the time with it; without any root it goes on evenly.
-        if has_root || is_even {
-            self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
-        }
-        self.choose_step(lane);
-    }
-
-    /// δ̇ at the start of the step.
-    fn gap_rate_m_s(&self, lane: usize, play: usize) -> f64 {
-        let [value, slope, _] = self.gap(lane, play)[0].jet;
-        if self.core.equations.contact(lane, play).1 {
-            return 2.0 * slope;
-        }
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
-        let clearance_m = self.runs[lane].as_ref().map_or(0.0, |run| run.sample.plays[play].clearance_m);
-        slope / (2.0 * (value + clearance_m * clearance_m).max(0.0).sqrt() * pace)
     }
 
     fn choose_step(&mut self, lane: usize) {
