@@ -116,8 +116,9 @@ impl<T: Real> Stepper<T> {
             ErrorEstimate::Combined { fifth, third } => {
                 let [fifth, third] = self.squares([fifth, third], tolerances);
                 let mixed = third.mul_add(T::from_f64(0.01), fifth) * T::from_f64(tolerances.len() as f64);
-                // Both estimates zero: the smallest number keeps the quotient zero.
-                step.abs() * fifth / mixed.sqrt().max(T::from_f64(f64::MIN_POSITIVE))
+                // Both estimates zero: the smallest number keeps the quotient zero. One beyond all numbers would make it zero
+                // as well: infinity times zero is not a number, and neither is the error then.
+                step.abs() * fifth / mixed.sqrt().max(T::from_f64(f64::MIN_POSITIVE)) + mixed * T::zero()
             }
         }
     }
@@ -352,6 +353,37 @@ mod tests {
             stepper.accept();
         }
         ((stepper.start()[0] - exact(2.3)).hypot(stepper.start()[1] - rate(2.3)), inside)
+    }
+
+    /// x' = 0 but for one stage of 1e140 to 1e160: one of the two estimates overflows before the other.
+    #[test]
+    fn identity_an_estimate_beyond_all_numbers_is_never_a_good_step() {
+        struct Spike {
+            stage: usize,
+            spiked: usize,
+            height: f64,
+        }
+        impl System for Spike {
+            fn derivative(&mut self, _time_s: f64, _state: &[f64], slope: &mut [f64]) {
+                slope[0] = if self.stage == self.spiked { self.height } else { 0.0 };
+                self.stage += 1;
+            }
+        }
+        for spiked in 0..12 {
+            for power in 0..400 {
+                let mut spike = Spike { stage: 0, spiked, height: 10f64.powf(140.0 + 0.05 * f64::from(power)) };
+                let mut stepper = Stepper::new(&DOP853, 1);
+                stepper.restart(&mut spike, 0.0, &[0.0]);
+                let error = stepper.attempt(&mut spike, 1e-3, &[1e-9]);
+                // The estimates look at the first stage and at those from the sixth on.
+                assert_eq!(
+                    error <= 1.0,
+                    (1..5).contains(&spiked),
+                    "stage {spiked} at {:e}: error {error:e}",
+                    spike.height
+                );
+            }
+        }
     }
 
     #[test]
