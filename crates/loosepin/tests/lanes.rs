@@ -31,10 +31,10 @@ fn case(name: &str) -> Case {
 /// Everything that an observer can see of a run.
 #[derive(Debug, Default, Clone, PartialEq)]
 struct Seen {
-    /// Ends of all steps with the outputs there.
-    steps: Vec<(f64, Vec<[[f64; 3]; 2]>)>,
+    /// Ends of all steps with the bits of the outputs there: a zero has a sign.
+    steps: Vec<(f64, Vec<u64>)>,
     /// A look inside of some steps: positions of all bodies.
-    looks: Vec<f64>,
+    looks: Vec<u64>,
     contacts: Vec<(f64, f64)>,
     report: Option<RunReport>,
 }
@@ -47,12 +47,12 @@ struct Watcher {
 
 impl Observer for Watcher {
     fn step(&mut self, step: &mut Step<'_, '_>) {
-        self.seen.steps.push((step.end_s, step.outputs.to_vec()));
+        let bits = step.outputs.iter().flatten().flatten().map(|value| value.to_bits()).collect();
+        self.seen.steps.push((step.end_s, bits));
         if self.looks_inside && self.seen.steps.len().is_multiple_of(17) {
             let poses = &step.evaluate(step.start_s + 0.37 * (step.end_s - step.start_s)).kinematics.poses;
-            self.seen
-                .looks
-                .extend(poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]));
+            let numbers = poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]);
+            self.seen.looks.extend(numbers.map(f64::to_bits));
         }
     }
     fn contact_begins(&mut self, onset: &Onset) {

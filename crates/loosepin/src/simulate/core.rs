@@ -130,9 +130,11 @@ impl<'a, T: Lanes> Core<'a, T> {
     pub fn jets(&self, lane: usize, place: usize) -> [GapJet; 2] {
         // Written out: closures over arrays are not always inlined, and this is read for every step of every lane.
         let (start, end) = (&self.start[place..place + 3], &self.equations.reads[place..place + 3]);
+        // Machine code leaves out what is multiplied by zero, which may turn the sign of a zero: adding zero makes it positive.
+        let number = |value: &T| value.lane(lane) + 0.0;
         [
-            GapJet { jet: [start[0].lane(lane), start[1].lane(lane), start[2].lane(lane)] },
-            GapJet { jet: [end[0].lane(lane), end[1].lane(lane), end[2].lane(lane)] },
+            GapJet { jet: [number(&start[0]), number(&start[1]), number(&start[2])] },
+            GapJet { jet: [number(&end[0]), number(&end[1]), number(&end[2])] },
         ]
     }
 

@@ -230,6 +230,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             match decision {
                 Decision::Retry(step) => self.core.steps.set_lane(lane, step),
                 Decision::SwitchAtStart(event) => {
+                    if let Some(failure) = self.too_many_evaluations(lane) {
+                        self.finish(lane, Err(failure), queue);
+                        continue;
+                    }
                     self.count_event(lane, event);
                     self.act(lane, event, queue);
                 }
@@ -256,6 +260,14 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                 self.go_on(lane, events[lane], queue);
             }
         }
+    }
+
+    /// Whether a run is to be given up.
+    fn too_many_evaluations(&self, lane: usize) -> Option<RunFailure> {
+        let limit = self.settings.largest_evaluations;
+        let is_beyond = self.runs[lane].as_ref().is_some_and(|run| run.counters.evaluations > limit);
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        is_beyond.then_some(RunFailure::TooManyEvaluations { time_s, limit })
     }
 
     /// What becomes of an attempt in `lane` that may hold an event.
@@ -309,7 +321,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_end = event == Some(Event::End) || (event.is_none() && step == run.window.end_s - start_s);
         let end_s = if run.reaches_end { run.window.end_s } else { end_s };
-        if end_s <= run.window.start_s || step <= 0.0 {
+        // With a root a step may be too short for the time to show it.
+        if end_s <= run.window.start_s || end_s <= start_s {
             return Ok(());
         }
         if attempt.notable >> lane & 1 != 0 {
@@ -342,6 +355,9 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         for (play, limits) in run.gap_limits.iter().enumerate() {
             let gap = self.core.equations.reads[self.core.layout.gap(play)].lane(lane);
             let is_root = run.root == Some(play);
+            if gap.is_nan() {
+                return Err(RunFailure::NotFinite { time_s: self.core.start[ReadLayout::TIME].lane(lane) });
+            }
             if gap > limits[usize::from(is_root)] {
                 let numbers = &run.sample.plays[play];
                 return Err(RunFailure::LeavesBearing {
@@ -481,6 +497,8 @@ impl<T: Lanes> DenseOutput for LaneDense<'_, '_, T> {
         } else {
             stepper.interpolate_lane(self.lane, share, state);
         }
+        // No negative zeros: see `Core::jets`.
+        state.iter_mut().for_each(|value| *value += 0.0);
     }
 
     fn contact(&self, play: usize) -> PlayState<f64> {
