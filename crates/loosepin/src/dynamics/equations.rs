@@ -1,7 +1,7 @@
 //! Mass matrix, forces and accelerations.
 
 use super::play::{DepthRoot, PlayForce, PlayMotion, PlayState};
-use crate::math::{Real, Vec2, factor_ldl, solve_ldl};
+use crate::math::{GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
     Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, moved, points_of, turned_by,
 };
@@ -35,7 +35,7 @@ pub struct Dynamics<'a, T> {
     pub(super) plays: Vec<(PlayMotion<T>, PlayForce<T>)>,
     /// Free accelerations q̈.
     pub(super) accelerations: Vec<T>,
-    /// Constraint forces λ of the independent rows.
+    /// Constraint forces λ; where rows repeat each other, one of the many that do the same.
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
     mass: Vec<T>,
@@ -47,10 +47,10 @@ pub struct Dynamics<'a, T> {
     centre_partials: Vec<Vec2<T>>,
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
-    /// M⁻¹ Jᵀ, one row of n for each independent constraint.
+    /// M⁻¹ Jᵀ, one row of n for each constraint.
     mobility_rows: Vec<T>,
     /// J M⁻¹ Jᵀ.
-    schur: Vec<T>,
+    gram: GramSystem<T>,
 }
 
 impl<'a, T: Real> Dynamics<'a, T> {
@@ -58,7 +58,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
         let tree = &mechanism.real;
         let (n, z) = (tree.free, tree.coordinates());
-        let (rows, m) = (tree.constraint_rows(), mechanism.real_rows().len());
+        let rows = tree.constraint_rows();
         let kinematics = Kinematics::new(tree);
         let play_slots: Vec<[usize; 2]> = mechanism
             .plays
@@ -83,15 +83,15 @@ impl<'a, T: Real> Dynamics<'a, T> {
             play_slots,
             plays,
             accelerations: vec![T::zero(); n],
-            multipliers: vec![T::zero(); m],
+            multipliers: vec![T::zero(); rows],
             mass: vec![T::zero(); n * n],
             driven_mass: vec![T::zero(); tree.drives.len() * n],
             forces: vec![T::zero(); z],
             centre_partials: vec![Vec2::zero(); z],
             jacobian: vec![T::zero(); rows * z],
             constraint_biases: vec![T::zero(); rows],
-            mobility_rows: vec![T::zero(); m * n],
-            schur: vec![T::zero(); m * m],
+            mobility_rows: vec![T::zero(); rows * n],
+            gram: GramSystem::new(rows),
         }
     }
 
@@ -224,7 +224,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         }
     }
 
-    /// M q̈ = h + Jᵀ λ with J q̈ = -γ over the independent rows.
+    /// M q̈ = h + Jᵀ λ with J q̈ = -γ.
     #[inline(always)]
     fn solve(&mut self) {
         let tree = &self.mechanism.real;
@@ -232,39 +232,37 @@ impl<'a, T: Real> Dynamics<'a, T> {
         factor_ldl(&mut self.mass, n);
         self.accelerations.copy_from_slice(&self.forces[..n]);
         solve_ldl(&self.mass, n, &mut self.accelerations);
-        let rows = self.mechanism.real_rows();
-        let m = rows.len();
-        if m == 0 {
+        let rows = tree.constraint_rows();
+        if rows == 0 {
             return;
         }
         constraints::jacobian(tree, &self.sample.real, &self.kinematics, &mut self.jacobian);
         constraints::biases(tree, &self.sample.real, &self.kinematics, &mut self.constraint_biases);
-        for (r, &row) in rows.iter().enumerate() {
+        for row in 0..rows {
             let gradient = &self.jacobian[row * columns..row * columns + n];
-            let mobility = &mut self.mobility_rows[r * n..(r + 1) * n];
+            let mobility = &mut self.mobility_rows[row * n..(row + 1) * n];
             mobility.copy_from_slice(gradient);
             solve_ldl(&self.mass, n, mobility);
             let mut defect = -self.constraint_biases[row];
             for (slope, acceleration) in gradient.iter().zip(&self.accelerations) {
                 defect = (-*slope).mul_add(*acceleration, defect);
             }
-            self.multipliers[r] = defect;
+            self.multipliers[row] = defect;
         }
-        for (r, &row) in rows.iter().enumerate() {
+        for row in 0..rows {
             let gradient = &self.jacobian[row * columns..row * columns + n];
-            for s in 0..m {
+            for s in 0..rows {
                 let mut sum = T::zero();
                 for (slope, mobility) in gradient.iter().zip(&self.mobility_rows[s * n..(s + 1) * n]) {
                     sum = slope.mul_add(*mobility, sum);
                 }
-                self.schur[r * m + s] = sum;
+                self.gram.matrix[row * rows + s] = sum;
             }
         }
-        factor_ldl(&mut self.schur, m);
-        solve_ldl(&self.schur, m, &mut self.multipliers);
-        for r in 0..m {
+        self.gram.solve(self.mechanism.rows_may_repeat, &mut self.multipliers);
+        for row in 0..rows {
             for (k, acceleration) in self.accelerations.iter_mut().enumerate() {
-                *acceleration = self.mobility_rows[r * n + k].mul_add(self.multipliers[r], *acceleration);
+                *acceleration = self.mobility_rows[row * n + k].mul_add(self.multipliers[row], *acceleration);
             }
         }
     }
@@ -294,8 +292,8 @@ impl<'a, T: Real> Dynamics<'a, T> {
         for (coupling, acceleration) in self.driven_mass[k * n..(k + 1) * n].iter().zip(&self.accelerations) {
             needed = coupling.mul_add(*acceleration, needed);
         }
-        for (r, &row) in self.mechanism.real_rows().iter().enumerate() {
-            needed -= self.jacobian[row * tree.coordinates() + n + k] * self.multipliers[r];
+        for (row, multiplier) in self.multipliers.iter().enumerate() {
+            needed -= self.jacobian[row * tree.coordinates() + n + k] * *multiplier;
         }
         needed
     }
@@ -347,11 +345,11 @@ impl<T: Real> Dynamics<'_, T> {
     pub fn constraint_jacobian(&self, out: &mut [T]) {
         constraints::jacobian(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
     }
-    /// Φ̇ of the independent rows for the present rates.
+    /// Φ̇ of all rows for the present rates.
     #[inline(always)]
     pub fn constraint_rates(&self, jacobian: &[T], out: &mut [T]) {
         let columns = self.mechanism.real.coordinates();
-        for (out, &row) in out.iter_mut().zip(self.mechanism.real_rows()) {
+        for (row, out) in out.iter_mut().enumerate() {
             let mut sum = T::zero();
             for (slope, rate) in jacobian[row * columns..(row + 1) * columns].iter().zip(&self.rates) {
                 sum = slope.mul_add(*rate, sum);

@@ -66,21 +66,14 @@ impl<T: Real> Dynamics<'_, T> {
     /// Forces of the cut joints on their second bodies, N: λ times the gradient with respect to the second point.
     fn cut_forces_n(&self) -> Vec<Vec2<T>> {
         let tree = &self.mechanism.real;
-        let multiplier_of = |row: usize| {
-            self.mechanism
-                .real_rows()
-                .iter()
-                .position(|&independent| independent == row)
-                .map_or(T::zero(), |r| self.multipliers[r])
-        };
         let mut row = 0;
         tree.cuts
             .iter()
             .zip(&self.sample.real.cuts)
             .map(|(cut, numbers)| {
-                let first = multiplier_of(row);
+                let first = self.multipliers[row];
                 let force = match cut.kind {
-                    CutKind::Revolute | CutKind::Rigid => Vec2::new(first, multiplier_of(row + 1)),
+                    CutKind::Revolute | CutKind::Rigid => Vec2::new(first, self.multipliers[row + 1]),
                     CutKind::Prismatic => {
                         let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
                         let (sine, cosine) = angle.sin_cos();

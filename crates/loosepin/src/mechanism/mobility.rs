@@ -62,10 +62,9 @@ pub fn count(
     Ok(Mobility { degrees_of_freedom, redundant, independent_rows })
 }
 
-/// The independent constraint rows of a tree that keeps its mobility (loops of ideal joints beside joints with play).
-pub fn independent_rows(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Vec<usize> {
-    let dependent = eliminate_free(tree, &jacobian_at(tree, geometry, coordinates)).dependent_rows();
-    (0..tree.constraint_rows()).filter(|row| !dependent.contains(row)).collect()
+/// Free coordinates that the loops of ideal joints leave open in the configuration `coordinates`.
+pub fn open_freedoms(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> usize {
+    tree.free - eliminate_free(tree, &jacobian_at(tree, geometry, coordinates)).rank()
 }
 
 /// Eliminates the part of a Jacobian that belongs to the free coordinates: its rank, and which rows carry it.

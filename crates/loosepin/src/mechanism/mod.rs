@@ -41,6 +41,10 @@ pub struct Mechanism {
     pub size_m: f64,
     /// Degrees of freedom with all clearances at zero.
     pub degrees_of_freedom: usize,
+    /// Degrees of freedom that move dynamically: those that play opens, without the driven ones.
+    pub dynamic_freedoms: usize,
+    /// Whether loops of ideal joints beside joints with play repeat each other, or do so at the start.
+    pub rows_may_repeat: bool,
     /// Joints that repeat what others impose already, with the number of their redundant constraints.
     pub redundant: Vec<(JointId, usize)>,
     /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
@@ -49,8 +53,6 @@ pub struct Mechanism {
     ideal_start: Vec<f64>,
     /// Independent constraint rows of the ideal tree.
     ideal_rows: Vec<usize>,
-    /// Independent constraint rows of the real tree.
-    real_rows: Vec<usize>,
 }
 
 impl Mechanism {
@@ -78,25 +80,28 @@ impl Mechanism {
             plays: (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect(),
             size_m,
             degrees_of_freedom,
+            dynamic_freedoms: 0,
+            rows_may_repeat: false,
             redundant,
             other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
             ideal_start: assembly.coordinates,
             ideal_rows: independent_rows,
-            real_rows: Vec::new(),
             ideal,
             real,
         };
         let mut kinematics = Kinematics::new(&mechanism.ideal);
         kinematics.set_positions(&mechanism.ideal, &geometry, &mechanism.ideal_start);
-        let start = mechanism.real_coordinates(&kinematics, &Geometry::new(model, &mechanism.real, values));
         let real_geometry = Geometry::new(model, &mechanism.real, values);
-        mechanism.real_rows = mobility::independent_rows(&mechanism.real, &real_geometry, &start.0);
+        let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
+        mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start);
+        mechanism.rows_may_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
         Ok(mechanism)
     }
 
     /// The same mechanism with every clearance at zero: its real tree is the ideal one.
     pub fn without_play(&self) -> Self {
-        Self { real: self.ideal.clone(), plays: Vec::new(), real_rows: self.ideal_rows.clone(), ..self.clone() }
+        let rows_may_repeat = self.ideal_rows.len() < self.ideal.constraint_rows();
+        Self { real: self.ideal.clone(), plays: Vec::new(), dynamic_freedoms: 0, rows_may_repeat, ..self.clone() }
     }
 
     /// Whether the drives alone determine the motion: no joint has play.
@@ -107,11 +112,6 @@ impl Mechanism {
     /// Independent constraint rows of the ideal tree, as many as it has free coordinates.
     pub fn ideal_rows(&self) -> &[usize] {
         &self.ideal_rows
-    }
-
-    /// Independent constraint rows of the real tree.
-    pub fn real_rows(&self) -> &[usize] {
-        &self.real_rows
     }
 
     /// Coordinates and rates of the real tree when its bodies are where `ideal` kinematics puts them.

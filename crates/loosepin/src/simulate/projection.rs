@@ -1,7 +1,7 @@
 //! Holding the loops of ideal joints after every step.
 
 use super::motion::Motion;
-use crate::math::{Real, factor_ldl, solve_ldl};
+use crate::math::{GramSystem, Real, solve_ldl};
 use crate::mechanism::Mechanism;
 
 /// Newton steps on the positions; the first leaves the square of an error that is tiny already.
@@ -14,11 +14,11 @@ pub struct Projection<T> {
     mass: Vec<T>,
     residuals: Vec<T>,
     jacobian: Vec<T>,
-    /// Defects of the independent rows, then their multipliers.
+    /// Defects of all rows, then their multipliers.
     defects: Vec<T>,
-    /// M⁻¹ Jᵀ, one row of n for each independent constraint.
+    /// M⁻¹ Jᵀ, one row of n for each constraint.
     mobilities: Vec<T>,
-    schur: Vec<T>,
+    gram: GramSystem<T>,
     correction: Vec<T>,
 }
 
@@ -26,14 +26,14 @@ impl<T: Real> Projection<T> {
     /// Room for `mechanism`.
     pub fn new(mechanism: &Mechanism) -> Self {
         let tree = &mechanism.real;
-        let (rows, m) = (tree.constraint_rows(), mechanism.real_rows().len());
+        let rows = tree.constraint_rows();
         Self {
             mass: vec![T::zero(); tree.free * tree.free],
             residuals: vec![T::zero(); rows],
             jacobian: vec![T::zero(); rows * tree.coordinates()],
-            defects: vec![T::zero(); m],
-            mobilities: vec![T::zero(); m * tree.free],
-            schur: vec![T::zero(); m * m],
+            defects: vec![T::zero(); rows],
+            mobilities: vec![T::zero(); rows * tree.free],
+            gram: GramSystem::new(rows),
             correction: vec![T::zero(); tree.free],
         }
     }
@@ -57,9 +57,7 @@ impl<T: Real> Projection<T> {
             motion.set_state(time_s, state);
             motion.dynamics.constraint_residuals(&mut self.residuals);
             motion.dynamics.constraint_jacobian(&mut self.jacobian);
-            for (defect, &row) in self.defects.iter_mut().zip(motion.dynamics.mechanism().real_rows()) {
-                *defect = self.residuals[row];
-            }
+            self.defects.copy_from_slice(&self.residuals);
             self.smallest_change(motion);
             for k in 0..n {
                 state[k] -= self.correction[k];
@@ -80,29 +78,27 @@ impl<T: Real> Projection<T> {
         let n = motion.freedoms();
         let mass = &self.mass;
         let columns = motion.dynamics.mechanism().real.coordinates();
-        let rows = motion.dynamics.mechanism().real_rows();
-        let m = rows.len();
-        for (r, &row) in rows.iter().enumerate() {
-            let mobility = &mut self.mobilities[r * n..(r + 1) * n];
+        let rows = self.defects.len();
+        for row in 0..rows {
+            let mobility = &mut self.mobilities[row * n..(row + 1) * n];
             mobility.copy_from_slice(&self.jacobian[row * columns..row * columns + n]);
             solve_ldl(mass, n, mobility);
         }
-        for (r, &row) in rows.iter().enumerate() {
+        for row in 0..rows {
             let gradient = &self.jacobian[row * columns..row * columns + n];
-            for s in 0..m {
+            for s in 0..rows {
                 let mut sum = T::zero();
                 for (slope, mobility) in gradient.iter().zip(&self.mobilities[s * n..(s + 1) * n]) {
                     sum = slope.mul_add(*mobility, sum);
                 }
-                self.schur[r * m + s] = sum;
+                self.gram.matrix[row * rows + s] = sum;
             }
         }
-        factor_ldl(&mut self.schur, m);
-        solve_ldl(&self.schur, m, &mut self.defects);
+        self.gram.solve(motion.dynamics.mechanism().rows_may_repeat, &mut self.defects);
         self.correction.fill(T::zero());
-        for r in 0..m {
+        for row in 0..rows {
             for k in 0..n {
-                self.correction[k] = self.mobilities[r * n + k].mul_add(self.defects[r], self.correction[k]);
+                self.correction[k] = self.mobilities[row * n + k].mul_add(self.defects[row], self.correction[k]);
             }
         }
     }

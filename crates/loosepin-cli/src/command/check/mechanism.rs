@@ -179,7 +179,7 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
         counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
         counted(model.drives.len(), "drive", "drives")
     );
-    let loose = mechanism.real.free - mechanism.real_rows().len();
+    let loose = mechanism.dynamic_freedoms;
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }

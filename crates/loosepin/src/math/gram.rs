@@ -1,0 +1,112 @@
+//! Gram matrices J M⁻¹ Jᵀ of constraints, whose rows may repeat each other.
+
+use super::{Real, factor_ldl, solve_ldl};
+
+/// What is added to the diagonal, as a share of it, where rows repeat each other. Round-off leaves 1e-16 of what vanishes.
+const REGULARISATION: f64 = 1e-10;
+/// Passes of refinement. Each leaves the share `REGULARISATION`/s of what is still wrong in a direction of relative size s.
+const PASSES: usize = 3;
+
+/// Solves G λ = r for a Gram matrix G, positive definite or, where rows repeat each other, positive semidefinite with an r that
+/// is consistent with it: then one of the many λ, which all give the same Jᵀ λ.
+///
+/// The second kind by (G + ε diag G) λ = r and refinement: no choice of rows, so nothing switches when a row is independent in
+/// one position and repeats others in the next (a plate on three cranks).
+#[derive(Debug, Clone)]
+pub struct GramSystem<T> {
+    /// G, row-major; destroyed by solving.
+    pub matrix: Vec<T>,
+    order: usize,
+    factors: Vec<T>,
+    right: Vec<T>,
+    change: Vec<T>,
+}
+
+impl<T: Real> GramSystem<T> {
+    /// Room for `order` unknowns.
+    pub fn new(order: usize) -> Self {
+        Self {
+            matrix: vec![T::zero(); order * order],
+            order,
+            factors: vec![T::zero(); order * order],
+            right: vec![T::zero(); order],
+            change: vec![T::zero(); order],
+        }
+    }
+
+    /// Replaces `right` by λ. `may_repeat` tells that rows may repeat each other.
+    #[inline(always)]
+    pub fn solve(&mut self, may_repeat: bool, right: &mut [T]) {
+        let n = self.order;
+        if !may_repeat {
+            factor_ldl(&mut self.matrix, n);
+            return solve_ldl(&self.matrix, n, right);
+        }
+        self.factors.copy_from_slice(&self.matrix);
+        for row in 0..n {
+            let diagonal = self.matrix[row * n + row];
+            let raised = diagonal * T::from_f64(1.0 + REGULARISATION);
+            // A row of zeros belongs to driven coordinates alone: any pivot gives it λ = 0.
+            self.factors[row * n + row] = T::select(T::zero().less_than(diagonal), raised, T::one());
+        }
+        factor_ldl(&mut self.factors, n);
+        self.right.copy_from_slice(right);
+        right.fill(T::zero());
+        for _ in 0..PASSES {
+            for row in 0..n {
+                let mut rest = self.right[row];
+                for (entry, value) in self.matrix[row * n..(row + 1) * n].iter().zip(right.iter()) {
+                    rest = (-*entry).mul_add(*value, rest);
+                }
+                self.change[row] = rest;
+            }
+            solve_ldl(&self.factors, n, &mut self.change);
+            for (value, change) in right.iter_mut().zip(&self.change) {
+                *value += *change;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::GramSystem;
+
+    /// Round-off of systems of order one with four unknowns.
+    const ROUND_OFF: f64 = 1e-13;
+
+    fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| a * b).sum()
+    }
+
+    /// The x = Jᵀ λ that `rows` demand of a target.
+    fn solution(rows: &[[f64; 3]], target: &[f64; 3]) -> [f64; 3] {
+        let mut system = GramSystem::new(rows.len());
+        system.matrix = rows.iter().flat_map(|a| rows.iter().map(move |b| dot(a, b))).collect();
+        let mut multipliers: Vec<f64> = rows.iter().map(|row| dot(row, target)).collect();
+        system.solve(true, &mut multipliers);
+        std::array::from_fn(|k| rows.iter().zip(&multipliers).map(|(row, m)| row[k] * m).sum())
+    }
+
+    #[test]
+    fn identity_rows_that_repeat_each_other_are_all_met() {
+        // The third row is the sum of the first two; the last one belongs to driven coordinates alone.
+        let rows = [[1.3, -0.4, 2.1], [0.7, 1.9, -0.6], [2.0, 1.5, 1.5], [0.0, 0.0, 0.0]];
+        let target = [0.9, -1.4, 0.35];
+        let x = solution(&rows, &target);
+        for row in &rows {
+            assert!((dot(row, &x) - dot(row, &target)).abs() < ROUND_OFF);
+        }
+    }
+
+    #[test]
+    fn identity_rows_may_come_close_to_each_other_where_a_third_one_does_not() {
+        // Through the place where the second row repeats the first; the third makes up for it.
+        for turn in [0.0, 1e-9, 1e-7, 1e-5, 1e-3] {
+            let rows = [[1.0, 0.0, 0.0], [1.0, turn, 0.0], [0.3, 1.2, 0.0]];
+            let target = [0.9, -1.4, 0.0];
+            let x = solution(&rows, &target);
+            assert!((x[0] - target[0]).abs() < ROUND_OFF && (x[1] - target[1]).abs() < ROUND_OFF, "{turn:e}: {x:?}");
+        }
+    }
+}
