@@ -178,10 +178,10 @@ def build_ours() -> list[str]:
     """Builds this library's own program, for any processor of this platform, as it is shipped."""
     name = "slider_crank_batch"
     say(f"building {name}")
-    build = ["cargo", "build", "--release", "--locked", "--quiet", "--package", "loosepin-bench", "--bin", name]
+    build = ["cargo", "build", "--release", "--locked", "--quiet", "--package", "loosepin-bench", "--example", name]
     run(build, "install Rust from https://rustup.rs")
     target = Path(os.environ.get("CARGO_TARGET_DIR", "target"))
-    return [str(REPOSITORY / target / "release" / name)]
+    return [str(REPOSITORY / target / "release" / "examples" / name)]
 
 
 def compiler_version() -> str:

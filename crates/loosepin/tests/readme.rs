@@ -46,3 +46,14 @@ fn named_files_exist() {
     }
     assert!(count > 3, "README.md names files");
 }
+
+/// `cargo run` without a name runs the only program there is: a second one would make the first command of the page ambiguous.
+#[test]
+fn the_workspace_holds_one_program() {
+    let mut programs = Vec::new();
+    for entry in std::fs::read_dir(repository().join("crates")).expect("crates") {
+        let folder = entry.expect("a folder of crates").path();
+        programs.extend([folder.join("src/main.rs"), folder.join("src/bin")].into_iter().filter(|path| path.exists()));
+    }
+    assert_eq!(programs, [repository().join("crates/loosepin-cli/src/main.rs")]);
+}
