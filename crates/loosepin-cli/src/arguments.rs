@@ -37,6 +37,7 @@ pub enum Command {
     Motion(MotionArguments),
     Simulate(SimulateArguments),
     Study(StudyArguments),
+    Sweep(SweepArguments),
     Report(ReportArguments),
     Schema(SchemaArguments),
     Explain(ExplainArguments),
@@ -133,6 +134,44 @@ pub struct StudyArguments {
     /// Study file
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
+    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
+    pub threads: Option<u32>,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Run one mechanism for many values of a quantity: where its motion repeats itself, how often it strikes
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Looks at the motion once a turn of the drive (Poincaré section) and draws a bifurcation diagram. Writes \
+    sections.csv, sweep.csv, summary.json and report.html. The results are the same for any number of threads.\n\n\
+    Examples:\n  \
+    loosepin sweep model.toml --over joint.gudgeon.radial_clearance=0.05mm..0.5mm\n  \
+    loosepin sweep model.toml --over drive.crank.speed=500rpm..5000rpm --points 400 --transient 300"
+)]
+pub struct SweepArguments {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// The quantity of the model and the values that it goes through, with their units
+    #[arg(long, value_name = "PATH=FROM..TO")]
+    pub over: String,
+    /// Values, ends included, 2 to 100000
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    pub points: u32,
+    /// Give another quantity of the model another value, with its unit; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Turns to settle before those that are looked at, at most 1000000
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    pub transient: u32,
+    /// Turns to look at, 2 to 100000
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    pub turns: u32,
+    /// Accuracy of positions over the first half turn, with its unit
+    #[arg(long, value_name = "LENGTH", default_value = "1e-8 m", allow_hyphen_values = true)]
+    pub tolerance: String,
     /// Threads to run on, 1 to 1024 [default: as many as the machine has]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,

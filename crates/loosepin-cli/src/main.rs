@@ -22,6 +22,7 @@ fn main() -> ExitCode {
         Command::Motion(motion) => command::motion::run(motion),
         Command::Simulate(simulate) => command::simulate::run(simulate),
         Command::Study(study) => command::study::run(study),
+        Command::Sweep(sweep) => command::sweep::run(sweep),
         Command::Schema(schema) => command::schema::run(schema),
         Command::Explain(explain) => command::explain::run(explain),
         Command::Report(report) => command::report::run(report),

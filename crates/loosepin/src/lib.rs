@@ -3,7 +3,7 @@
 //!
 //! Two wings and one bridge. Physics: [`contact`], [`model`], [`mechanism`], [`dynamics`], [`simulate`], [`accuracy`];
 //! it knows nothing of probability. Uncertainty: [`uncertainty`], [`bounds`]; it knows nothing of mechanisms.
-//! [`study`] joins them, [`report`] only reads results. `docs/architecture.md` says who may import whom.
+//! [`study`] joins them, [`sweep`] varies one number without either, [`report`] only reads results. `docs/architecture.md` says who may import whom.
 
 pub mod accuracy;
 pub mod bounds;
@@ -20,6 +20,7 @@ pub mod report;
 pub mod results;
 pub mod simulate;
 pub mod study;
+pub mod sweep;
 pub mod templates;
 pub mod trace;
 pub mod uncertainty;

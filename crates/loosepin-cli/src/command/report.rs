@@ -2,7 +2,7 @@
 
 use loosepin::results::{ResultKind, ResultsFolder};
 
-use super::{motion, simulate, study};
+use super::{motion, simulate, study, sweep};
 use crate::arguments::ReportArguments;
 use crate::ending::Ending;
 
@@ -12,6 +12,7 @@ pub fn run(arguments: &ReportArguments) -> Ending {
     match folder.kind() {
         ResultKind::Simulation => simulate::show_again(&mut folder),
         ResultKind::Study => study::show_again(&mut folder),
+        ResultKind::Sweep => sweep::show_again(&mut folder),
         ResultKind::Motion => motion::show_again(&mut folder),
     }
 }

@@ -1,7 +1,5 @@
 //! `loosepin study`.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
@@ -14,7 +12,9 @@ use loosepin::study::runs::RunsTable;
 use loosepin::study::{Conducted, StudyError, conduct};
 
 use super::inputs::read_study;
+use super::signals::stop_on_signals;
 use super::stored::{place, tell_again};
+use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -35,15 +35,13 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
-    let stop = stop_on_signals();
+    let stop = stop_on_signals("Ctrl-C will end the study without keeping its runs");
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
         return show_again(&mut folder);
     }
-    let threads = arguments
-        .threads
-        .map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), |threads| threads as usize);
+    let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::new();
     let outcome = conduct(&study, &claim.inputs.to_string(), threads, &bar, &stop);
@@ -97,19 +95,4 @@ fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
     Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
-}
-
-/// Set by the first Ctrl-C; the second ends the program at once.
-fn stop_on_signals() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&stop);
-    let handler = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    };
-    if let Err(error) = ctrlc::set_handler(handler) {
-        console::message(&format!("warning: Ctrl-C will end the study without keeping its runs: {error}"));
-    }
-    stop
 }

@@ -22,7 +22,7 @@ pub(crate) use keys::CYCLE_NUMBERS;
 pub use problem::ModelProblem;
 pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use set_values::{SetValues, measured_argument};
-pub use setting::{PathError, Setting, SettingError};
+pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use topology::{
     Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, FrictionLaw, Guess,
     Joint, JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,

@@ -1,12 +1,14 @@
 //! Values set from outside: `--set path=value`, and the inputs of a study.
 
+use std::sync::Arc;
+
 use thiserror::Error;
 
 use super::quantity::{Origin, QuantityError, QuantityId};
 use super::topology::Model;
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
 use crate::document::listed;
-use crate::units::{Dimension, ExpressionProblem, parse_quantity};
+use crate::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
 
 /// A quantity with the value that it is to have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +17,17 @@ pub struct Setting {
     pub id: QuantityId,
     /// Its value, SI.
     pub value_si: f64,
+}
+
+/// A quantity with the ends of the values that it is to go through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SettingRange {
+    /// The quantity.
+    pub id: QuantityId,
+    /// The first value, SI.
+    pub from_si: f64,
+    /// The last value, SI; another than the first.
+    pub to_si: f64,
 }
 
 /// Why a path names no quantity that can be set.
@@ -52,6 +65,20 @@ pub enum SettingError {
     NoEqualsSign {
         /// The text.
         text: String,
+    },
+    /// No range.
+    #[error("'{text}' is not written path=from..to")]
+    NoRange {
+        /// The text.
+        text: String,
+    },
+    /// A range without extent.
+    #[error("{path} goes from {value} to the same value; must be two values")]
+    EmptyRange {
+        /// The path.
+        path: String,
+        /// The value with its unit.
+        value: String,
     },
     /// A path that cannot be set.
     #[error(transparent)]
@@ -129,20 +156,21 @@ impl Problem for PathError {
 impl Problem for SettingError {
     fn code(&self) -> Code {
         match self {
-            Self::NoEqualsSign { .. } => Code::SettingSyntax,
+            Self::NoEqualsSign { .. } | Self::NoRange { .. } => Code::SettingSyntax,
             Self::Path(error) => error.code(),
             Self::Value(problem) => problem.code(),
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::Rule(error) => error.code(),
             Self::Twice { .. } => Code::SetTwice,
-            Self::ArgumentBreaksRule { .. } => Code::BreaksRule,
+            Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => Code::BreaksRule,
         }
     }
 
     fn hint(&self) -> Option<String> {
         match self {
             Self::NoEqualsSign { .. } => Some("for example --set joint.gudgeon.radial_clearance=0.3mm".to_owned()),
+            Self::NoRange { .. } => Some("for example --over joint.gudgeon.radial_clearance=0.1mm..0.5mm".to_owned()),
             Self::Path(error) => error.hint(),
             Self::Value(problem) => problem.hint(),
             Self::MissingUnit { due, .. } | Self::WrongDimension { due, .. } => {
@@ -152,7 +180,7 @@ impl Problem for SettingError {
                 ))
             }
             Self::Rule(error) => error.hint(),
-            Self::Twice { .. } | Self::ArgumentBreaksRule { .. } => None,
+            Self::Twice { .. } | Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => None,
         }
     }
 }
@@ -203,17 +231,50 @@ impl Model {
     /// A complaint whose place is in the text of the setting.
     pub fn parse_setting(&self, text: &str) -> Result<Setting, Complaint> {
         let source = Source::new("--set", text);
-        let complain = |error: SettingError, span: std::ops::Range<usize>| {
-            Complaint::error(&error, Some(Place::new(&source, span)))
-        };
         let Some((path, value)) = text.split_once('=') else {
-            return Err(complain(SettingError::NoEqualsSign { text: text.to_owned() }, 0..text.len()));
+            let error = SettingError::NoEqualsSign { text: text.to_owned() };
+            return Err(Complaint::error(&error, Some(Place::new(&source, 0..text.len()))));
         };
-        let value_start = path.len() + 1;
-        let id = self.find(path.trim()).map_err(|error| complain(error.into(), 0..path.len()))?;
-        let measured = parse_quantity(value).map_err(|error| {
-            complain(error.problem.into(), value_start + error.span.start..value_start + error.span.end)
-        })?;
+        let id = self.find_in(&source, path)?;
+        let value_si = self.value_in(&source, id, path.len() + 1, value)?;
+        Ok(Setting { id, value_si })
+    }
+
+    /// Reads a range `path=from..to` and checks both ends like [`Self::parse_setting`].
+    ///
+    /// # Errors
+    /// A complaint whose place is in the text of the range.
+    pub fn parse_setting_range(&self, text: &str) -> Result<SettingRange, Complaint> {
+        let source = Source::new("--over", text);
+        let whole = || Some(Place::new(&source, 0..text.len()));
+        let parts = text.split_once('=').and_then(|(path, values)| Some((path, values.split_once("..")?)));
+        let Some((path, (from, to))) = parts else {
+            return Err(Complaint::error(&SettingError::NoRange { text: text.to_owned() }, whole()));
+        };
+        let id = self.find_in(&source, path)?;
+        let from_start = path.len() + 1;
+        let from_si = self.value_in(&source, id, from_start, from)?;
+        let to_si = self.value_in(&source, id, from_start + from.len() + 2, to)?;
+        if from_si == to_si {
+            let quantity = &self.quantities[id];
+            let value = format_value(from_si, quantity.dimension);
+            return Err(Complaint::error(&SettingError::EmptyRange { path: quantity.path.clone(), value }, whole()));
+        }
+        Ok(SettingRange { id, from_si, to_si })
+    }
+
+    /// The quantity named at the start of the text of `source`.
+    fn find_in(&self, source: &Arc<Source>, path: &str) -> Result<QuantityId, Complaint> {
+        self.find(path.trim())
+            .map_err(|error| Complaint::error(&SettingError::from(error), Some(Place::new(source, 0..path.len()))))
+    }
+
+    /// The value of the quantity `id` that stands at `start` in the text of `source`, SI.
+    fn value_in(&self, source: &Arc<Source>, id: QuantityId, start: usize, value: &str) -> Result<f64, Complaint> {
+        let complain = |error: SettingError, span: std::ops::Range<usize>| {
+            Complaint::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
+        };
+        let measured = parse_quantity(value).map_err(|error| complain(error.problem.into(), error.span))?;
         let quantity = &self.quantities[id];
         let (path, due, found) = (quantity.path.clone(), quantity.dimension, measured.dimension);
         let error = if found == due {
@@ -224,8 +285,8 @@ impl Model {
             Some(SettingError::WrongDimension { path, found, due })
         };
         match error {
-            None => Ok(Setting { id, value_si: measured.value_si }),
-            Some(error) => Err(complain(error, value_start..text.len())),
+            None => Ok(measured.value_si),
+            Some(error) => Err(complain(error, 0..value.len())),
         }
     }
 }

@@ -10,13 +10,16 @@ mod motion_page;
 mod number;
 mod page;
 mod script_data;
+mod section_figure;
 mod simulation_page;
 mod still_figures;
 mod study_page;
+mod sweep_page;
 mod terminal;
 mod wording;
 
 pub use motion_page::motion_page;
 pub use simulation_page::simulation_page;
 pub use study_page::study_page;
-pub use terminal::{TERMINAL_COLUMNS, motion_text, simulation_text, study_text};
+pub use sweep_page::sweep_page;
+pub use terminal::{TERMINAL_COLUMNS, motion_text, simulation_text, study_text, sweep_text};

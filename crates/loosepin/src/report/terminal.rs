@@ -6,10 +6,11 @@ use super::answer::{answer, output_unit, treatment_sentences};
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
 use super::wording::{count, counted, deviation_words, output_words, place_words, statistic_words, treatment_words};
-use super::{motion_page, simulation_page};
+use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
 use crate::simulate::record::{SimulationRecord, StopReason};
 use crate::study::result::{BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use crate::sweep::record::SweepRecord;
 use crate::units::SiUnit;
 
 /// Columns that a terminal is taken to have.
@@ -171,6 +172,31 @@ pub fn motion_text(record: &MotionRecord) -> String {
     }
     push_table(&mut text, &contributors);
     push_table(&mut text, &scatter_table(record, &writer));
+    with_plain_spaces(text)
+}
+
+/// A sweep as text for a terminal: the answer, and what kind of motion there is where.
+pub fn sweep_text(record: &SweepRecord) -> String {
+    let writer = NumberWriter::for_terminal(&record.display_units);
+    let mut text = format!("{}\n\n", record.model);
+    for sentence in sweep_page::headline_sentences(record, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    let stretches = sweep_page::stretches(record);
+    let mut kinds = table(&["from", "to", "values", "motion"], &[0, 1, 2]);
+    for stretch in stretches.iter().take(MOST_ROWS) {
+        let [first, last] = stretch.range;
+        kinds.add_row([
+            writer.value_trimmed(record.points[first].value_si, &record.unit),
+            writer.value_trimmed(record.points[last].value_si, &record.unit),
+            count((last - first + 1) as u64, &writer),
+            sweep_page::period_words(stretch.period),
+        ]);
+    }
+    push_table(&mut text, &kinds);
+    if stretches.len() > MOST_ROWS {
+        text.push_str(&format!("\n{} more in sweep.csv\n", stretches.len() - MOST_ROWS));
+    }
     with_plain_spaces(text)
 }
 

@@ -15,15 +15,18 @@ pub enum ResultKind {
     Motion,
     /// An uncertainty study.
     Study,
+    /// Runs for many values of a quantity.
+    Sweep,
 }
 
 impl ResultKind {
-    /// As a noun: `simulation`, `motion`, `study`.
+    /// As a noun: `simulation`, `motion`, `study`, `sweep`.
     pub fn words(self) -> &'static str {
         match self {
             Self::Simulation => "simulation",
             Self::Motion => "motion",
             Self::Study => "study",
+            Self::Sweep => "sweep",
         }
     }
 }

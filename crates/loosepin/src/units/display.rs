@@ -7,6 +7,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::Dimension;
+
 /// An SI unit by its symbol, as it stands in files: `m`, `rad`, `m/s`, `kg m^2`, `N/m^1.5`, and `1` for a pure number.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
@@ -43,6 +45,12 @@ impl SiUnit {
     pub const PRESSURE: SiUnit = SiUnit(Cow::Borrowed("Pa"));
     /// Density, kg/m^3.
     pub const DENSITY: SiUnit = SiUnit(Cow::Borrowed("kg/m^3"));
+
+    /// The SI unit of `dimension`, `1` for a pure number.
+    pub fn of_dimension(dimension: Dimension) -> SiUnit {
+        let symbol = dimension.si_unit();
+        if symbol.is_empty() { SiUnit::NONE } else { SiUnit::from_symbol(symbol) }
+    }
 
     /// A unit by its SI symbol, for quantities without a constant here.
     pub fn from_symbol(symbol: impl Into<String>) -> SiUnit {

@@ -39,8 +39,7 @@ fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
 
 /// The SI unit of a quantity, `1` for a pure number.
 pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
-    let symbol = table[id].dimension.si_unit();
-    if symbol.is_empty() { SiUnit::NONE } else { SiUnit::from_symbol(symbol) }
+    SiUnit::of_dimension(table[id].dimension)
 }
 
 fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {

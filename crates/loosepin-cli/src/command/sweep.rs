@@ -1,0 +1,122 @@
+//! `loosepin sweep`.
+
+use loosepin::mechanism::Mechanism;
+use loosepin::model::{Model, Rule, SetValues, SettingError, measured_argument};
+use loosepin::report::{sweep_page, sweep_text};
+use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
+use loosepin::simulate::Settings;
+use loosepin::study::Progress;
+use loosepin::sweep::record::SweepRecord;
+use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
+use loosepin::units::Dimension;
+
+use super::inputs::{overrides, read_model};
+use super::signals::stop_on_signals;
+use super::stored::{place, read_json, tell_again, to_json};
+use super::threads::threads;
+use crate::arguments::SweepArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+use crate::progress::Bar;
+
+/// Runs the sweep, or shows the one that is there.
+pub fn run(arguments: &SweepArguments) -> Ending {
+    let model = read_model(&arguments.model)?;
+    let set = model.set_values(&arguments.set)?;
+    let plan = plan(arguments, &model, &set)?;
+    let claim = Claim {
+        kind: ResultKind::Sweep,
+        name: model.name.clone(),
+        inputs: inputs(arguments, &model, &plan),
+        place: place(&arguments.output),
+        with_force: arguments.output.force,
+    };
+    // Compiled in the middle of the range, so that a clearance that begins at zero has play for most values.
+    let middle = middle_values(&model, &set, &plan)?;
+    let mechanism = Mechanism::new(&model, &middle.values).map_err(|error| error.complaint(&model))?;
+    let mut folder = claim.take()?;
+    if folder.is_finished() {
+        tell_again(&folder);
+        return show_again(&mut folder);
+    }
+    let stop = stop_on_signals("Ctrl-C will end the sweep at once");
+    let bar = Bar::new();
+    let heard = |finished: usize| bar.runs(finished, plan.points);
+    heard(0);
+    let outcome = sweep(&mechanism, &set, &plan, threads(arguments.threads), &heard, &stop);
+    bar.finish();
+    match outcome {
+        Ok(record) => {
+            folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
+            folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
+            folder.write(SUMMARY_FILE, to_json(&record, &folder, SUMMARY_FILE)?.as_bytes())?;
+            folder.write(REPORT_FILE, sweep_page(&record).as_bytes())?;
+            folder.finish()?;
+            tell(&record, &folder)
+        }
+        Err(SweepError::Interrupted { finished, runs }) => {
+            folder.abandon()?;
+            console::message(&format!("interrupted after {finished} of {runs} runs"));
+            Ok(Done::Interrupted)
+        }
+        Err(error) => {
+            folder.abandon()?;
+            Err(Failure::of(&error))
+        }
+    }
+}
+
+/// Writes the page again from the stored record, and prints the table.
+pub fn show_again(folder: &mut ResultsFolder) -> Ending {
+    let record: SweepRecord = read_json(folder, SUMMARY_FILE)?;
+    folder.write(REPORT_FILE, sweep_page(&record).as_bytes())?;
+    tell(&record, folder)
+}
+
+fn tell(record: &SweepRecord, folder: &ResultsFolder) -> Ending {
+    console::print(&sweep_text(record))?;
+    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
+    Ok(Done::Well)
+}
+
+fn plan(arguments: &SweepArguments, model: &Model, set: &SetValues) -> Result<SweepPlan, Failure> {
+    let range = model.parse_setting_range(&arguments.over)?;
+    if set.settings.iter().any(|setting| setting.id == range.id) {
+        let path = model.quantities[range.id].path.clone();
+        return Err(Failure::of(&SettingError::Twice { path }));
+    }
+    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
+    Ok(SweepPlan {
+        range,
+        points: arguments.points as usize,
+        transient_turns: arguments.transient,
+        recorded_turns: arguments.turns,
+        settings: Settings { tolerance_m, ..Settings::for_study() },
+        overrides: overrides(&arguments.set),
+    })
+}
+
+/// The values of the model with the swept quantity in the middle of its range.
+fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<SetValues, Failure> {
+    let mut settings: Vec<_> = set.settings.iter().map(|setting| (setting.id, setting.value_si)).collect();
+    settings.push((plan.range.id, 0.5 * (plan.range.from_si + plan.range.to_si)));
+    let values = model.quantities.evaluate(&settings).map_err(|error| Failure::of(&error))?;
+    Ok(SetValues { settings: set.settings.clone(), values })
+}
+
+fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {
+    let mut hasher = InputsHasher::new(ResultKind::Sweep);
+    hasher.add("model", model.source().text());
+    for set in &arguments.set {
+        hasher.add("set", set);
+    }
+    hasher
+        .add("over", &model.quantities[plan.range.id].path)
+        .add_number("from", plan.range.from_si)
+        .add_number("to", plan.range.to_si)
+        .add("points", plan.points.to_string())
+        .add("transient_turns", plan.transient_turns.to_string())
+        .add("recorded_turns", plan.recorded_turns.to_string())
+        .add_number("tolerance_m", plan.settings.tolerance_m)
+        .finish()
+}

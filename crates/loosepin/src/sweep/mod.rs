@@ -1,0 +1,15 @@
+//! One run for each of many values of a quantity: where the motion repeats itself, how often it strikes, where it does not
+//! settle (a bifurcation diagram).
+//!
+//! The motion is looked at once a turn, when the drive is back where it started (Poincaré section). A motion that repeats itself
+//! after p turns shows p points, one that never does a cloud.
+
+mod conduct;
+mod period;
+pub mod record;
+mod tables;
+mod turns;
+
+pub use conduct::{SweepError, SweepPlan, sweep};
+pub use period::{REPEAT_SHARE, period_turns};
+pub use tables::{SECTIONS_FILE, SWEEP_FILE, sections_csv, sweep_csv};
