@@ -84,6 +84,10 @@ bench *ARGUMENTS:
 compare *ARGUMENTS:
     python3 tools/compare/compare.py {{ ARGUMENTS }}
 
+# Where the processor time of the reference case goes, by perf; docs/performance.md says what follows.
+profile *ARGUMENTS:
+    python3 tools/profile/profile.py {{ ARGUMENTS }}
+
 # The main job, on the reference case.
 study:
     cargo run --release --locked -- study cases/slider_crank_worn_pin/study.toml

@@ -5,6 +5,7 @@
 
 pub mod batch;
 pub mod diagram;
+pub mod equations;
 pub mod precision;
 
 use std::fmt;

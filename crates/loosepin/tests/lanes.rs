@@ -3,9 +3,10 @@
 use loosepin::math::Vectors;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{JointKind, Model};
+use loosepin::native::OperationCounts;
 use loosepin::simulate::{
-    Arms, Counters, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation, Settings, Step, Window,
-    columns, conduct,
+    Arms, Counters, EquationPrograms, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation,
+    Settings, Step, Window, columns, conduct,
 };
 use std::path::Path;
 
@@ -182,4 +183,41 @@ fn pinned_counts_of_reference_cases() {
         ("six_bar", [9689, 635, 77, 29]),
     ];
     assert_eq!(found, expected, "evaluations, steps, rejections, events");
+}
+
+/// Operations of an evaluation of the equations of the slider-crank, counted in the programs that its machine code is made of:
+/// within a step, and at its end, where the slider's position is read. `docs/performance.md` holds time against them.
+#[test]
+fn pinned_operations_of_the_slider_crank() {
+    let Case { mechanism, readings, .. } = case("slider_crank_5000");
+    let nominal = mechanism.model.quantities.nominal();
+    let sample = Sample::new(&mechanism, &nominal).expect("nominal");
+    let programs = EquationPrograms::new(&mechanism, &sample, &Arms::new(&mechanism, &nominal), &readings[..1]);
+    let EquationPrograms { slope, end, projection } = programs.expect("the law has a straight line");
+    assert!(projection.is_none(), "no loop of ideal joints is to be held");
+    let expected = OperationCounts {
+        multiply_adds: 51,
+        additions: 27,
+        multiplications: 61,
+        divisions: 4,
+        square_roots: 2,
+        choices: 21,
+        signs: 7,
+        inputs: 22,
+        constants: 24,
+        outputs: 9,
+    };
+    assert_eq!(slope.counts(), expected, "within a step");
+    let expected = OperationCounts {
+        multiply_adds: 64,
+        additions: 38,
+        multiplications: 93,
+        divisions: 6,
+        choices: 24,
+        inputs: 23,
+        constants: 26,
+        outputs: 20,
+        ..expected
+    };
+    assert_eq!(end.counts(), expected, "at the end of a step");
 }

@@ -132,3 +132,23 @@ pub(super) enum Instruction {
         to: Memory,
     },
 }
+
+impl Instruction {
+    /// The instruction computes, with an operand that it reads from memory itself.
+    pub fn reads_memory(&self) -> bool {
+        let last = match self {
+            Self::Arithmetic { right, .. } | Self::Compare { right, .. } => right,
+            Self::SquareRoot { from, .. } => from,
+            Self::MulAdd { third, .. } => third,
+            Self::Blend { chosen, .. } => chosen,
+            Self::Load { .. }
+            | Self::Store { .. }
+            | Self::Move { .. }
+            | Self::MaskBinary { .. }
+            | Self::MaskNot { .. }
+            | Self::MaskLoad { .. }
+            | Self::MaskStore { .. } => return false,
+        };
+        matches!(last, Operand::Memory(_))
+    }
+}

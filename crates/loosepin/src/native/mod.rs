@@ -35,6 +35,7 @@
 
 mod allocate;
 mod assemble;
+mod counts;
 mod encode;
 mod error;
 mod graph;
@@ -53,6 +54,7 @@ mod random_instructions;
 #[cfg(test)]
 mod random_programs;
 
+pub use counts::OperationCounts;
 pub use error::NativeError;
 pub use graph::{Graph, Mask, Value};
 pub use level::Level;

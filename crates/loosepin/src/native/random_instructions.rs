@@ -302,7 +302,7 @@ fn check_sequence(random: &mut Random, level: Level, length: usize) {
     let layout = Layout { level, blocks: LARGEST_BLOCKS, trips: 1, step_bytes: 0 };
     let allocated = Allocated { instructions, frame_vectors: FRAME_VECTORS };
     let code = assemble(&allocated, &CONSTANTS, layout);
-    let size = KernelSize { interleaved: 1, trips: 1, instructions: 0, loads: 0, spills: 0, copies: 0, bytes: 0 };
+    let size = KernelSize { interleaved: 1, trips: 1, ..KernelSize::default() };
     let kernel = Kernel::new(&code, size, vec![BLOCK_VECTORS; LARGEST_BLOCKS], level, lanes);
     if !level.is_supported() {
         assert!(matches!(kernel, Err(NativeError::NotSupported { .. })));

@@ -10,7 +10,7 @@ use super::schedule::schedule;
 use super::{LARGEST_BLOCKS, LARGEST_FRAME_BYTES, LARGEST_LANES, Level};
 
 /// What the machine code of a kernel consists of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct KernelSize {
     /// Vectors that are computed side by side, 1 or 2.
     pub interleaved: usize,
@@ -20,6 +20,10 @@ pub struct KernelSize {
     pub instructions: usize,
     /// Of these: loads; most operands are read by the instruction that needs them and are not counted here.
     pub loads: usize,
+    /// Of these: instructions other than loads that read their last operand from memory.
+    pub reading: usize,
+    /// Of these: stores of outputs.
+    pub stores: usize,
     /// Of these: stores of results that found no register.
     pub spills: usize,
     /// Of these: copies from register to register.
@@ -89,6 +93,8 @@ pub(super) fn translate_interleaved(
         trips: layout.trips,
         instructions: allocated.instructions.len(),
         loads: count(|one| matches!(one, Instruction::Load { .. } | Instruction::MaskLoad { .. })),
+        reading: count(Instruction::reads_memory),
+        stores: count(|one| matches!(one, Instruction::Store { to: Memory::Slot { .. }, .. })),
         spills: count(|one| {
             matches!(one, Instruction::Store { to: Memory::Spill(_), .. } | Instruction::MaskStore { .. })
         }),

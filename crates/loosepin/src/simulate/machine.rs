@@ -21,6 +21,28 @@ const READS: u8 = 4;
 /// Numbers of a contact: whether it is closed, 1/v0, whether the root of its penetration is an unknown.
 const PER_CONTACT: usize = 3;
 
+/// The equations of a mechanism as straight-line programs: what machine code is made of, to be counted and timed.
+///
+/// Blocks: numbers of the sample and of the points (0); 1 in contact, 1/v0 and 1 with a root, of each joint with play (1);
+/// state (2); slope (3); what is read at the end of a step (4).
+#[derive(Debug, Clone)]
+pub struct EquationPrograms {
+    /// The slope of the state.
+    pub slope: Program,
+    /// The slope, and what is read at the end of a step.
+    pub end: Program,
+    /// The state held on the loops of ideal joints, where there are any.
+    pub projection: Option<Program>,
+}
+
+impl EquationPrograms {
+    /// Writes down the equations of `mechanism` for the numbers of `sample`, of which those that are 0 or ±1 are taken into
+    /// the programs. None for a law that has no straight line.
+    pub fn new(mechanism: &Mechanism, sample: &Sample<f64>, arms: &Arms, readings: &[Reading]) -> Option<Self> {
+        Tracing { mechanism, sample, arms, readings, fixed: &fixed(sample, arms) }.programs()
+    }
+}
+
 /// The kernels of a mechanism, and what they work on.
 ///
 /// Numbers of a sample that are 0 or ±1 are taken into the code, which leaves out what they multiply; the bits stay the
@@ -54,9 +76,7 @@ impl<'a, T: Lanes> Machine<'a, T> {
         readings: &[Reading],
         level: Level,
     ) -> Option<Self> {
-        let numbers = numbers(sample, arms);
-        let fixed = numbers.iter().map(|&value| (value == 0.0 || value.abs() == 1.0).then_some(value)).collect();
-        Self::with_fixed(mechanism, sample, arms, readings, level, fixed)
+        Self::with_fixed(mechanism, sample, arms, readings, level, fixed(sample, arms))
     }
 
     fn with_fixed(
@@ -67,18 +87,19 @@ impl<'a, T: Lanes> Machine<'a, T> {
         level: Level,
         fixed: Vec<Option<f64>>,
     ) -> Option<Self> {
-        let task = Tracing { mechanism, sample, arms, readings, fixed: &fixed };
-        let compile = |(graph, outputs): (Graph, Vec<(Slot, Value)>)| {
-            Kernel::compile(&Program::new(&graph, &outputs).ok()?, level, T::COUNT).ok()
-        };
+        let programs = Tracing { mechanism, sample, arms, readings, fixed: &fixed }.programs()?;
+        let compile = |program: &Program| Kernel::compile(program, level, T::COUNT).ok();
         let length = Motion::new(mechanism, sample).layout.length();
-        let projection = if Projection::<T>::is_needed(mechanism) { Some(compile(task.projection()?)?) } else { None };
+        let projection = match &programs.projection {
+            Some(program) => Some(compile(program)?),
+            None => None,
+        };
         Some(Self {
             mechanism,
             readings: readings.to_vec(),
             level,
-            slope: compile(task.slope(false)?)?,
-            end: compile(task.slope(true)?)?,
+            slope: compile(&programs.slope)?,
+            end: compile(&programs.end)?,
             projection,
             numbers: vec![T::zero(); fixed.len()],
             contacts: vec![T::zero(); PER_CONTACT * mechanism.plays.len()],
@@ -157,6 +178,11 @@ fn numbers(sample: &Sample<f64>, arms: &Arms) -> Vec<f64> {
     numbers
 }
 
+/// By number: its value where the code is to know it.
+fn fixed(sample: &Sample<f64>, arms: &Arms) -> Vec<Option<f64>> {
+    numbers(sample, arms).into_iter().map(|value| (value == 0.0 || value.abs() == 1.0).then_some(value)).collect()
+}
+
 /// What is written down.
 struct Tracing<'t, 'a> {
     mechanism: &'a Mechanism,
@@ -169,6 +195,16 @@ struct Tracing<'t, 'a> {
 type Recorded = (Graph, Vec<(Slot, Value)>);
 
 impl Tracing<'_, '_> {
+    /// All programs.
+    fn programs(&self) -> Option<EquationPrograms> {
+        let program = |(graph, outputs): Recorded| Program::new(&graph, &outputs).ok();
+        let projection = match Projection::<Traced>::is_needed(self.mechanism) {
+            true => Some(program(self.projection()?)?),
+            false => None,
+        };
+        Some(EquationPrograms { slope: program(self.slope(false)?)?, end: program(self.slope(true)?)?, projection })
+    }
+
     /// The equations with their numbers, contacts and state as inputs; and the points of the bodies.
     fn motion(&self) -> (Motion<'_, Traced>, Vec<Traced>, Arms<Traced>) {
         let mut index = 0;

@@ -28,6 +28,7 @@ pub use drawing::{add_pose, skeleton};
 pub use engine::{conduct, run};
 pub use failure::RunFailure;
 pub use history::{BodyStates, Plan, Simulation, simulate, turn_s};
+pub use machine::EquationPrograms;
 pub use observer::{Observer, Onset, Separation, Step};
 pub use reference::IdealReference;
 pub use report::{Counters, EnergyAccount, PlaySummary, RunReport};
