@@ -1,12 +1,17 @@
 //! Contact and friction laws of a revolute joint with clearance.
 //!
 //! One law a file. A new law of the family `F_N = K δⁿ (1 + χ δ̇/v0)` is one file with one struct that implements
-//! [`PointLaw`], and one line in [`POINT_LAWS`]. The kernel that all of them share is [`NormalContact`].
+//! [`PointLaw`], and one line in [`POINT_LAWS`]. The kernel that all of them share is [`PointContact`].
+//!
+//! What the equations of motion evaluate are the numbers of a law: [`NormalLaw`] and [`FrictionLaw`], enums with one struct
+//! for each form of the force. A new form is one file with one struct that implements [`NormalContact`] or [`Friction`],
+//! and one line in the list at the end of `normal.rs` or `friction.rs`.
 
 mod ambrosio;
 mod carvalho_martins;
 mod exact_restitution;
 mod flores;
+mod friction;
 mod gonthier;
 mod herbert_mcwhannell;
 mod hertz;
@@ -15,13 +20,20 @@ mod hunt_crossley;
 mod lankarani_nikravesh;
 mod lee_wang;
 mod normal;
+mod point;
 mod restitution;
+mod state;
 mod stiffness;
 mod zhiying_qishao;
 
 pub use ambrosio::AmbrosioFriction;
-pub use normal::{NormalContact, NormalForce};
+pub use friction::{
+    FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
+};
+pub use normal::{NormalContact, NormalForce, NormalLaw};
+pub use point::PointContact;
 pub use restitution::{damping_factor_that_delivers, delivered_restitution, free_impact_penetration_m};
+pub use state::PlayState;
 pub use stiffness::{compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s};
 
 use std::fmt::Debug;

@@ -1,6 +1,7 @@
 //! Mass matrix, forces and accelerations.
 
-use super::play::{DepthRoot, PlayForce, PlayMotion, PlayState};
+use super::play::{DepthRoot, PlayForce, PlayMotion};
+use crate::contact::PlayState;
 use crate::math::{Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
     Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, moved, points_of, turned_by,

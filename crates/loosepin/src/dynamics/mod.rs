@@ -10,4 +10,5 @@ mod reactions;
 
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
-pub use play::{DepthRoot, PlayForce, PlayMotion, PlayState};
+pub use crate::contact::PlayState;
+pub use play::{DepthRoot, PlayForce, PlayMotion};

@@ -1,24 +1,9 @@
 //! Motion and forces in a revolute joint with clearance ([SC16] eqs. 1-9; method, section 2).
 
+use crate::contact::{NormalContact, PlayState};
 use crate::math::{Real, Vec2};
 use crate::mechanism::{Kinematics, PlayGeometry};
 use crate::model::SlidingVelocity;
-
-/// Whether pin and hole touch, and at which speed the present contact began.
-#[derive(Debug, Clone, Copy)]
-pub struct PlayState<T> {
-    /// One while in contact, zero in flight.
-    pub contact: T,
-    /// 1/v0 of the present contact, s/m; anything finite in flight.
-    pub inverse_impact_speed_s_m: T,
-}
-
-impl<T: Real> PlayState<T> {
-    /// No contact.
-    pub fn flight() -> Self {
-        Self { contact: T::zero(), inverse_impact_speed_s_m: T::zero() }
-    }
-}
 
 /// The root u = √δ of a penetration as an unknown of its own, for contact that is smooth from its beginning to its end.
 #[derive(Debug, Clone, Copy)]
@@ -124,13 +109,12 @@ impl<T: Real> PlayMotion<T> {
         let tangent = normal.turned(); // eq. (3)
         let penetration_m = self.penetration_m(play.clearance_m) * state.contact; // eq. (4)
         let rate_m_s = self.eccentricity_rate_m_s.dot(normal); // eq. (6)
-        let inverse_speed_s_m = state.inverse_impact_speed_s_m;
         let force = match root {
-            None => play.normal.force(penetration_m, rate_m_s, inverse_speed_s_m), // eq. (8)
+            None => play.normal.force(penetration_m, rate_m_s, state), // eq. (8)
             Some(unknown) => {
                 let depth_root = penetration_m.max(T::zero()).sqrt();
                 let is_unknown = T::from_f64(0.5).less_than(unknown.is_unknown);
-                play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, inverse_speed_s_m)
+                play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, state)
             }
         };
         let contact_loss_w = (force.total_n - force.elastic_n) * rate_m_s;
@@ -144,7 +128,7 @@ impl<T: Real> PlayMotion<T> {
             penetration_rate_m_s: rate_m_s,
             sliding_m_s: T::zero(),
         };
-        if play.has_friction {
+        if play.friction.acts() {
             let half_depth_m = penetration_m * T::from_f64(0.5);
             let bearing_arm_m = play.bearing_radius_m + half_depth_m;
             let journal_arm_m = play.bearing_radius_m - play.clearance_m - half_depth_m;

@@ -4,11 +4,11 @@ use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
 use super::{Mechanism, tree::points_of};
 use crate::contact::{
-    AmbrosioFriction, NormalContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution,
+    FrictionLaw, NormalLaw, PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution,
     largest_valid_impact_speed_m_s,
 };
 use crate::math::{Real, Vec2};
-use crate::model::{Contact, FrictionLaw, JointId, JointKind, SlidingVelocity, Stiffness, Values};
+use crate::model::{Contact, JointId, JointKind, SlidingVelocity, Stiffness, Values};
 
 /// Motion of a driven coordinate: position = start + speed · t, m or rad.
 #[derive(Debug, Clone, Copy)]
@@ -30,12 +30,10 @@ pub struct PlayGeometry<T> {
     pub bearing_radius_m: T,
     /// Radial clearance c, m.
     pub clearance_m: T,
-    /// Normal contact.
-    pub normal: NormalContact<T>,
-    /// Friction; coefficient zero where the contact has none.
-    pub friction: AmbrosioFriction<T>,
-    /// Whether friction acts at all.
-    pub has_friction: bool,
+    /// Normal force.
+    pub normal: NormalLaw<T>,
+    /// Friction.
+    pub friction: FrictionLaw<T>,
     /// Reading of eq. (7).
     pub sliding_velocity: SlidingVelocity,
     /// Floor v_min of the impact speed, m/s.
@@ -114,28 +112,18 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     let clearance_m = values[clearance.radial_clearance_m];
     let (stiffness_n_m_n, exponent) = stiffness(contact, values, bearing_radius_m, clearance_m);
     let damping_factor = contact.law.damping_factor(values[contact.restitution]);
-    let friction = match &contact.friction {
-        None => AmbrosioFriction { coefficient: T::zero(), lower_speed_m_s: T::zero(), upper_speed_m_s: T::one() },
-        Some(friction) => match friction.law {
-            FrictionLaw::Ambrosio => AmbrosioFriction {
-                coefficient: T::from_f64(values[friction.coefficient]),
-                lower_speed_m_s: T::from_f64(values[friction.lower_speed_m_s]),
-                upper_speed_m_s: T::from_f64(values[friction.upper_speed_m_s]),
-            },
-        },
-    };
+    let normal = NormalLaw::Point(PointContact { stiffness_n_m_n, exponent, damping_factor });
+    let friction = contact.friction.as_ref().map_or(FrictionLaw::None, |friction| {
+        let numbers: Vec<f64> = friction.numbers.iter().map(|number| values[*number]).collect();
+        friction.law.law(&numbers)
+    });
     Some(PlayGeometry {
         bearing_arm_m: point_m(model, values, bearing),
         journal_arm_m: point_m(model, values, journal),
         bearing_radius_m: T::from_f64(bearing_radius_m),
         clearance_m: T::from_f64(clearance_m),
-        normal: NormalContact {
-            stiffness_n_m_n: T::from_f64(stiffness_n_m_n),
-            exponent,
-            damping_factor: T::from_f64(damping_factor),
-        },
-        friction,
-        has_friction: contact.friction.is_some(),
+        normal: NormalLaw::broadcast(&normal),
+        friction: FrictionLaw::broadcast(&friction),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),

@@ -4,8 +4,8 @@ use super::file::{ModelReader, UNREAD};
 use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{Contact, ContactId, Friction, FrictionLaw, SlidingVelocity, Stiffness};
-use crate::contact::{POINT_LAWS, PointLaw};
+use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
+use crate::contact::{FRICTION_LAWS, FrictionDescription, POINT_LAWS, PointLaw, friction_law};
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Rule};
 
@@ -13,10 +13,8 @@ use crate::units::{Dimension, Rule};
 const DEFAULT_LAW: &str = "lankarani-nikravesh";
 /// v_min where the file gives none (method, section 2), m/s.
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
-/// v_a where the file gives none (method, section 2.3), m/s.
-const LOWER_SPEED_M_S: f64 = 1e-4;
-/// v_b where the file gives none (method, section 2.3), m/s.
-const UPPER_SPEED_M_S: f64 = 1e-3;
+/// The friction law where the file names none.
+const DEFAULT_FRICTION_LAW: &str = "ambrosio";
 
 impl ModelReader {
     /// Reads the table of contacts.
@@ -139,8 +137,12 @@ impl ModelReader {
     fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
         let table = self.reader.table(entry, &FRICTION_KEYS)?;
         let law = match table.get("law") {
-            Some(entry) => self.reader.choice(&entry, &[("ambrosio", FrictionLaw::Ambrosio)]),
-            None => Some(FrictionLaw::Ambrosio),
+            Some(entry) => {
+                let choices: Vec<(&'static str, &'static FrictionDescription)> =
+                    FRICTION_LAWS.iter().map(|law| (law.name, law)).collect();
+                self.reader.choice(&entry, &choices)
+            }
+            None => friction_law(DEFAULT_FRICTION_LAW),
         };
         let sliding_velocity = match table.get("sliding_velocity") {
             Some(entry) => {
@@ -149,19 +151,27 @@ impl ModelReader {
             }
             None => Some(SlidingVelocity::Material),
         };
-        let coefficient = self.quantity(&table, "coefficient");
-        let lower_speed_m_s = self.quantity_or(&table, "lower_speed", LOWER_SPEED_M_S);
-        let upper_speed_m_s = self.quantity_or(&table, "upper_speed", UPPER_SPEED_M_S);
-        let (lower_speed_m_s, upper_speed_m_s) = lower_speed_m_s.zip(upper_speed_m_s)?;
-        let written = ["lower_speed", "upper_speed"].into_iter().find_map(|key| table.get(key));
-        let span = written.map_or(table.span, |entry| entry.span);
-        self.demand_order(lower_speed_m_s, upper_speed_m_s, span).then_some(())?;
-        Some(Friction {
-            law: law?,
-            coefficient: coefficient?,
-            lower_speed_m_s,
-            upper_speed_m_s,
-            sliding_velocity: sliding_velocity?,
-        })
+        let Some(law) = law else {
+            // What is wrong with the numbers is said nevertheless.
+            for key in FRICTION_KEYS.keys {
+                self.quantity(&table, key.name);
+            }
+            return None;
+        };
+        let numbers = law.numbers.iter().map(|number| match number.default_si {
+            Some(default_si) => self.quantity_or(&table, number.key, default_si),
+            None => self.quantity(&table, number.key),
+        });
+        // All of them are read, so that all complaints come together.
+        let numbers: Vec<Option<QuantityId>> = numbers.collect();
+        if let Some(keys) = law.below {
+            let place = |key: &str| law.numbers.iter().position(|number| number.key == key);
+            let [smaller, larger] = keys.map(|key| place(key).and_then(|place| numbers[place]));
+            let written = keys.into_iter().find_map(|key| table.get(key));
+            let span = written.map_or(table.span, |entry| entry.span);
+            self.demand_order(smaller?, larger?, span).then_some(())?;
+        }
+        let numbers = numbers.into_iter().collect::<Option<Vec<QuantityId>>>()?;
+        Some(Friction { law, numbers, sliding_velocity: sliding_velocity? })
     }
 }

@@ -1,6 +1,6 @@
 //! The keys of a model file.
 
-use crate::contact::POINT_LAWS;
+use crate::contact::{FRICTION_LAWS, POINT_LAWS};
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -31,10 +31,14 @@ fn law_names() -> Vec<&'static str> {
     POINT_LAWS.iter().map(|law| law.name()).collect()
 }
 
+fn friction_law_names() -> Vec<&'static str> {
+    FRICTION_LAWS.iter().map(|law| law.name).collect()
+}
+
 pub(super) static FRICTION_KEYS: Keys = Keys::new(
     "friction between pin and hole",
     &[
-        optional("law", Kind::Choice(&["ambrosio"]), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+        optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
         required(
             "coefficient",
             quantity(D::NUMBER, Rule::NonNegative),

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::quantity::{QuantityId, QuantityTable};
-use crate::contact::PointLaw;
+use crate::contact::{FrictionDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
 
@@ -202,22 +202,11 @@ pub enum Stiffness {
 #[derive(Debug, Clone)]
 pub struct Friction {
     /// The law.
-    pub law: FrictionLaw,
-    /// Coefficient of friction μ, >= 0.
-    pub coefficient: QuantityId,
-    /// Sliding speed v_a below which there is no friction, m/s, >= 0 and < v_b.
-    pub lower_speed_m_s: QuantityId,
-    /// Sliding speed v_b above which friction is full, m/s, > v_a.
-    pub upper_speed_m_s: QuantityId,
+    pub law: &'static FrictionDescription,
+    /// What it takes from the file, in the order of [`FrictionDescription::numbers`].
+    pub numbers: Vec<QuantityId>,
     /// Which reading of eq. (7) gives the sliding velocity.
     pub sliding_velocity: SlidingVelocity,
-}
-
-/// Friction laws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrictionLaw {
-    /// Coulomb friction modified by Ambrósio: linear between v_a and v_b.
-    Ambrosio,
 }
 
 /// The two readings of eq. (7) of the source.

@@ -7,6 +7,7 @@ use super::motion::tolerances;
 use super::reads::ReadLayout;
 use super::report::{EnergyAccount, PlaySummary};
 use super::settings::{STEP_SHARE, Settings};
+use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
 use crate::math::{Lanes, Real};
@@ -292,20 +293,16 @@ impl<'a, T: Lanes> Core<'a, T> {
             let depth_m = T::select(is_root, limit * limit, limit / (distance_m + clearance_m));
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
             let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (clearance_m * pace));
-            let fastest = (rate_m_s * state.inverse_impact_speed_s_m).max(T::one());
-            let elastic_n = numbers.normal.stiffness_n_m_n * depth_m.max(T::zero()).powf(numbers.normal.exponent);
-            let force_n = elastic_n * numbers.normal.damping_factor.mul_add(fastest, T::one());
+            let force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, state);
             let [deepest_m, strongest_n] = self.records[play];
             let is_closed = T::flags(is_closed);
             notable |= is_closed & (T::flags(deepest_m.less_than(depth_m)) | T::flags(strongest_n.less_than(force_n)));
 
-            if numbers.has_friction {
-                let place = self.layout.sliding(play);
-                let (start, end) = (starts[place], ends[place]);
-                for speed in numbers.friction.kink_speeds_m_s() {
-                    for level in [speed, -speed] {
-                        eventful |= T::flags(((start - level) * (end - level)).less_than(T::zero()));
-                    }
+            let place = self.layout.sliding(play);
+            let (start, end) = (starts[place], ends[place]);
+            for speed in numbers.friction.kink_speeds_m_s().into_iter().flatten() {
+                for level in [speed, -speed] {
+                    eventful |= T::flags(((start - level) * (end - level)).less_than(T::zero()));
                 }
             }
         }

@@ -129,12 +129,6 @@ impl<O> LaneRun<O> {
         if is_root { event_tolerance_m.sqrt() } else { 2.0 * self.sample.plays[play].clearance_m * event_tolerance_m }
     }
 
-    /// Distance from a kink of friction within which a step counts as ending on it, m/s: a share of the narrowest piece.
-    fn kink_tolerance_m_s(&self, play: usize) -> f64 {
-        let [lower_m_s, upper_m_s] = self.sample.plays[play].friction.kink_speeds_m_s();
-        1e-3 * lower_m_s.min(upper_m_s - lower_m_s)
-    }
-
     /// The event of the step that comes first, with its share of the step.
     pub fn earliest_event(&self, step: &LaneStep<'_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
@@ -146,10 +140,11 @@ impl<O> LaneRun<O> {
                 earliest = Some((Event::Contact { play, crossing }, share));
             }
         }
-        for play in (0..step.gaps.len()).filter(|&play| step.is_closed[play] && self.sample.plays[play].has_friction) {
+        for play in (0..step.gaps.len()).filter(|&play| step.is_closed[play]) {
             let [start, end] = step.slidings_m_s[play];
-            let tolerance_m_s = self.kink_tolerance_m_s(play);
-            for speed_m_s in self.sample.plays[play].friction.kink_speeds_m_s() {
+            let friction = &self.sample.plays[play].friction;
+            let tolerance_m_s = friction.kink_tolerance_m_s();
+            for speed_m_s in friction.kink_speeds_m_s().into_iter().flatten() {
                 for level_m_s in [speed_m_s, -speed_m_s] {
                     let (from, to) = (start - level_m_s, end - level_m_s);
                     if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
@@ -203,7 +198,7 @@ impl<O> LaneRun<O> {
         let trial = search.trial;
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
         let may_hide = step.gaps.len() > 1
-            || self.sample.plays[0].has_friction
+            || self.sample.plays[0].friction.acts()
             || step.time[1].jet[0] > self.window.end_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
@@ -236,7 +231,7 @@ impl<O> LaneRun<O> {
                     };
                     search.before = (trial, value);
                     let sign = if start < level_m_s { 1.0 } else { -1.0 };
-                    (sign * value, sign * slope, self.kink_tolerance_m_s(play))
+                    (sign * value, sign * slope, self.sample.plays[play].friction.kink_tolerance_m_s())
                 }
                 Event::End => {
                     let [time_s, pace, _] = step.time[1].jet;

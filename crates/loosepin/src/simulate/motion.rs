@@ -5,6 +5,7 @@
 //! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One joint at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
+use crate::contact::NormalContact;
 use crate::dynamics::{DepthRoot, Dynamics, PlayForce, PlayState};
 use crate::integrate::System;
 use crate::math::Real;
@@ -33,7 +34,7 @@ impl Layout {
             .plays
             .iter()
             .map(|play| {
-                let has_root = play.normal.exponent == 1.5 && !play.has_friction;
+                let has_root = play.normal.is_smooth_in_root() && !play.friction.acts();
                 has_root.then(|| {
                     dimension += 1;
                     dimension - 1
@@ -181,7 +182,7 @@ pub fn tolerances<T: Real>(motion: &Motion<'_, T>, local_m: f64, rate_1_s: f64, 
         tolerances[n + k] = tolerances[k] * rate_1_s;
     }
     tolerances[2 * n] = local_rad / rate_1_s;
-    if motion.dynamics.sample().plays.iter().any(|play| play.has_friction) {
+    if motion.dynamics.sample().plays.iter().any(|play| play.friction.acts()) {
         tolerances.extend([local_rad * energy_j; ACCOUNT]);
     }
     tolerances

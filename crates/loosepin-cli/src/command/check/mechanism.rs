@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use loosepin::contact::NormalLaw;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{BodyId, Clearance, DriveId, Friction, Joint, JointId, JointKind, Model, PointId};
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
@@ -116,8 +117,8 @@ fn play_lines(
     let (mut delivered, mut stiffness) = (String::new(), String::new());
     if let Some(numbers) = numbers {
         delivered = format!(" (a free impact delivers {:.4})", numbers.delivered_restitution);
-        let exponent = numbers.normal.exponent;
-        let k = format_value(numbers.normal.stiffness_n_m_n, Dimension::contact_stiffness(exponent));
+        let NormalLaw::Point(point) = &numbers.normal;
+        let k = format_value(point.stiffness_n_m_n, Dimension::contact_stiffness(point.exponent));
         let origin = match contact.stiffness {
             Stiffness::Material { .. } => "from the materials",
             Stiffness::Given { .. } => "as given",
@@ -127,7 +128,7 @@ fn play_lines(
     lines.push(format!("contact '{}': {}, restitution {restitution}{delivered}", contact.name, contact.law.name()));
     let friction = match &contact.friction {
         None => "no friction".to_owned(),
-        Some(friction) => friction_words(friction, values),
+        Some(friction) => friction_words(model, friction, values),
     };
     lines.push(format!("{stiffness}{friction}"));
     if let Some(limit_m_s) =
@@ -138,17 +139,22 @@ fn play_lines(
     lines
 }
 
-fn friction_words(friction: &Friction, values: &Values) -> String {
+fn friction_words(model: &Model, friction: &Friction, values: &Values) -> String {
     let reading = match friction.sliding_velocity {
         SlidingVelocity::Material => "",
         SlidingVelocity::Literal => ", sliding velocity by the literal reading",
     };
-    format!(
-        "friction coefficient {}, growing from {} to {} of sliding{reading}",
-        format_number(values[friction.coefficient]),
-        format_value(values[friction.lower_speed_m_s], Dimension::VELOCITY),
-        format_value(values[friction.upper_speed_m_s], Dimension::VELOCITY)
-    )
+    let numbers: Vec<String> = friction
+        .law
+        .numbers
+        .iter()
+        .zip(&friction.numbers)
+        .map(|(number, id)| {
+            let value = format_value(values[*id], model.quantities[*id].dimension);
+            format!("{} {value}", number.key.replace('_', " "))
+        })
+        .collect();
+    format!("friction by {}: {}{reading}", friction.law.name, numbers.join(", "))
 }
 
 fn push_mobility(text: &mut String, mechanism: &Mechanism) {

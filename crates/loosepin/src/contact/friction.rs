@@ -1,0 +1,140 @@
+//! The friction force of a contact, whatever its law.
+
+use super::ambrosio::AmbrosioFriction;
+use crate::math::Real;
+
+/// Sliding speeds at which a friction law has a kink, m/s: a step of an integrator should not straddle one.
+pub type KinkSpeeds<T> = [Option<T>; 2];
+
+/// The numbers of a friction law and its equation: what the equations of motion evaluate.
+pub trait Friction<T: Real>: Sized {
+    /// The law with its numbers in the order of its description.
+    fn from_numbers(numbers: &[T]) -> Self;
+
+    /// F_T = -μ(|v_T|) F_N sign(v_T), N, along the tangent along which the sliding velocity v_T, m/s, is measured.
+    fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T;
+
+    /// Speeds at which the slope of μ jumps, in both directions of sliding, in rising order.
+    fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
+        [None, None]
+    }
+
+    /// Shows every number of the law, in the order of its description.
+    fn visit(&mut self, visit: &mut impl FnMut(&mut T));
+}
+
+/// A number that a friction law takes from the model file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionNumber {
+    /// Its key.
+    pub key: &'static str,
+    /// Its value, SI, where the file has none; absent where the file must have one.
+    pub default_si: Option<f64>,
+}
+
+/// A friction law as model files, help and reports know it.
+#[derive(Debug, Clone, Copy)]
+pub struct FrictionDescription {
+    /// The name used in model files, in kebab case.
+    pub name: &'static str,
+    /// Author, year and equation.
+    pub source: &'static str,
+    /// What it takes from the model file.
+    pub numbers: &'static [FrictionNumber],
+    /// Two of its keys: the value of the first must be below that of the second.
+    pub below: Option<[&'static str; 2]>,
+}
+
+impl<T> FrictionLaw<T> {
+    /// Whether there is any friction.
+    #[inline(always)]
+    pub fn acts(&self) -> bool {
+        !matches!(self, Self::None)
+    }
+}
+
+impl FrictionLaw<f64> {
+    /// Distance from a kink within which a step counts as ending on it, m/s: a share of the narrowest piece.
+    pub fn kink_tolerance_m_s(&self) -> f64 {
+        let (mut before_m_s, mut narrowest_m_s) = (0.0, f64::INFINITY);
+        for speed_m_s in self.kink_speeds_m_s().into_iter().flatten() {
+            narrowest_m_s = f64::min(narrowest_m_s, speed_m_s - before_m_s);
+            before_m_s = speed_m_s;
+        }
+        1e-3 * narrowest_m_s
+    }
+}
+
+/// The enum of all laws, what it hands on to them, and the table of their descriptions.
+macro_rules! friction_laws {
+    ($($variant:ident($friction:ident)),* $(,)?) => {
+        /// The friction law of a contact with its numbers. Which one it is belongs to the mechanism and is the same in all
+        /// lanes.
+        #[derive(Debug, Clone, Copy)]
+        pub enum FrictionLaw<T> {
+            /// No friction.
+            None,
+            $(#[doc = concat!("See [`", stringify!($friction), "`].")] $variant($friction<T>)),*
+        }
+
+        /// Every friction law.
+        pub static FRICTION_LAWS: &[FrictionDescription] = &[$($friction::<f64>::DESCRIPTION),*];
+
+        impl FrictionDescription {
+            /// The law with its numbers in the order of [`FrictionDescription::numbers`].
+            pub fn law(&self, numbers: &[f64]) -> FrictionLaw<f64> {
+                $(if self.name == $friction::<f64>::DESCRIPTION.name {
+                    return FrictionLaw::$variant($friction::from_numbers(numbers));
+                })*
+                FrictionLaw::None
+            }
+        }
+
+        impl<T: Real> FrictionLaw<T> {
+            /// The same numbers in every lane.
+            pub fn broadcast(from: &FrictionLaw<f64>) -> Self {
+                let mut numbers = Vec::new();
+                from.clone().visit(&mut |number| numbers.push(T::from_f64(*number)));
+                match from {
+                    FrictionLaw::None => Self::None,
+                    $(FrictionLaw::$variant(_) => Self::$variant($friction::from_numbers(&numbers))),*
+                }
+            }
+
+            /// F_T, N (see [`Friction::force_n`]).
+            #[inline(always)]
+            pub fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
+                match self {
+                    Self::None => T::zero(),
+                    $(Self::$variant(friction) => friction.force_n(sliding_velocity_m_s, normal_force_n)),*
+                }
+            }
+
+            /// Speeds at which the slope of μ jumps, m/s (see [`Friction::kink_speeds_m_s`]).
+            #[inline(always)]
+            pub fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
+                match self {
+                    Self::None => [None, None],
+                    $(Self::$variant(friction) => friction.kink_speeds_m_s()),*
+                }
+            }
+
+            /// Shows every number of the law.
+            pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+                match self {
+                    Self::None => {}
+                    $(Self::$variant(friction) => friction.visit(visit)),*
+                }
+            }
+        }
+    };
+}
+
+friction_laws! {
+    Ambrosio(AmbrosioFriction),
+}
+
+/// The friction law called `name` in model files.
+pub fn friction_law(name: &str) -> Option<&'static FrictionDescription> {
+    FRICTION_LAWS.iter().find(|law| law.name == name)
+}
