@@ -1,5 +1,10 @@
 //! The normal force of a contact, whatever its law.
 
+use super::bai_zhao::BaiZhaoContact;
+use super::linear::LinearContact;
+use super::liu::LiuContact;
+use super::logarithmic::LogarithmicContact;
+use super::pereira::PereiraContact;
 use super::point::PointContact;
 use super::state::PlayState;
 use crate::math::Real;
@@ -37,6 +42,19 @@ pub trait NormalContact<T: Real> {
 
     /// An upper limit of the force up to a penetration, at rates up to the larger of `rate_m_s` and v0, N.
     fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T;
+
+    /// The penetration beyond which the law says nothing, m, if there is one. A run that goes beyond fails; until that is seen
+    /// the force is continued somehow.
+    #[inline(always)]
+    fn limit_m(&self) -> Option<T> {
+        None
+    }
+
+    /// Whether the force depends on [`PlayState::effective_mass_kg`].
+    #[inline(always)]
+    fn needs_effective_mass(&self) -> bool {
+        false
+    }
 
     /// Shows every number of the law, in an order that depends on the law alone.
     fn visit(&mut self, visit: &mut impl FnMut(&mut T));
@@ -116,6 +134,18 @@ macro_rules! normal_laws {
                     $(Self::$variant(contact) => contact.largest_force_n(penetration_m, rate_m_s, state)),*
                 }
             }
+            #[inline(always)]
+            fn limit_m(&self) -> Option<T> {
+                match self {
+                    $(Self::$variant(contact) => contact.limit_m()),*
+                }
+            }
+            #[inline(always)]
+            fn needs_effective_mass(&self) -> bool {
+                match self {
+                    $(Self::$variant(contact) => contact.needs_effective_mass()),*
+                }
+            }
             fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
                 match self {
                     $(Self::$variant(contact) => contact.visit(visit)),*
@@ -127,4 +157,9 @@ macro_rules! normal_laws {
 
 normal_laws! {
     Point(PointContact),
+    Linear(LinearContact),
+    Logarithmic(LogarithmicContact),
+    Liu(LiuContact),
+    BaiZhao(BaiZhaoContact),
+    Pereira(PereiraContact),
 }

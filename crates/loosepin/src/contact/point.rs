@@ -77,7 +77,8 @@ mod tests {
     use super::*;
 
     /// In contact since an impact at 1/2 m/s.
-    const TOUCH: PlayState<f64> = PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.0 };
+    const TOUCH: PlayState<f64> =
+        PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.0, effective_mass_kg: f64::NAN };
 
     #[test]
     fn analytic_force_below_at_and_above_contact() {

@@ -56,7 +56,7 @@ fn log_remainder(x: f64) -> f64 {
 }
 
 /// The sign change of `f` from negative to positive between `lower` and `upper`, to the last place.
-fn bisect(mut lower: f64, mut upper: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn bisect(mut lower: f64, mut upper: f64, f: impl Fn(f64) -> f64) -> f64 {
     loop {
         let middle = 0.5 * (lower + upper);
         if middle <= lower || middle >= upper {
@@ -98,7 +98,8 @@ mod tests {
     pub(super) fn restitution_of_an_integrated_impact(damping_factor: f64) -> f64 {
         let (mass_kg, impact_speed_m_s) = (0.137, 0.83);
         let contact = PointContact { stiffness_n_m_n: 5.3e10, exponent: 1.5, damping_factor };
-        let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s };
+        let state =
+            PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s, effective_mass_kg: f64::NAN };
         let slope = |[u, rate]: [f64; 2]| {
             let force = contact.force(u * u, rate, &state);
             [0.5 * rate, -u * force.total_n / mass_kg]

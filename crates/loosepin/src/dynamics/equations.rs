@@ -32,14 +32,14 @@ pub struct Dynamics<'a, T> {
     rates: Vec<T>,
     driven_accelerations: Vec<T>,
     /// Slots of bearing body and journal body of each joint with play.
-    play_slots: Vec<[usize; 2]>,
+    pub(super) play_slots: Vec<[usize; 2]>,
     pub(super) plays: Vec<(PlayMotion<T>, PlayForce<T>)>,
     /// Free accelerations q̈.
     pub(super) accelerations: Vec<T>,
     /// Constraint forces λ of the independent rows.
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
-    mass: Vec<T>,
+    pub(super) mass: Vec<T>,
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
@@ -49,9 +49,9 @@ pub struct Dynamics<'a, T> {
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
     /// M⁻¹ Jᵀ, one row of n for each independent constraint.
-    mobility_rows: Vec<T>,
+    pub(super) mobility_rows: Vec<T>,
     /// J M⁻¹ Jᵀ.
-    schur: Vec<T>,
+    pub(super) schur: Vec<T>,
 }
 
 impl<'a, T: Real> Dynamics<'a, T> {

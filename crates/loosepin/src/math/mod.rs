@@ -2,6 +2,7 @@
 
 mod angle;
 mod dual;
+mod exponential;
 mod hermite;
 mod lanes;
 mod linear;
@@ -10,6 +11,7 @@ mod vector;
 
 pub use angle::sin_cos;
 pub use dual::Dual;
+pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm};
 pub use hermite::Quintic;
 pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};
 pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};

@@ -64,6 +64,7 @@ impl<'a, T: Lanes> Equations<'a, T> {
         let to = &mut self.motion.states[play];
         to.contact.set_lane(lane, state.contact);
         to.inverse_impact_speed_s_m.set_lane(lane, state.inverse_impact_speed_s_m);
+        to.effective_mass_kg.set_lane(lane, state.effective_mass_kg);
         if let Some(root) = &mut self.motion.roots[play] {
             root.is_unknown.set_lane(lane, f64::from(u8::from(has_root)));
         }
@@ -80,6 +81,7 @@ impl<'a, T: Lanes> Equations<'a, T> {
         let state = PlayState {
             contact: state.contact.lane(lane),
             inverse_impact_speed_s_m: state.inverse_impact_speed_s_m.lane(lane),
+            effective_mass_kg: state.effective_mass_kg.lane(lane),
         };
         (state, has_root)
     }

@@ -3,7 +3,8 @@
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
 use super::settings::Window;
-use crate::mechanism::Sample;
+use crate::contact::NormalContact;
+use crate::mechanism::{PlayGeometry, Sample};
 
 /// What ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +55,31 @@ pub enum Phase {
     Stopping,
 }
 
+/// How deep a pin may be pressed into its hole: its centre must stay inside, and the penetration where the law has one meaning.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthLimit {
+    /// The largest penetration, m.
+    pub penetration_m: f64,
+    /// g = |e|² - c² there, m².
+    pub gap_m2: f64,
+    /// Whether the law ends there, and not the hole.
+    pub is_of_law: bool,
+}
+
+impl DepthLimit {
+    /// The limit of a joint with play.
+    pub fn new(play: &PlayGeometry<f64>) -> Self {
+        let hole_m = (play.bearing_radius_m - play.clearance_m).max(0.0);
+        let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
+        let penetration_m = hole_m.min(law_m);
+        Self {
+            penetration_m,
+            gap_m2: penetration_m * (penetration_m + 2.0 * play.clearance_m),
+            is_of_law: law_m < hole_m,
+        }
+    }
+}
+
 /// The run of a lane.
 pub struct LaneRun<O> {
     /// Runs of a batch are numbered as they start, from 1.
@@ -86,8 +112,8 @@ pub struct LaneRun<O> {
     pub counters: Counters,
     /// By joint with play.
     pub plays: Vec<PlaySummary>,
-    /// By joint with play: the largest g, and the largest root of a penetration, with the pin's centre inside the hole.
-    pub gap_limits: Vec<[f64; 2]>,
+    /// By joint with play: how deep a pin may be pressed into its hole.
+    pub depth_limits: Vec<DepthLimit>,
     /// The joint with play the root of whose penetration is an unknown.
     pub root: Option<usize>,
 }

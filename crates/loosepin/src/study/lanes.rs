@@ -68,8 +68,8 @@ impl StudyResponse {
             .zip(&self.restitutions)
             .map(|(play, restitution)| ContactNumbers {
                 has_limit: play.largest_valid_impact_speed_m_s.is_finite(),
-                nominal_restitution: values[*restitution],
-                delivered_restitution: play.delivered_restitution,
+                nominal_restitution: restitution.map_or(f64::NAN, |id| values[id]),
+                delivered_restitution: play.delivered_restitution.unwrap_or(f64::NAN),
             })
             .collect();
         Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts } })

@@ -100,9 +100,9 @@ pub struct JointExtras {
     pub largest_penetration_m: f64,
     /// Largest normal force, N.
     pub peak_force_n: f64,
-    /// Restitution as stated.
+    /// Restitution as stated; not a number for a law without one.
     pub nominal_restitution: f64,
-    /// Restitution that a free impact delivers.
+    /// Restitution that a free impact delivers; not a number where it depends on the masses that meet.
     pub delivered_restitution: f64,
 }
 
@@ -154,7 +154,7 @@ pub struct StudyResponse {
     pub(super) nominal_window: Window,
     random: Vec<QuantityId>,
     epistemic: Vec<QuantityId>,
-    pub(super) restitutions: Vec<QuantityId>,
+    pub(super) restitutions: Vec<Option<QuantityId>>,
     pub(super) transient_turns: f64,
     pub(super) recorded_turns: f64,
     pub(super) drive_speed: QuantityId,
