@@ -13,6 +13,8 @@
 mod ambrosio;
 mod anagnostopoulos;
 mod bai_zhao;
+mod bengisu_akay;
+mod brown_mcphee;
 mod carvalho_martins;
 mod dubowsky_freudenstein;
 mod esdu;
@@ -42,6 +44,8 @@ mod state;
 #[cfg(test)]
 mod static_table;
 mod stiffness;
+mod stribeck;
+mod threlfall;
 mod zhiying_qishao;
 
 pub use friction::{
