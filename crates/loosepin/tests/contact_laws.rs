@@ -1,6 +1,6 @@
 //! Contact laws in mechanisms: what is refused, what ends a run, and the mass that a contact meets.
 
-use loosepin::contact::PlayState;
+use loosepin::contact::{FrictionLaw, PlayState};
 use loosepin::dynamics::Dynamics;
 use loosepin::mechanism::{IdealMotion, Mechanism, Sample, SampleError, acceleration_at};
 use loosepin::model::Model;
@@ -32,7 +32,10 @@ fn a_clearance_outside_of_the_fit_is_refused() {
     let mechanism = slider_crank("pereira", "207 GPa");
     let clearance = mechanism.model.quantities.id("joint.gudgeon.radial_clearance").expect("it has one");
     let sample = |clearance_m: f64| {
-        Sample::<f64>::new(&mechanism, &mechanism.model.quantities.evaluate(&[(clearance, clearance_m)]).expect("possible"))
+        Sample::<f64>::new(
+            &mechanism,
+            &mechanism.model.quantities.evaluate(&[(clearance, clearance_m)]).expect("possible"),
+        )
     };
     assert!(sample(5.1e-6).is_ok() && sample(9.9e-3).is_ok());
     let error = sample(4.9e-6).expect_err("too small");
@@ -73,7 +76,9 @@ fn identity_effective_mass_is_the_answer_to_a_contact_force() {
     for name in ["slider_crank_two_clearances", "six_bar", "four_bar_floating_coupler", "five_bar_driven_slider"] {
         let model = Model::from_text(name, &case_text(name)).unwrap_or_else(|complaints| panic!("{complaints}"));
         let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it moves");
-        let sample = Sample::<f64>::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
+        let mut sample = Sample::<f64>::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
+        // Friction pushes too.
+        sample.plays.iter_mut().for_each(|play| play.friction = FrictionLaw::None);
         let ideal = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("the start closes");
         let (mut coordinates, rates) = mechanism.real_coordinates(ideal.kinematics(), &sample.real);
         // Off the centres of the bearings, by more than the clearances.
@@ -89,8 +94,9 @@ fn identity_effective_mass_is_the_answer_to_a_contact_force() {
                 let (motion, force) = &dynamics.plays()[play];
                 let [bearing, journal] = dynamics.play_slots()[play];
                 let twists = &dynamics.kinematics.twists;
-                let difference = acceleration_at(&dynamics.acceleration(journal), &twists[journal], motion.journal_arm_m)
-                    - acceleration_at(&dynamics.acceleration(bearing), &twists[bearing], motion.bearing_arm_m);
+                let difference =
+                    acceleration_at(&dynamics.acceleration(journal), &twists[journal], motion.journal_arm_m)
+                        - acceleration_at(&dynamics.acceleration(bearing), &twists[bearing], motion.bearing_arm_m);
                 let normal = motion.eccentricity_m * (1.0 / motion.eccentricity_m.length());
                 (difference.dot(normal), force.normal_n, dynamics.inverse_mass_along_normal_1_kg(play))
             };
@@ -100,7 +106,10 @@ fn identity_effective_mass_is_the_answer_to_a_contact_force() {
             assert_eq!(inverse_mass_1_kg, again_1_kg, "{name}: it does not depend on the forces");
             assert!(force_n > 0.0 && inverse_mass_1_kg > 0.1, "{name}: {force_n} {inverse_mass_1_kg}");
             let found_1_kg = (before - after) / force_n;
-            assert!((found_1_kg / inverse_mass_1_kg - 1.0).abs() < ROUND_OFF, "{name}: {found_1_kg} {inverse_mass_1_kg}");
+            assert!(
+                (found_1_kg / inverse_mass_1_kg - 1.0).abs() < ROUND_OFF,
+                "{name}: {found_1_kg} {inverse_mass_1_kg}"
+            );
         }
     }
 }

@@ -70,7 +70,7 @@ pub struct Extras {
 const COMMON_EXTRAS: usize = 4;
 /// Extras of each joint with play: contacts, floored ones, those beyond validity, largest penetration, peak force,
 /// nominal and delivered restitution.
-const EXTRAS_PER_JOINT: usize = 7;
+const EXTRAS_PER_JOINT: usize = 8;
 
 /// The extras of one run, read back from its row.
 #[derive(Debug, Clone)]
@@ -98,6 +98,8 @@ pub struct JointExtras {
     pub beyond_validity: f64,
     /// Largest penetration, m.
     pub largest_penetration_m: f64,
+    /// The same over the radial clearance of the run.
+    pub largest_penetration_share: f64,
     /// Largest normal force, N.
     pub peak_force_n: f64,
     /// Restitution as stated; not a number for a law without one.
@@ -125,6 +127,7 @@ impl Extras {
                 peak_force_n: joint[4],
                 nominal_restitution: joint[5],
                 delivered_restitution: joint[6],
+                largest_penetration_share: joint[7],
             })
             .collect();
         RunExtras {

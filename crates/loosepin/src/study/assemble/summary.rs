@@ -146,6 +146,7 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
                 nominal_restitution: known(range(&|joint| joint.nominal_restitution)),
                 delivered_restitution: known(range(&|joint| joint.delivered_restitution)),
                 share_outside_validity: (beyond.is_finite() && impacts > 0.0).then(|| beyond / impacts),
+                largest_penetration_share: all.iter().map(|joint| joint.largest_penetration_share).fold(0.0, f64::max),
                 peak_force_n: all.iter().map(|joint| joint.peak_force_n).fold(0.0, f64::max),
                 floored_contacts: all.iter().map(|joint| joint.floored).sum::<f64>() as u64,
             }
