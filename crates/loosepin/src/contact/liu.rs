@@ -97,9 +97,17 @@ impl<T: Real> NormalContact<T> for LiuContact<T> {
 }
 
 /// G(t) = ∫ t^1.5/√(1 + t) dt from zero: (√(t(1 + t))(2t - 3) + 3 ln(√t + √(1 + t)))/4, and by its series where that
-/// loses its digits.
-#[inline(always)]
+/// loses its digits. Long, and so out of line.
+#[inline(never)]
 pub(super) fn liu_energy<T: Real>(t: T) -> T {
+    T::vectorize(
+        #[inline(always)]
+        || liu_energy_in_line(t),
+    )
+}
+
+#[inline(always)]
+fn liu_energy_in_line<T: Real>(t: T) -> T {
     /// Up to here the series is used.
     const SERIES_END: f64 = 0.25;
     /// The next term is below the last place of the sum at the end.

@@ -68,6 +68,11 @@ impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
         Some(self.scale_m * T::from_f64(1.0 / std::f64::consts::E))
     }
 
+    #[inline(always)]
+    fn has_abrupt_onset(&self) -> bool {
+        true
+    }
+
     fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
         visit(&mut self.stiffness_n_m);
         visit(&mut self.scale_m);
@@ -80,8 +85,18 @@ impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
 ///
 /// Straight-line arithmetic: a guess within half a per cent, then two steps of Fritsch's iteration (Fritsch, Shafer and Crowley
 /// 1973), each of which raises the error to its fourth power.
-#[inline(always)]
+///
+/// Long, and so out of line.
+#[inline(never)]
 pub fn inverse_logarithmic<T: Real>(z: T) -> T {
+    T::vectorize(
+        #[inline(always)]
+        || inverse_in_line(z),
+    )
+}
+
+#[inline(always)]
+fn inverse_in_line<T: Real>(z: T) -> T {
     let constant = T::from_f64;
     // d = -ln z - 1, and η with d = η²/2.
     let d = (-natural_logarithm(z) - T::one()).max(T::zero());

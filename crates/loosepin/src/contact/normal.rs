@@ -50,6 +50,14 @@ pub trait NormalContact<T: Real> {
         None
     }
 
+    /// Whether the slope of the force changes infinitely fast where contact begins, as with a logarithm or an exponent just above
+    /// one. The work of the contact shows that one derivative earlier than the velocities, so that the energy account is then
+    /// held to the tolerance too.
+    #[inline(always)]
+    fn has_abrupt_onset(&self) -> bool {
+        false
+    }
+
     /// Whether the force depends on [`PlayState::effective_mass_kg`].
     #[inline(always)]
     fn needs_effective_mass(&self) -> bool {
@@ -138,6 +146,12 @@ macro_rules! normal_laws {
             fn limit_m(&self) -> Option<T> {
                 match self {
                     $(Self::$variant(contact) => contact.limit_m()),*
+                }
+            }
+            #[inline(always)]
+            fn has_abrupt_onset(&self) -> bool {
+                match self {
+                    $(Self::$variant(contact) => contact.has_abrupt_onset()),*
                 }
             }
             #[inline(always)]

@@ -92,6 +92,11 @@ impl<T: Real> NormalContact<T> for PereiraContact<T> {
         largest_with_loss_n(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
     }
 
+    #[inline(always)]
+    fn has_abrupt_onset(&self) -> bool {
+        true
+    }
+
     fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
         visit(&mut self.force_at_1_mm_n);
         visit(&mut self.exponent);

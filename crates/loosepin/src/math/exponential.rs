@@ -1,7 +1,8 @@
 //! Logarithm and exponential with the same bits on every processor.
 //!
 //! A [`Real`] cannot take its exponent apart, so the powers of two are found by multiplications that are exact: one for each
-//! binary digit of the exponent, made or not made by a choice.
+//! binary digit of the exponent, made or not made by a choice. The functions are long and used at many places, so that they are
+//! compiled out of line, unlike other equations.
 
 use super::Real;
 
@@ -37,23 +38,31 @@ const ARGUMENTS: [f64; 2] = [-700.0, 43.0];
 
 /// ln x for x from 1e-300 to 2⁶⁴, to about one unit in the last place, on any [`Real`]. A smaller x counts as 1e-300, a larger
 /// one means nothing.
-#[inline(always)]
+#[inline(never)]
 pub fn natural_logarithm<T: Real>(x: T) -> T {
-    let (mut scaled, mut exponent) = (x.max(T::from_f64(SMALLEST)), T::zero());
-    for digits in DOWNWARDS {
-        // The largest power of two with which x stays below 2.
-        let larger = scaled * T::from_f64(power_of_two(digits));
-        let fits = larger.less_than(T::from_f64(2.0));
-        scaled = T::select(fits, larger, scaled);
-        exponent = T::select(fits, exponent - T::from_f64(f64::from(digits)), exponent);
-    }
-    from_scaled(scaled, exponent)
+    T::vectorize(
+        #[inline(always)]
+        || {
+            let (mut scaled, mut exponent) = (x.max(T::from_f64(SMALLEST)), T::zero());
+            for digits in DOWNWARDS {
+                // The largest power of two with which x stays below 2.
+                let larger = scaled * T::from_f64(power_of_two(digits));
+                let fits = larger.less_than(T::from_f64(2.0));
+                scaled = T::select(fits, larger, scaled);
+                exponent = T::select(fits, exponent - T::from_f64(f64::from(digits)), exponent);
+            }
+            from_scaled(scaled, exponent)
+        },
+    )
 }
 
 /// ln x for x from 1 to 2⁶⁴, with less work than [`natural_logarithm`].
-#[inline(always)]
+#[inline(never)]
 pub fn logarithm_above_one<T: Real>(x: T) -> T {
-    from_scaled(x, T::zero())
+    T::vectorize(
+        #[inline(always)]
+        || from_scaled(x, T::zero()),
+    )
 }
 
 /// ln(2^exponent · scaled) with `scaled` at least 1.
@@ -79,8 +88,16 @@ fn from_scaled<T: Real>(mut scaled: T, mut exponent: T) -> T {
 }
 
 /// eˣ for x from -700 to 43, to about one unit in the last place, on any [`Real`]; beyond them as at them.
-#[inline(always)]
+#[inline(never)]
 pub fn exponential<T: Real>(x: T) -> T {
+    T::vectorize(
+        #[inline(always)]
+        || exponential_in_line(x),
+    )
+}
+
+#[inline(always)]
+fn exponential_in_line<T: Real>(x: T) -> T {
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
     let x = x.max(T::from_f64(ARGUMENTS[0])).min(T::from_f64(ARGUMENTS[1]));
     // Adding and taking away 1.5 · 2⁵² rounds to the nearest whole number.
