@@ -178,7 +178,7 @@ fn contacts() -> Vec<String> {
             "static_coefficient" => "static_coefficient = 0.11",
             "stribeck_speed" => "stribeck_speed = \"30 mm/s\"",
             "decay" => "decay = \"21 s/m\"",
-            "bristle_stiffness" => "bristle_stiffness = \"1e5 1/m\"",
+            "bristle_stiffness" => "bristle_stiffness = \"1e5 m^-1\"",
             key => panic!("no value for {key}"),
         });
         let numbers: Vec<&str> = numbers.collect();

@@ -3,12 +3,22 @@
 use super::ambrosio::AmbrosioFriction;
 use super::bengisu_akay::BengisuAkayFriction;
 use super::brown_mcphee::BrownMcPheeFriction;
+use super::lugre::LuGreFriction;
 use super::stribeck::StribeckFriction;
 use super::threlfall::ThrelfallFriction;
 use crate::math::Real;
 
 /// Sliding speeds at which a friction law has a kink, m/s: a step of an integrator should not straddle one.
 pub type KinkSpeeds<T> = [Option<T>; 2];
+
+/// A friction force and the rate of the deflection that goes with it.
+#[derive(Debug, Clone, Copy)]
+pub struct BristledForce<T> {
+    /// F_T, N.
+    pub force_n: T,
+    /// ż, m/s.
+    pub rate_m_s: T,
+}
 
 /// The numbers of a friction law and its equation: what the equations of motion evaluate.
 pub trait Friction<T: Real>: Sized {
@@ -19,8 +29,27 @@ pub trait Friction<T: Real>: Sized {
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T;
 
     /// Speeds at which the slope of μ jumps, in both directions of sliding, in rising order.
+    #[inline(always)]
     fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
         [None, None]
+    }
+
+    /// Whether the law has a memory: the mean deflection z of bristles between the surfaces.
+    #[inline(always)]
+    fn has_bristle(&self) -> bool {
+        false
+    }
+
+    /// The force at a deflection z, m, of the bristles, and ż. Without bristles z has no meaning.
+    #[inline(always)]
+    fn force_with_bristle(&self, sliding_velocity_m_s: T, normal_force_n: T, _deflection_m: T) -> BristledForce<T> {
+        BristledForce { force_n: self.force_n(sliding_velocity_m_s, normal_force_n), rate_m_s: T::zero() }
+    }
+
+    /// The largest deflection of the bristles in steady sliding, m: what the tolerance of z is a share of.
+    #[inline(always)]
+    fn largest_deflection_m(&self) -> T {
+        T::zero()
     }
 
     /// Shows every number of the law, in the order of its description.
@@ -123,6 +152,35 @@ macro_rules! friction_laws {
                 }
             }
 
+            /// Whether the law has a memory (see [`Friction::has_bristle`]).
+            #[inline(always)]
+            pub fn has_bristle(&self) -> bool {
+                match self {
+                    Self::None => false,
+                    $(Self::$variant(friction) => friction.has_bristle()),*
+                }
+            }
+
+            /// F_T and ż (see [`Friction::force_with_bristle`]).
+            #[inline(always)]
+            pub fn force_with_bristle(&self, sliding_m_s: T, normal_force_n: T, deflection_m: T) -> BristledForce<T> {
+                match self {
+                    Self::None => BristledForce { force_n: T::zero(), rate_m_s: T::zero() },
+                    $(Self::$variant(friction) => {
+                        friction.force_with_bristle(sliding_m_s, normal_force_n, deflection_m)
+                    })*
+                }
+            }
+
+            /// The largest deflection in steady sliding, m (see [`Friction::largest_deflection_m`]).
+            #[inline(always)]
+            pub fn largest_deflection_m(&self) -> T {
+                match self {
+                    Self::None => T::zero(),
+                    $(Self::$variant(friction) => friction.largest_deflection_m()),*
+                }
+            }
+
             /// Shows every number of the law.
             pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
                 match self {
@@ -140,6 +198,7 @@ friction_laws! {
     Stribeck(StribeckFriction),
     BrownMcPhee(BrownMcPheeFriction),
     BengisuAkay(BengisuAkayFriction),
+    LuGre(LuGreFriction),
 }
 
 /// The friction law called `name` in model files.

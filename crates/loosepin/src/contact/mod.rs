@@ -35,6 +35,7 @@ mod line;
 mod linear;
 mod liu;
 mod logarithmic;
+mod lugre;
 mod normal;
 mod pereira;
 mod point;
@@ -49,7 +50,7 @@ mod threlfall;
 mod zhiying_qishao;
 
 pub use friction::{
-    FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
+    BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
 };
 pub use line::{LINE_LAWS, LineLaw, LinePair};
 pub use linear::{LINEAR_LAWS, LinearContact, LinearLaw, damping_ratio_that_delivers, restitution_of_damping_ratio};

@@ -1,6 +1,6 @@
 //! Mass matrix, forces and accelerations.
 
-use super::play::{DepthRoot, PlayForce, PlayMotion};
+use super::play::{PlayForce, PlayMotion, PlayUnknowns};
 use crate::contact::PlayState;
 use crate::math::{Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
@@ -124,25 +124,25 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Evaluates the equations of motion: accelerations, joint forces and powers.
     pub fn evaluate(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T], states: &[PlayState<T>]) {
-        self.evaluate_with_roots(time_s, free_coordinates, free_rates, states, &[]);
+        self.evaluate_with_unknowns(time_s, free_coordinates, free_rates, states, &[]);
     }
 
-    /// Evaluates the equations of motion with the roots of penetrations as unknowns: an entry for each joint with play, or none
-    /// at all.
+    /// Evaluates the equations of motion with roots of penetrations and deflections of bristles as unknowns: an entry for each
+    /// joint with play, or none at all.
     #[inline(always)]
-    pub fn evaluate_with_roots(
+    pub fn evaluate_with_unknowns(
         &mut self,
         time_s: T,
         free_coordinates: &[T],
         free_rates: &[T],
         states: &[PlayState<T>],
-        roots: &[Option<DepthRoot<T>>],
+        unknowns: &[PlayUnknowns<T>],
     ) {
         T::vectorize(
             #[inline(always)]
             || {
                 self.set_motion(time_s, free_coordinates, free_rates);
-                self.set_forces(states, roots);
+                self.set_forces(states, unknowns);
                 self.add_bodies();
                 self.add_plays();
                 self.solve();
@@ -152,11 +152,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Biases of the accelerations, and forces in the joints with play.
     #[inline(always)]
-    fn set_forces(&mut self, states: &[PlayState<T>], roots: &[Option<DepthRoot<T>>]) {
+    fn set_forces(&mut self, states: &[PlayState<T>], unknowns: &[PlayUnknowns<T>]) {
         let tree = &self.mechanism.real;
         self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
         for (index, (entry, play)) in self.plays.iter_mut().zip(&self.sample.plays).enumerate() {
-            entry.1 = entry.0.force_with_root(play, &states[index], roots.get(index).and_then(Option::as_ref));
+            let unknowns = unknowns.get(index).copied().unwrap_or(PlayUnknowns::none());
+            entry.1 = entry.0.force_with_unknowns(play, &states[index], &unknowns);
         }
     }
 

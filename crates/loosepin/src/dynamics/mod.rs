@@ -11,4 +11,4 @@ mod reactions;
 pub use crate::contact::PlayState;
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
-pub use play::{DepthRoot, PlayForce, PlayMotion};
+pub use play::{DepthRoot, PlayForce, PlayMotion, PlayUnknowns};

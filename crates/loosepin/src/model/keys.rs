@@ -86,6 +86,18 @@ pub(super) static FRICTION_KEYS: Keys = Keys::new(
             "bengisu-akay: how fast friction falls from its static to its dynamic value",
         ),
         optional(
+            "bristle_stiffness",
+            quantity(D::INVERSE_LENGTH, Rule::Positive),
+            "\"1e5 m^-1\"",
+            "lugre: what the coefficient gains for each unit of deflection of the bristles",
+        ),
+        optional(
+            "bristle_damping",
+            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+            "\"0.4 s/m\"",
+            "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
+        ),
+        optional(
             "viscous",
             quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
             "\"0.02 s/m\"",

@@ -185,11 +185,11 @@ impl Tracing<'_, '_> {
         let mut arms = Arms::broadcast(self.arms);
         arms.visit(&mut next);
         let mut motion = Motion::new(self.mechanism, &sample);
-        for (play, (state, root)) in motion.states.iter_mut().zip(&mut motion.roots).enumerate() {
+        for (play, (state, unknowns)) in motion.states.iter_mut().zip(&mut motion.unknowns).enumerate() {
             let contact = |k: usize| input(CONTACTS, PER_CONTACT * play + k);
             *state =
                 PlayState { contact: contact(0), inverse_impact_speed_s_m: contact(1), effective_mass_kg: contact(2) };
-            if let Some(root) = root {
+            if let Some(root) = &mut unknowns.root {
                 *root = DepthRoot { is_unknown: contact(3), root: root.root };
             }
         }
