@@ -2,7 +2,8 @@
 //! arithmetic: what `benches/equations.rs` counts and times.
 
 use crate::batch::Case;
-use loosepin::dynamics::{DepthRoot, Dynamics, PlayState};
+use loosepin::contact::PlayState;
+use loosepin::dynamics::{DepthRoot, Dynamics, PlayUnknowns};
 use loosepin::integrate::{Stepper, System, Tableau};
 use loosepin::math::{Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
@@ -16,6 +17,8 @@ const CONTACTS: u8 = 1;
 const STATE: u8 = 2;
 const SLOPE: u8 = 3;
 
+/// Numbers of a contact among the inputs: whether it is closed, 1/v0, m_eff, whether the root of its penetration is an unknown.
+const PER_CONTACT: usize = 4;
 /// Integrals of the energy account behind the unknowns.
 const ACCOUNT: usize = 3;
 
@@ -50,14 +53,22 @@ pub fn parts(case: &Case) -> Vec<Part> {
         let n = mechanism.real.free;
         let state: Vec<Traced> = (0..dimension(case)).map(|k| input(STATE, k)).collect();
         let plays = 0..mechanism.plays.len();
-        let contact = |play: usize, k: usize| input(CONTACTS, 3 * play + k);
+        let contact = |play: usize, k: usize| input(CONTACTS, PER_CONTACT * play + k);
         let states: Vec<_> = plays
             .clone()
-            .map(|play| PlayState { contact: contact(play, 0), inverse_impact_speed_s_m: contact(play, 1) })
+            .map(|play| PlayState {
+                contact: contact(play, 0),
+                inverse_impact_speed_s_m: contact(play, 1),
+                effective_mass_kg: contact(play, 2),
+            })
             .collect();
-        let roots: Vec<_> =
-            plays.map(|play| Some(DepthRoot { is_unknown: contact(play, 2), root: state[2 * n + 1 + play] })).collect();
-        dynamics.evaluate_with_roots(state[2 * n], &state[..n], &state[n..2 * n], &states, &roots);
+        let unknowns: Vec<_> = plays
+            .map(|play| {
+                let root = DepthRoot { is_unknown: contact(play, 3), root: state[2 * n + 1 + play] };
+                PlayUnknowns { root: Some(root), bristle_m: None }
+            })
+            .collect();
+        dynamics.evaluate_with_unknowns(state[2 * n], &state[..n], &state[n..2 * n], &states, &unknowns);
 
         let vector = |vector: Vec2<Traced>| [vector.x, vector.y];
         let sines: Vec<_> = dynamics.kinematics.poses.iter().flat_map(|pose| [pose.sine, pose.cosine]).collect();
@@ -110,9 +121,9 @@ pub fn blocks(case: &Case, lanes: usize) -> [Vec<f64>; 3] {
         let lane = |value: f64, lane: usize| value * (1.0 + 1e-4 * lane as f64);
         values.iter().flat_map(|&value| (0..lanes).map(move |k| lane(value, k))).collect()
     };
-    let contacts = (0..3 * mechanism.plays.len() * lanes)
-        .map(|place| match (place / lanes % 3, place % 2) {
-            (1, _) => 0.5,
+    let contacts = (0..PER_CONTACT * mechanism.plays.len() * lanes)
+        .map(|place| match (place / lanes % PER_CONTACT, place % 2) {
+            (1 | 2, _) => 0.5,
             (_, parity) => parity as f64,
         })
         .collect();

@@ -1,5 +1,6 @@
 //! Runs on lanes against runs alone: the same bits, whatever the instructions, the lane, the neighbours and the order.
 
+use loosepin::contact::{FRICTION_LAWS, NormalDescription};
 use loosepin::math::Vectors;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{JointKind, Model};
@@ -19,9 +20,17 @@ struct Case {
     turn_s: f64,
 }
 
-fn case(name: &str) -> Case {
+fn case_text(name: &str) -> String {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
-    let model = Model::from_path(&file).unwrap_or_else(|complaints| panic!("{complaints}"));
+    std::fs::read_to_string(file).expect("the case is there")
+}
+
+fn case(name: &str) -> Case {
+    compiled(name, &case_text(name))
+}
+
+fn compiled(name: &str, text: &str) -> Case {
+    let model = Model::from_text(name, text).unwrap_or_else(|complaints| panic!("{complaints}"));
     let nominal = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
     let readings = columns(&mechanism).iter().map(|column| column.reading).filter(Reading::is_position).collect();
@@ -137,6 +146,70 @@ fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set()
                 for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
                     assert_eq!(one, other, "{name}, run {index}, {}, machine code {machine_code}", vectors.name());
                 }
+            }
+        }
+    }
+}
+
+/// The slider-crank with another contact between pin and hole.
+fn slider_crank_with(contact: &str) -> Case {
+    let text = case_text("slider_crank_5000");
+    let (before, rest) = text.split_once("[contact.steel_pin]").expect("there is a contact");
+    let (_, after) = rest.split_once("[joint.main]").expect("joints follow");
+    let after = after.replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
+    compiled(contact, &format!("{before}[contact.steel_pin]\n{contact}\n[joint.main]{after}"))
+}
+
+/// Every law of normal force once, and every law of friction once.
+fn contacts() -> Vec<String> {
+    const STEEL: &str = "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
+    let normal = NormalDescription::all().map(|law| {
+        let numbers = match law {
+            NormalDescription::Linear(law) if law.has_given_damping() => {
+                "stiffness = \"2.3e8 N/m\"\ndamping_coefficient = \"900 N s/m\""
+            }
+            NormalDescription::Linear(_) => "stiffness = \"2.3e8 N/m\"\nrestitution = 0.83",
+            _ => STEEL,
+        };
+        format!("law = \"{}\"\n{numbers}", law.name())
+    });
+    let friction = FRICTION_LAWS.iter().map(|law| {
+        let numbers = law.numbers.iter().filter(|number| number.default_si.is_none()).map(|number| match number.key {
+            "coefficient" => "coefficient = 0.07",
+            "static_coefficient" => "static_coefficient = 0.11",
+            "stribeck_speed" => "stribeck_speed = \"30 mm/s\"",
+            "decay" => "decay = \"21 s/m\"",
+            "bristle_stiffness" => "bristle_stiffness = \"1e5 m^-1\"",
+            key => panic!("no value for {key}"),
+        });
+        let numbers: Vec<&str> = numbers.collect();
+        let friction = format!("friction = {{ law = \"{}\", {} }}", law.name, numbers.join(", "));
+        format!("law = \"johnson\"\n{STEEL}\n{friction}")
+    });
+    normal.chain(friction).collect()
+}
+
+#[test]
+fn identity_every_contact_law_keeps_the_energy_account_and_its_bits_in_lanes() {
+    /// Largest residual over largest exchange: a few orders of magnitude above what tolerances of 1e-8 m leave.
+    const ENERGY_RESIDUAL: f64 = 1e-7;
+    /// Long enough for some contacts.
+    const TURNS: f64 = 0.15;
+    let settings = Settings::for_study();
+    for contact in contacts() {
+        let case = slider_crank_with(&contact);
+        let order: Vec<usize> = (0..RUNS).collect();
+        let alone = conducted(&case, order.clone(), TURNS, Vectors::None, &settings);
+        assert!(alone.iter().all(|seen| seen.contacts.len() > 1), "{contact}\nhas no contact");
+        for seen in &alone {
+            let residual = seen.report.as_ref().and_then(|report| report.energy).expect("a report").relative_residual();
+            assert!(residual < ENERGY_RESIDUAL, "{contact}\nhas a residual of {residual:e}");
+        }
+        for machine_code in [true, false] {
+            let settings = Settings { machine_code, ..settings };
+            let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
+            for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                assert_eq!(one, other, "{contact}\nrun {index}, machine code {machine_code}");
             }
         }
     }

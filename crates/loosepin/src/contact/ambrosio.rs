@@ -1,5 +1,6 @@
 //! Coulomb friction modified by Ambrósio.
 
+use super::friction::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
 use crate::math::Real;
 
 /// Friction that grows linearly between two sliding speeds (Ambrósio 2003; method, section 2.3):
@@ -14,27 +15,48 @@ pub struct AmbrosioFriction<T> {
     pub upper_speed_m_s: T,
 }
 
-impl<T: Real> AmbrosioFriction<T> {
-    /// Speeds at which the force has a kink, m/s, in both directions of sliding: a step of an integrator should not straddle
-    /// one.
-    #[inline(always)]
-    pub fn kink_speeds_m_s(&self) -> [T; 2] {
-        [self.lower_speed_m_s, self.upper_speed_m_s]
+impl AmbrosioFriction<f64> {
+    /// How model files know it.
+    pub const DESCRIPTION: FrictionDescription = FrictionDescription {
+        name: "ambrosio",
+        source: "Coulomb friction modified by Ambrósio 2003: linear from zero at v_a to μ at v_b",
+        numbers: &[
+            FrictionNumber { key: "coefficient", default_si: None },
+            FrictionNumber { key: "lower_speed", default_si: Some(1e-4) },
+            FrictionNumber { key: "upper_speed", default_si: Some(1e-3) },
+        ],
+        below: Some(["lower_speed", "upper_speed"]),
+    };
+}
+
+impl<T: Real> Friction<T> for AmbrosioFriction<T> {
+    fn from_numbers(numbers: &[T]) -> Self {
+        Self { coefficient: numbers[0], lower_speed_m_s: numbers[1], upper_speed_m_s: numbers[2] }
     }
 
-    /// F_T = -μ(|v_T|) F_N sign(v_T), N, along the tangent along which the sliding velocity v_T, m/s, is measured.
     #[inline(always)]
-    pub fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
+    fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let speed = sliding_velocity_m_s.abs();
         let ramp = (speed - self.lower_speed_m_s) / (self.upper_speed_m_s - self.lower_speed_m_s);
         let size = self.coefficient * ramp.max(T::zero()).min(T::one()) * normal_force_n;
         T::select(sliding_velocity_m_s.less_than(T::zero()), size, -size)
     }
+
+    #[inline(always)]
+    fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
+        [Some(self.lower_speed_m_s), Some(self.upper_speed_m_s)]
+    }
+
+    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        visit(&mut self.coefficient);
+        visit(&mut self.lower_speed_m_s);
+        visit(&mut self.upper_speed_m_s);
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::AmbrosioFriction;
+    use super::{AmbrosioFriction, Friction};
 
     #[test]
     fn analytic_stick_ramp_and_slip_in_both_directions() {

@@ -1,96 +1,179 @@
-//! The normal force that every point-contact law shares.
+//! The normal force of a contact, whatever its law.
 
+use super::bai_zhao::BaiZhaoContact;
+use super::linear::LinearContact;
+use super::liu::LiuContact;
+use super::logarithmic::LogarithmicContact;
+use super::pereira::PereiraContact;
+use super::point::PointContact;
+use super::state::PlayState;
 use crate::math::Real;
-
-/// `F_N = K δⁿ (1 + χ δ̇/v0)`, cut at zero (method, section 2.1).
-///
-/// The laws differ in χ alone; K is eq. (9) of the source or given.
-#[derive(Debug, Clone, Copy)]
-pub struct NormalContact<T> {
-    /// Stiffness K, N/mⁿ.
-    pub stiffness_n_m_n: T,
-    /// Exponent n: 3/2 for metals.
-    pub exponent: f64,
-    /// Factor χ of the energy loss.
-    pub damping_factor: T,
-}
 
 /// A normal force and its elastic part.
 #[derive(Debug, Clone, Copy)]
 pub struct NormalForce<T> {
     /// F_N, N, never negative.
     pub total_n: T,
-    /// F_el = K δⁿ, N: the part that is stored and given back.
+    /// F_el, N: the part that is stored and given back.
     pub elastic_n: T,
 }
 
-impl<T: Real> NormalContact<T> {
-    /// The force at penetration δ, m, and penetration rate δ̇, m/s, in a contact that began at speed v0
-    /// (`inverse_impact_speed_s_m` = 1/v0). A negative δ counts as zero: there the force is zero.
-    ///
-    /// The contact loses the power (F_N - F_el) δ̇, also while the cut acts.
-    #[inline(always)]
-    pub fn force(&self, penetration_m: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
-        let elastic_n = self.stiffness_n_m_n * penetration_m.max(T::zero()).powf(self.exponent);
-        self.with_loss(elastic_n, rate_m_s, inverse_impact_speed_s_m)
+/// The numbers of a normal force law and its equations: what the equations of motion evaluate.
+///
+/// The contact loses the power (F_N - F_el) δ̇, also while F_N is cut at zero.
+pub trait NormalContact<T: Real> {
+    /// The force at penetration δ, m, and penetration rate δ̇, m/s. In flight and for a negative δ it is zero.
+    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T>;
+
+    /// The elastic energy stored at penetration δ: ∫ F_el dδ, J.
+    fn stored_energy_j(&self, penetration_m: T) -> T;
+
+    /// Whether the force is smooth in the root u = √δ where contact begins: then u may be an unknown during a contact.
+    fn is_smooth_in_root(&self) -> bool {
+        false
     }
 
-    /// The force for n = 3/2 at the root u = √δ of the penetration, √m: K u³ is smooth where contact begins, K δ^1.5 is
-    /// not. A negative root, just beyond the end of contact, continues the force smoothly.
+    /// The force at the root u = √δ of the penetration, √m. A negative root, just beyond the end of contact, continues the
+    /// force smoothly where the law has a root.
     #[inline(always)]
-    pub fn force_at_root(&self, root: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
-        self.with_loss(self.stiffness_n_m_n * (root * root * root), rate_m_s, inverse_impact_speed_s_m)
+    fn force_at_root(&self, root: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
+        self.force(root * root, rate_m_s, state)
     }
 
-    /// `F_N = F_el (1 + χ δ̇/v0)`, the factor cut at zero.
+    /// An upper limit of the force up to a penetration, at rates up to the larger of `rate_m_s` and v0, N.
+    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T;
+
+    /// The penetration beyond which the law says nothing, m, if there is one. A run that goes beyond fails; until that is seen
+    /// the force is continued somehow.
     #[inline(always)]
-    fn with_loss(&self, elastic_n: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
-        let factor = (self.damping_factor * rate_m_s).mul_add(inverse_impact_speed_s_m, T::one());
-        NormalForce { total_n: elastic_n * factor.max(T::zero()), elastic_n }
+    fn limit_m(&self) -> Option<T> {
+        None
     }
 
-    /// The energy stored at penetration δ: K δ^(n+1)/(n+1), J.
+    /// Whether the slope of the force changes infinitely fast where contact begins, as with a logarithm or an exponent just above
+    /// one. The work of the contact shows that one derivative earlier than the velocities, so that the energy account is then
+    /// held to the tolerance too.
     #[inline(always)]
-    pub fn stored_energy_j(&self, penetration_m: T) -> T {
-        let depth_m = penetration_m.max(T::zero());
-        self.stiffness_n_m_n * depth_m.powf(self.exponent) * depth_m / T::from_f64(self.exponent + 1.0)
+    fn has_abrupt_onset(&self) -> bool {
+        false
     }
+
+    /// Whether the force depends on [`PlayState::effective_mass_kg`].
+    #[inline(always)]
+    fn needs_effective_mass(&self) -> bool {
+        false
+    }
+
+    /// Shows every number of the law, in an order that depends on the law alone.
+    fn visit(&mut self, visit: &mut impl FnMut(&mut T));
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// `F_N = F_el (1 + χ δ̇/v0)`, the factor cut at zero: the loss that most laws share.
+#[inline(always)]
+pub(super) fn with_loss<T: Real>(
+    elastic_n: T,
+    damping_factor: T,
+    rate_m_s: T,
+    inverse_impact_speed_s_m: T,
+) -> NormalForce<T> {
+    let factor = (damping_factor * rate_m_s).mul_add(inverse_impact_speed_s_m, T::one());
+    NormalForce { total_n: elastic_n * factor.max(T::zero()), elastic_n }
+}
 
-    #[test]
-    fn analytic_force_below_at_and_above_contact() {
-        let contact = NormalContact { stiffness_n_m_n: 6.6e10, exponent: 1.5, damping_factor: 0.3 };
-        assert_eq!(contact.force(-1e-9, 0.7, 2.0).total_n, 0.0);
-        assert_eq!(contact.force(0.0, 0.7, 2.0).total_n, 0.0);
-        let force = contact.force(1e-9, 0.7, 2.0);
-        let elastic_n = 6.6e10 * 1e-9 * 1e-9_f64.sqrt();
-        // Two roundings.
-        assert!((force.elastic_n / elastic_n - 1.0).abs() < 1e-15);
-        assert!((force.total_n / (elastic_n * (1.0 + 0.3 * 0.7 * 2.0)) - 1.0).abs() < 1e-15);
-    }
+/// The largest force of [`with_loss`] at rates up to the larger of `rate_m_s` and v0.
+#[inline(always)]
+pub(super) fn largest_with_loss_n<T: Real>(
+    elastic_n: T,
+    damping_factor: T,
+    rate_m_s: T,
+    inverse_impact_speed_s_m: T,
+) -> T {
+    let fastest = (rate_m_s * inverse_impact_speed_s_m).max(T::one());
+    elastic_n * damping_factor.mul_add(fastest, T::one())
+}
 
-    #[test]
-    fn identity_a_law_that_would_pull_is_cut_at_zero() {
-        let contact = NormalContact { stiffness_n_m_n: 6.6e10, exponent: 1.5, damping_factor: 1.9 };
-        let force = contact.force(3e-6, -0.9, 1.0);
-        assert_eq!(force.total_n, 0.0);
-        assert!(force.elastic_n > 0.0);
-    }
-
-    #[test]
-    fn identity_the_elastic_force_is_the_slope_of_the_stored_energy() {
-        for exponent in [1.0, 1.2, 1.5, 2.0] {
-            let contact = NormalContact { stiffness_n_m_n: 4.1e9, exponent, damping_factor: 0.3 };
-            let (depth_m, step_m) = (2.3e-5, 1e-9);
-            let slope_n = (contact.stored_energy_j(depth_m + step_m) - contact.stored_energy_j(depth_m - step_m))
-                / (2.0 * step_m);
-            let force_n = contact.force(depth_m, 0.0, 1.0).total_n;
-            // Central difference: (step/depth)² and round-off of the energies over the step.
-            assert!((slope_n / force_n - 1.0).abs() < 1e-7);
+/// The enum of all laws, and what it hands on to them.
+macro_rules! normal_laws {
+    ($($variant:ident($contact:ident)),* $(,)?) => {
+        /// The normal force law of a contact with its numbers. Which one it is belongs to the mechanism and is the same in
+        /// all lanes.
+        #[derive(Debug, Clone, Copy)]
+        pub enum NormalLaw<T> {
+            $(#[doc = concat!("See [`", stringify!($contact), "`].")] $variant($contact<T>)),*
         }
-    }
+
+        impl<T: Real> NormalLaw<T> {
+            /// The same numbers in every lane.
+            pub fn broadcast(from: &NormalLaw<f64>) -> Self {
+                match from {
+                    $(NormalLaw::$variant(contact) => Self::$variant($contact::broadcast(contact))),*
+                }
+            }
+        }
+
+        impl<T: Real> NormalContact<T> for NormalLaw<T> {
+            #[inline(always)]
+            fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
+                match self {
+                    $(Self::$variant(contact) => contact.force(penetration_m, rate_m_s, state)),*
+                }
+            }
+            #[inline(always)]
+            fn stored_energy_j(&self, penetration_m: T) -> T {
+                match self {
+                    $(Self::$variant(contact) => contact.stored_energy_j(penetration_m)),*
+                }
+            }
+            #[inline(always)]
+            fn is_smooth_in_root(&self) -> bool {
+                match self {
+                    $(Self::$variant(contact) => contact.is_smooth_in_root()),*
+                }
+            }
+            #[inline(always)]
+            fn force_at_root(&self, root: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
+                match self {
+                    $(Self::$variant(contact) => contact.force_at_root(root, rate_m_s, state)),*
+                }
+            }
+            #[inline(always)]
+            fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
+                match self {
+                    $(Self::$variant(contact) => contact.largest_force_n(penetration_m, rate_m_s, state)),*
+                }
+            }
+            #[inline(always)]
+            fn limit_m(&self) -> Option<T> {
+                match self {
+                    $(Self::$variant(contact) => contact.limit_m()),*
+                }
+            }
+            #[inline(always)]
+            fn has_abrupt_onset(&self) -> bool {
+                match self {
+                    $(Self::$variant(contact) => contact.has_abrupt_onset()),*
+                }
+            }
+            #[inline(always)]
+            fn needs_effective_mass(&self) -> bool {
+                match self {
+                    $(Self::$variant(contact) => contact.needs_effective_mass()),*
+                }
+            }
+            fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+                match self {
+                    $(Self::$variant(contact) => contact.visit(visit)),*
+                }
+            }
+        }
+    };
+}
+
+normal_laws! {
+    Point(PointContact),
+    Linear(LinearContact),
+    Logarithmic(LogarithmicContact),
+    Liu(LiuContact),
+    BaiZhao(BaiZhaoContact),
+    Pereira(PereiraContact),
 }

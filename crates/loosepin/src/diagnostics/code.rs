@@ -299,6 +299,15 @@ first one; `loosepin simulate` with the values of the study shows it alone."
 far too soft, or the drive far too fast, for the masses that they carry. Look at the stiffness or Young's modulus, the speed and \
 the masses."
 
+    BeyondContactLaw "E0809" "a contact is deeper than its law goes"
+"Line-contact laws with a logarithm (johnson, esdu-78035, dubowsky-freudenstein, radzimovsky) give the penetration for a force; \
+beyond a share of the clearance no force belongs to a penetration, and the run ends. Take a law without that limit (liu, bai-zhao), \
+or look whether the parts are far too soft or the drive far too fast."
+
+    ClearanceOutsideFit "E0810" "a clearance to which the contact law was not fitted"
+"The law of Pereira, Ramalho and Ambrósio is a formula fitted to computed contacts, for radial clearances from 0.005 to 10 mm. \
+Outside it means nothing, so such a clearance is refused. In a study, a run with such a clearance fails by this reason."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

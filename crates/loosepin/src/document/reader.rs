@@ -210,6 +210,28 @@ impl Reader {
         table
     }
 
+    /// Whether a table has a key that it needs because of what else stands in it; complains if not, unless the key is there
+    /// misspelt and was complained about.
+    pub fn demand(&mut self, table: &Table<'_>, key: &str) -> bool {
+        if table.has(key) {
+            return true;
+        }
+        // What a table always needs was demanded when it was opened.
+        let Some(key) = table.keys.find(key).filter(|key| !key.is_required) else { return false };
+        let known = || table.keys.keys.iter().map(|key| key.name);
+        let is_meant = table.entries.keys().any(|written| {
+            let written: &str = written.get_ref();
+            table.keys.find(written).is_none() && nearest_name(written, known()) == Some(key.name)
+        });
+        if !is_meant {
+            let (table_words, span) = (table.path.describe(), table.span);
+            let problem =
+                DocumentProblem::MissingKey { table: table_words, key: key.name, example: key.example, doc: key.doc };
+            self.complain(&problem, span);
+        }
+        false
+    }
+
     /// The entries of a table whose keys are names, each with a name that can be used.
     pub fn named<'t>(&mut self, entry: &Entry<'t>, what: &'static str) -> Vec<Entry<'t>> {
         let entries = self.any_keys(entry);

@@ -1,6 +1,7 @@
 //! Kinetic, potential and stored energy.
 
 use super::equations::Dynamics;
+use crate::contact::NormalContact;
 use crate::math::Real;
 
 /// The mechanical energy of a mechanism, J.
@@ -10,7 +11,7 @@ pub struct MechanicalEnergy<T> {
     pub kinetic_j: T,
     /// -Σ m g·r.
     pub potential_j: T,
-    /// Σ K δ^(n+1)/(n+1) over the contacts.
+    /// Σ ∫ F_el dδ over the contacts.
     pub stored_j: T,
 }
 

@@ -1,6 +1,7 @@
 //! Mass matrix, forces and accelerations.
 
-use super::play::{DepthRoot, PlayForce, PlayMotion, PlayState};
+use super::play::{PlayForce, PlayMotion, PlayUnknowns};
+use crate::contact::PlayState;
 use crate::math::{GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
     Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, moved, points_of, turned_by,
@@ -31,14 +32,14 @@ pub struct Dynamics<'a, T> {
     rates: Vec<T>,
     driven_accelerations: Vec<T>,
     /// Slots of bearing body and journal body of each joint with play.
-    play_slots: Vec<[usize; 2]>,
+    pub(super) play_slots: Vec<[usize; 2]>,
     pub(super) plays: Vec<(PlayMotion<T>, PlayForce<T>)>,
     /// Free accelerations q̈.
     pub(super) accelerations: Vec<T>,
     /// Constraint forces λ; where rows repeat each other, one of the many that do the same.
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
-    mass: Vec<T>,
+    pub(super) mass: Vec<T>,
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
@@ -48,9 +49,9 @@ pub struct Dynamics<'a, T> {
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
     /// M⁻¹ Jᵀ, one row of n for each constraint.
-    mobility_rows: Vec<T>,
+    pub(super) mobility_rows: Vec<T>,
     /// J M⁻¹ Jᵀ.
-    gram: GramSystem<T>,
+    pub(super) gram: GramSystem<T>,
 }
 
 impl<'a, T: Real> Dynamics<'a, T> {
@@ -91,7 +92,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             jacobian: vec![T::zero(); rows * z],
             constraint_biases: vec![T::zero(); rows],
             mobility_rows: vec![T::zero(); rows * n],
-            gram: GramSystem::new(rows),
+            gram: GramSystem::new(rows, mechanism.rows_may_repeat),
         }
     }
 
@@ -123,25 +124,25 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Evaluates the equations of motion: accelerations, joint forces and powers.
     pub fn evaluate(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T], states: &[PlayState<T>]) {
-        self.evaluate_with_roots(time_s, free_coordinates, free_rates, states, &[]);
+        self.evaluate_with_unknowns(time_s, free_coordinates, free_rates, states, &[]);
     }
 
-    /// Evaluates the equations of motion with the roots of penetrations as unknowns: an entry for each joint with play, or none
-    /// at all.
+    /// Evaluates the equations of motion with roots of penetrations and deflections of bristles as unknowns: an entry for each
+    /// joint with play, or none at all.
     #[inline(always)]
-    pub fn evaluate_with_roots(
+    pub fn evaluate_with_unknowns(
         &mut self,
         time_s: T,
         free_coordinates: &[T],
         free_rates: &[T],
         states: &[PlayState<T>],
-        roots: &[Option<DepthRoot<T>>],
+        unknowns: &[PlayUnknowns<T>],
     ) {
         T::vectorize(
             #[inline(always)]
             || {
                 self.set_motion(time_s, free_coordinates, free_rates);
-                self.set_forces(states, roots);
+                self.set_forces(states, unknowns);
                 self.add_bodies();
                 self.add_plays();
                 self.solve();
@@ -151,11 +152,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Biases of the accelerations, and forces in the joints with play.
     #[inline(always)]
-    fn set_forces(&mut self, states: &[PlayState<T>], roots: &[Option<DepthRoot<T>>]) {
+    fn set_forces(&mut self, states: &[PlayState<T>], unknowns: &[PlayUnknowns<T>]) {
         let tree = &self.mechanism.real;
         self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
         for (index, (entry, play)) in self.plays.iter_mut().zip(&self.sample.plays).enumerate() {
-            entry.1 = entry.0.force_with_root(play, &states[index], roots.get(index).and_then(Option::as_ref));
+            let unknowns = unknowns.get(index).copied().unwrap_or(PlayUnknowns::none());
+            entry.1 = entry.0.force_with_unknowns(play, &states[index], &unknowns);
         }
     }
 
@@ -259,7 +261,8 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 self.gram.matrix[row * rows + s] = sum;
             }
         }
-        self.gram.solve(self.mechanism.rows_may_repeat, &mut self.multipliers);
+        self.gram.factor();
+        self.gram.solve(&mut self.multipliers);
         for row in 0..rows {
             for (k, acceleration) in self.accelerations.iter_mut().enumerate() {
                 *acceleration = self.mobility_rows[row * n + k].mul_add(self.multipliers[row], *acceleration);

@@ -8,6 +8,7 @@ mod equations;
 mod play;
 mod reactions;
 
+pub use crate::contact::PlayState;
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
-pub use play::{DepthRoot, PlayForce, PlayMotion, PlayState};
+pub use play::{DepthRoot, PlayForce, PlayMotion, PlayUnknowns};

@@ -1,24 +1,9 @@
 //! Motion and forces in a revolute joint with clearance ([SC16] eqs. 1-9; method, section 2).
 
+use crate::contact::{NormalContact, PlayState};
 use crate::math::{Real, Vec2};
 use crate::mechanism::{Kinematics, PlayGeometry};
 use crate::model::SlidingVelocity;
-
-/// Whether pin and hole touch, and at which speed the present contact began.
-#[derive(Debug, Clone, Copy)]
-pub struct PlayState<T> {
-    /// One while in contact, zero in flight.
-    pub contact: T,
-    /// 1/v0 of the present contact, s/m; anything finite in flight.
-    pub inverse_impact_speed_s_m: T,
-}
-
-impl<T: Real> PlayState<T> {
-    /// No contact.
-    pub fn flight() -> Self {
-        Self { contact: T::zero(), inverse_impact_speed_s_m: T::zero() }
-    }
-}
 
 /// The root u = √δ of a penetration as an unknown of its own, for contact that is smooth from its beginning to its end.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +12,22 @@ pub struct DepthRoot<T> {
     pub is_unknown: T,
     /// u, √m, where it is an unknown.
     pub root: T,
+}
+
+/// What a joint with play takes from the state vector beside the motion of its bodies.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayUnknowns<T> {
+    /// The root of the penetration, where the joint has one.
+    pub root: Option<DepthRoot<T>>,
+    /// Mean deflection z of the bristles, m, where the friction law has them.
+    pub bristle_m: Option<T>,
+}
+
+impl<T> PlayUnknowns<T> {
+    /// Nothing: the penetration is read off the positions, and bristles have settled.
+    pub fn none() -> Self {
+        Self { root: None, bristle_m: None }
+    }
 }
 
 /// Where the journal is in its bearing and how it moves.
@@ -61,6 +62,8 @@ pub struct PlayForce<T> {
     pub normal_n: T,
     /// Penetration rate δ̇, m/s.
     pub penetration_rate_m_s: T,
+    /// Rate ż of the deflection of the bristles, m/s; zero without any.
+    pub bristle_rate_m_s: T,
     /// Sliding velocity v_T that friction goes by, m/s; zero where there is no friction.
     pub sliding_m_s: T,
 }
@@ -108,29 +111,28 @@ impl<T: Real> PlayMotion<T> {
     /// angular momentum are exact: arms R_j - δ/2 about P_j and R_i + δ/2 about P_i.
     #[inline(always)]
     pub fn force(&self, play: &PlayGeometry<T>, state: &PlayState<T>) -> PlayForce<T> {
-        self.force_with_root(play, state, None)
+        self.force_with_unknowns(play, state, &PlayUnknowns::none())
     }
 
-    /// The contact force with the root of the penetration as an unknown, where there is one.
+    /// The contact force with the root of the penetration and the deflection of the bristles as unknowns, where they are.
     #[inline(always)]
-    pub fn force_with_root(
+    pub fn force_with_unknowns(
         &self,
         play: &PlayGeometry<T>,
         state: &PlayState<T>,
-        root: Option<&DepthRoot<T>>,
+        unknowns: &PlayUnknowns<T>,
     ) -> PlayForce<T> {
         let length_m = self.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE)); // eq. (2)
         let normal = self.eccentricity_m * (T::one() / length_m); // eq. (3)
         let tangent = normal.turned(); // eq. (3)
         let penetration_m = self.penetration_m(play.clearance_m) * state.contact; // eq. (4)
         let rate_m_s = self.eccentricity_rate_m_s.dot(normal); // eq. (6)
-        let inverse_speed_s_m = state.inverse_impact_speed_s_m;
-        let force = match root {
-            None => play.normal.force(penetration_m, rate_m_s, inverse_speed_s_m), // eq. (8)
+        let force = match &unknowns.root {
+            None => play.normal.force(penetration_m, rate_m_s, state), // eq. (8)
             Some(unknown) => {
                 let depth_root = penetration_m.max(T::zero()).sqrt();
                 let is_unknown = T::from_f64(0.5).less_than(unknown.is_unknown);
-                play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, inverse_speed_s_m)
+                play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, state)
             }
         };
         let contact_loss_w = (force.total_n - force.elastic_n) * rate_m_s;
@@ -142,9 +144,10 @@ impl<T: Real> PlayMotion<T> {
             friction_loss_w: T::zero(),
             normal_n: force.total_n,
             penetration_rate_m_s: rate_m_s,
+            bristle_rate_m_s: T::zero(),
             sliding_m_s: T::zero(),
         };
-        if play.has_friction {
+        if play.friction.acts() {
             let half_depth_m = penetration_m * T::from_f64(0.5);
             let bearing_arm_m = play.bearing_radius_m + half_depth_m;
             let journal_arm_m = play.bearing_radius_m - play.clearance_m - half_depth_m;
@@ -155,7 +158,14 @@ impl<T: Real> PlayMotion<T> {
                 SlidingVelocity::Material => material_m_s,
                 SlidingVelocity::Literal => orbiting_m_s * (T::one() - play.clearance_m / length_m), // eq. (7)
             };
-            let friction_n = play.friction.force_n(sliding_m_s, force.total_n);
+            let friction_n = match unknowns.bristle_m {
+                None => play.friction.force_n(sliding_m_s, force.total_n),
+                Some(bristle_m) => {
+                    let friction = play.friction.force_with_bristle(sliding_m_s, force.total_n, bristle_m);
+                    result.bristle_rate_m_s = friction.rate_m_s;
+                    friction.force_n
+                }
+            };
             result.sliding_m_s = sliding_m_s;
             result.on_journal_n += tangent * friction_n;
             result.moment_on_journal_n_m = journal_arm_m * friction_n;

@@ -1,11 +1,51 @@
 //! Forces in the joints, ideal ones included.
 
 use super::equations::Dynamics;
-use crate::math::{Real, Vec2};
-use crate::mechanism::{Attachment, CutKind, acceleration_at};
+use crate::math::{Real, Vec2, solve_ldl};
+use crate::mechanism::{Attachment, CutKind, acceleration_at, turned_by};
 use crate::model::JointId;
 
 impl<T: Real> Dynamics<'_, T> {
+    /// The mechanism's inverse mass along the normal of the joint with play `play` at the last evaluation, 1/kg: by how much a
+    /// normal force of one newton changes the rate of the penetration's rate, n·(a_j - a_i), all else being equal.
+    ///
+    /// gᵀ M⁻¹ g with the generalised force g of the pair of unit forces; what the loops of ideal joints forbid is taken out:
+    /// minus (J M⁻¹ g)ᵀ (J M⁻¹ Jᵀ)⁻¹ (J M⁻¹ g).
+    pub fn inverse_mass_along_normal_1_kg(&self, play: usize) -> T {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        let motion = &self.plays[play].0;
+        let length_m = motion.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE));
+        let normal = motion.eccentricity_m * (T::one() / length_m);
+        let [bearing, journal] = self.play_slots[play];
+        let mut push = vec![T::zero(); tree.coordinates()];
+        for (slot, arm, force_n) in [(bearing, motion.bearing_arm_m, -normal), (journal, motion.journal_arm_m, normal)]
+        {
+            if slot == 0 {
+                continue;
+            }
+            let about_origin = arm.cross(force_n);
+            let partials = self.kinematics.partials(slot);
+            for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
+                let turning = turned_by(push[dependence.coordinate], about_origin, dependence.turning);
+                push[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, turning));
+            }
+        }
+        let along = |left: &[T], right: &[T]| {
+            left.iter().zip(right).fold(T::zero(), |sum, (left, right)| left.mul_add(*right, sum))
+        };
+        let mut answer = push[..n].to_vec();
+        solve_ldl(&self.mass, n, &mut answer);
+        let mut inverse_mass_1_kg = along(&push[..n], &answer);
+        // The rows of `mobility_rows` are M⁻¹ Jᵀ, so that J M⁻¹ g needs no Jacobian.
+        let rows = tree.constraint_rows();
+        let defects: Vec<T> = (0..rows).map(|r| along(&self.mobility_rows[r * n..(r + 1) * n], &push[..n])).collect();
+        let mut multipliers = defects.clone();
+        self.gram.clone().solve(&mut multipliers);
+        inverse_mass_1_kg -= along(&defects, &multipliers);
+        inverse_mass_1_kg
+    }
+
     /// Force of `joint` on its second body (journal, slider, second), N, in the ground's frame, at the last evaluation.
     ///
     /// With play: the contact force. Closing a loop: the constraint force. In the tree: what the bodies beyond the joint

@@ -14,33 +14,35 @@ const PASSES: usize = 3;
 /// one position and repeats others in the next (a plate on three cranks).
 #[derive(Debug, Clone)]
 pub struct GramSystem<T> {
-    /// G, row-major; destroyed by solving.
+    /// G, row-major; [`Self::factor`] may destroy it.
     pub matrix: Vec<T>,
     order: usize,
+    /// Whether rows may repeat each other.
+    may_repeat: bool,
     factors: Vec<T>,
     right: Vec<T>,
     change: Vec<T>,
 }
 
 impl<T: Real> GramSystem<T> {
-    /// Room for `order` unknowns.
-    pub fn new(order: usize) -> Self {
+    /// Room for `order` unknowns; `may_repeat` tells that rows may repeat each other.
+    pub fn new(order: usize, may_repeat: bool) -> Self {
         Self {
             matrix: vec![T::zero(); order * order],
             order,
+            may_repeat,
             factors: vec![T::zero(); order * order],
             right: vec![T::zero(); order],
             change: vec![T::zero(); order],
         }
     }
 
-    /// Replaces `right` by λ. `may_repeat` tells that rows may repeat each other.
+    /// Prepares for [`Self::solve`] with the matrix as it is now.
     #[inline(always)]
-    pub fn solve(&mut self, may_repeat: bool, right: &mut [T]) {
+    pub fn factor(&mut self) {
         let n = self.order;
-        if !may_repeat {
-            factor_ldl(&mut self.matrix, n);
-            return solve_ldl(&self.matrix, n, right);
+        if !self.may_repeat {
+            return factor_ldl(&mut self.matrix, n);
         }
         self.factors.copy_from_slice(&self.matrix);
         for row in 0..n {
@@ -50,6 +52,15 @@ impl<T: Real> GramSystem<T> {
             self.factors[row * n + row] = T::select(T::zero().less_than(diagonal), raised, T::one());
         }
         factor_ldl(&mut self.factors, n);
+    }
+
+    /// Replaces `right` by λ, with the matrix that was factored last.
+    #[inline(always)]
+    pub fn solve(&mut self, right: &mut [T]) {
+        let n = self.order;
+        if !self.may_repeat {
+            return solve_ldl(&self.matrix, n, right);
+        }
         self.right.copy_from_slice(right);
         right.fill(T::zero());
         for _ in 0..PASSES {
@@ -81,10 +92,11 @@ mod tests {
 
     /// The x = Jᵀ λ that `rows` demand of a target.
     fn solution(rows: &[[f64; 3]], target: &[f64; 3]) -> [f64; 3] {
-        let mut system = GramSystem::new(rows.len());
+        let mut system = GramSystem::new(rows.len(), true);
         system.matrix = rows.iter().flat_map(|a| rows.iter().map(move |b| dot(a, b))).collect();
         let mut multipliers: Vec<f64> = rows.iter().map(|row| dot(row, target)).collect();
-        system.solve(true, &mut multipliers);
+        system.factor();
+        system.solve(&mut multipliers);
         std::array::from_fn(|k| rows.iter().zip(&multipliers).map(|(row, m)| row[k] * m).sum())
     }
 

@@ -2,6 +2,7 @@
 
 mod angle;
 mod dual;
+mod exponential;
 mod gram;
 mod hermite;
 mod lanes;
@@ -11,6 +12,7 @@ mod vector;
 
 pub use angle::sin_cos;
 pub use dual::Dual;
+pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm};
 pub use gram::GramSystem;
 pub use hermite::Quintic;
 pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};

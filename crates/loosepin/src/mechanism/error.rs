@@ -97,6 +97,23 @@ pub enum SampleError {
         /// What it was when the mechanism was compiled.
         compiled_with_play: bool,
     },
+    /// A clearance to which the contact law was not fitted.
+    #[error(
+        "joint '{joint}' has a radial clearance of {}; '{law}' was fitted to clearances from {} to {}",
+        format_value(*clearance_m, Dimension::LENGTH),
+        format_value(fitted_m[0], Dimension::LENGTH),
+        format_value(fitted_m[1], Dimension::LENGTH)
+    )]
+    ClearanceOutsideFit {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: &'static str,
+        /// Its clearance in this sample, m.
+        clearance_m: f64,
+        /// Smallest and largest clearance of the fit, m.
+        fitted_m: [f64; 2],
+    },
     /// The loops cannot be closed at this instant.
     #[error(
         "the links cannot close at {}: joint '{joint}' stays {} open",

@@ -2,7 +2,7 @@
 
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::sample::{DriveMotion, PlayGeometry, Sample};
-use crate::contact::{AmbrosioFriction, NormalContact};
+use crate::contact::{FrictionLaw, NormalContact, NormalLaw};
 use crate::math::{Real, Vec2};
 
 impl<T: Real> Sample<T> {
@@ -24,7 +24,7 @@ impl<T: Real> Sample<T> {
     /// Shows every number that the equations of motion use, those of the real tree, plays and drives, in an order that
     /// depends on the mechanism alone.
     ///
-    /// What is no number (which contacts have friction, which exponent) belongs to the mechanism and is the same in all lanes.
+    /// What is no number (which laws, which exponent) belongs to the mechanism and is the same in all lanes.
     pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
         self.real.gravity_m_s2.visit(visit);
         for link in &mut self.real.links {
@@ -55,11 +55,8 @@ impl<T: Real> Sample<T> {
             play.journal_arm_m.visit(visit);
             visit(&mut play.bearing_radius_m);
             visit(&mut play.clearance_m);
-            visit(&mut play.normal.stiffness_n_m_n);
-            visit(&mut play.normal.damping_factor);
-            visit(&mut play.friction.coefficient);
-            visit(&mut play.friction.lower_speed_m_s);
-            visit(&mut play.friction.upper_speed_m_s);
+            play.normal.visit(visit);
+            play.friction.visit(visit);
             visit(&mut play.minimum_impact_speed_m_s);
         }
         for drive in &mut self.drives {
@@ -117,17 +114,8 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
         journal_arm_m: vector(from.journal_arm_m),
         bearing_radius_m: number(from.bearing_radius_m),
         clearance_m: number(from.clearance_m),
-        normal: NormalContact {
-            stiffness_n_m_n: number(from.normal.stiffness_n_m_n),
-            exponent: from.normal.exponent,
-            damping_factor: number(from.normal.damping_factor),
-        },
-        friction: AmbrosioFriction {
-            coefficient: number(from.friction.coefficient),
-            lower_speed_m_s: number(from.friction.lower_speed_m_s),
-            upper_speed_m_s: number(from.friction.upper_speed_m_s),
-        },
-        has_friction: from.has_friction,
+        normal: NormalLaw::broadcast(&from.normal),
+        friction: FrictionLaw::broadcast(&from.friction),
         sliding_velocity: from.sliding_velocity,
         minimum_impact_speed_m_s: number(from.minimum_impact_speed_m_s),
         largest_valid_impact_speed_m_s: from.largest_valid_impact_speed_m_s,

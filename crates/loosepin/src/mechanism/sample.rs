@@ -4,11 +4,11 @@ use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
 use super::{Mechanism, tree::points_of};
 use crate::contact::{
-    AmbrosioFriction, NormalContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution,
-    largest_valid_impact_speed_m_s,
+    FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact, compliance_1_pa,
+    cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s, restitution_of_damping_ratio,
 };
 use crate::math::{Real, Vec2};
-use crate::model::{Contact, FrictionLaw, JointId, JointKind, SlidingVelocity, Stiffness, Values};
+use crate::model::{Clearance, Contact, JointId, JointKind, SlidingVelocity, Stiffness, Values};
 
 /// Motion of a driven coordinate: position = start + speed · t, m or rad.
 #[derive(Debug, Clone, Copy)]
@@ -30,20 +30,18 @@ pub struct PlayGeometry<T> {
     pub bearing_radius_m: T,
     /// Radial clearance c, m.
     pub clearance_m: T,
-    /// Normal contact.
-    pub normal: NormalContact<T>,
-    /// Friction; coefficient zero where the contact has none.
-    pub friction: AmbrosioFriction<T>,
-    /// Whether friction acts at all.
-    pub has_friction: bool,
+    /// Normal force.
+    pub normal: NormalLaw<T>,
+    /// Friction.
+    pub friction: FrictionLaw<T>,
     /// Reading of eq. (7).
     pub sliding_velocity: SlidingVelocity,
     /// Floor v_min of the impact speed, m/s.
     pub minimum_impact_speed_m_s: T,
     /// Impact speed beyond which the law is not meant to hold, m/s; infinite where no density is given.
     pub largest_valid_impact_speed_m_s: f64,
-    /// Restitution that a free impact delivers under this χ.
-    pub delivered_restitution: f64,
+    /// Restitution that a free impact delivers; none where it depends on the masses that meet.
+    pub delivered_restitution: Option<f64>,
 }
 
 /// The numbers of one sample: the ideal mechanism, the real one, its contacts and its drives.
@@ -63,7 +61,8 @@ impl<T: Real> Sample<T> {
     /// Lays out `values` for `mechanism`.
     ///
     /// # Errors
-    /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only.
+    /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
+    /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
         let model = &mechanism.model;
         for (index, joint) in model.joints.iter().enumerate() {
@@ -76,6 +75,15 @@ impl<T: Real> Sample<T> {
                         clearance_m,
                         compiled_with_play,
                     });
+                }
+                let law = model.contacts[clearance.contact.0].law;
+                if let NormalDescription::Line(law) = law
+                    && let Some(fitted_m) = law.fitted_clearances_m()
+                    && clearance_m > 0.0
+                    && !(fitted_m[0]..=fitted_m[1]).contains(&clearance_m)
+                {
+                    let (joint, law) = (joint.name.clone(), law.name());
+                    return Err(SampleError::ClearanceOutsideFit { joint, law, clearance_m, fitted_m });
                 }
             }
         }
@@ -112,46 +120,75 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     let [bearing, journal] = points_of(kind);
     let bearing_radius_m = values[clearance.bearing_radius_m];
     let clearance_m = values[clearance.radial_clearance_m];
-    let (stiffness_n_m_n, exponent) = stiffness(contact, values, bearing_radius_m, clearance_m);
-    let damping_factor = contact.law.damping_factor(values[contact.restitution]);
-    let friction = match &contact.friction {
-        None => AmbrosioFriction { coefficient: T::zero(), lower_speed_m_s: T::zero(), upper_speed_m_s: T::one() },
-        Some(friction) => match friction.law {
-            FrictionLaw::Ambrosio => AmbrosioFriction {
-                coefficient: T::from_f64(values[friction.coefficient]),
-                lower_speed_m_s: T::from_f64(values[friction.lower_speed_m_s]),
-                upper_speed_m_s: T::from_f64(values[friction.upper_speed_m_s]),
-            },
-        },
-    };
+    let normal = normal(contact, clearance, values);
+    let friction = contact.friction.as_ref().map_or(FrictionLaw::None, |friction| {
+        let numbers: Vec<f64> = friction.numbers.iter().map(|number| values[*number]).collect();
+        friction.law.law(&numbers)
+    });
     Some(PlayGeometry {
         bearing_arm_m: point_m(model, values, bearing),
         journal_arm_m: point_m(model, values, journal),
         bearing_radius_m: T::from_f64(bearing_radius_m),
         clearance_m: T::from_f64(clearance_m),
-        normal: NormalContact {
-            stiffness_n_m_n: T::from_f64(stiffness_n_m_n),
-            exponent,
-            damping_factor: T::from_f64(damping_factor),
-        },
-        friction,
-        has_friction: contact.friction.is_some(),
+        normal: NormalLaw::broadcast(&normal),
+        friction: FrictionLaw::broadcast(&friction),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
-        delivered_restitution: delivered_restitution(damping_factor),
+        delivered_restitution: delivered(&normal, contact, values),
     })
 }
 
-/// K, N/mⁿ, and n: from eq. (9) for this clearance, or as given.
-fn stiffness(contact: &Contact, values: &Values, bearing_radius_m: f64, clearance_m: f64) -> (f64, f64) {
-    match &contact.stiffness {
-        Stiffness::Given { stiffness_n_m_n, exponent } => (values[*stiffness_n_m_n], values[*exponent]),
-        Stiffness::Material { youngs_modulus_pa, poisson_ratio } => {
-            let compliances =
-                [0, 1].map(|side| compliance_1_pa(values[youngs_modulus_pa[side]], values[poisson_ratio[side]]));
-            (cylinder_stiffness_n_m1_5(compliances, bearing_radius_m, clearance_m), 1.5)
+/// The normal force law with its numbers: stiffness for this clearance, or as given, and energy loss.
+fn normal(contact: &Contact, clearance: &Clearance, values: &Values) -> NormalLaw<f64> {
+    let restitution = contact.restitution.map(|id| values[id]);
+    let damping_factor =
+        contact.damping.zip(restitution).map_or(0.0, |(law, restitution)| law.damping_factor(restitution));
+    let bearing_radius_m = values[clearance.bearing_radius_m];
+    let clearance_m = values[clearance.radial_clearance_m];
+    match (&contact.stiffness, contact.law) {
+        (Stiffness::Linear { stiffness_n_m }, law) => {
+            let NormalDescription::Linear(law) = law else { unreachable!("only linear laws have a linear stiffness") };
+            let damping_ratio = restitution.and_then(|restitution| law.damping_ratio(restitution));
+            NormalLaw::Linear(LinearContact {
+                stiffness_n_m: values[*stiffness_n_m],
+                damping_n_s_m: contact.damping_coefficient_n_s_m.map_or(0.0, |id| values[id]),
+                damping_ratio: damping_ratio.unwrap_or(0.0),
+                has_ratio: damping_ratio.is_some(),
+            })
         }
+        (Stiffness::Given { stiffness_n_m_n, exponent }, _) => NormalLaw::Point(PointContact {
+            stiffness_n_m_n: values[*stiffness_n_m_n],
+            exponent: values[*exponent],
+            damping_factor,
+        }),
+        (Stiffness::Material { youngs_modulus_pa, poisson_ratio }, law) => {
+            let compliances_1_pa =
+                [0, 1].map(|side| compliance_1_pa(values[youngs_modulus_pa[side]], values[poisson_ratio[side]]));
+            match (law, clearance.bearing_length_m) {
+                (NormalDescription::Line(law), Some(length)) => {
+                    let pair = LinePair { bearing_radius_m, clearance_m, length_m: values[length], compliances_1_pa };
+                    law.contact(&pair, damping_factor)
+                }
+                _ => NormalLaw::Point(PointContact {
+                    stiffness_n_m_n: cylinder_stiffness_n_m1_5(compliances_1_pa, bearing_radius_m, clearance_m),
+                    exponent: 1.5,
+                    damping_factor,
+                }),
+            }
+        }
+    }
+}
+
+/// Restitution that a free impact delivers; none where it depends on the masses that meet.
+fn delivered(normal: &NormalLaw<f64>, contact: &Contact, values: &Values) -> Option<f64> {
+    match normal {
+        NormalLaw::Linear(linear) => linear.has_ratio.then(|| restitution_of_damping_ratio(linear.damping_ratio)),
+        // The identity of χ and ε holds for every elastic force.
+        _ => contact
+            .damping
+            .zip(contact.restitution)
+            .map(|(law, restitution)| delivered_restitution(law.damping_factor(values[restitution]))),
     }
 }
 

@@ -4,8 +4,9 @@ use super::file::{ModelReader, UNREAD};
 use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{Contact, ContactId, Friction, FrictionLaw, SlidingVelocity, Stiffness};
-use crate::contact::{POINT_LAWS, PointLaw};
+use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
+use crate::contact::{FRICTION_LAWS, FrictionDescription, NormalDescription, POINT_LAWS, PointLaw};
+use crate::contact::{friction_law, point_law};
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Rule};
 
@@ -13,10 +14,8 @@ use crate::units::{Dimension, Rule};
 const DEFAULT_LAW: &str = "lankarani-nikravesh";
 /// v_min where the file gives none (method, section 2), m/s.
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
-/// v_a where the file gives none (method, section 2.3), m/s.
-const LOWER_SPEED_M_S: f64 = 1e-4;
-/// v_b where the file gives none (method, section 2.3), m/s.
-const UPPER_SPEED_M_S: f64 = 1e-3;
+/// The friction law where the file names none.
+const DEFAULT_FRICTION_LAW: &str = "ambrosio";
 
 impl ModelReader {
     /// Reads the table of contacts.
@@ -34,31 +33,107 @@ impl ModelReader {
 
     fn contact(&mut self, name: &str, table: &Table<'_>) -> Option<Contact> {
         let law = self.law(table);
-        let restitution = self.quantity(table, "restitution").unwrap_or(UNREAD);
-        let stiffness = self.stiffness(table);
+        if let Some(law) = law {
+            self.refuse_keys_of_other_laws(table, law);
+        }
+        let has_given_damping = matches!(law, Some(NormalDescription::Linear(law)) if law.has_given_damping());
+        let restitution = if has_given_damping || !self.reader.demand(table, "restitution") {
+            None
+        } else {
+            Some(self.quantity(table, "restitution").unwrap_or(UNREAD))
+        };
+        let damping_coefficient_n_s_m = if has_given_damping && self.reader.demand(table, "damping_coefficient") {
+            Some(self.quantity(table, "damping_coefficient").unwrap_or(UNREAD))
+        } else {
+            None
+        };
+        let stiffness = match law {
+            Some(NormalDescription::Linear(_)) => self.linear_stiffness(table),
+            Some(NormalDescription::Line(_)) => self.material_stiffness(table),
+            _ => self.stiffness(table),
+        };
+        let damping = self.damping(table, law);
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
         let friction = table.get("friction").and_then(|entry| self.friction(&entry));
         Some(Contact {
             name: name.to_owned(),
             law: law?,
+            damping: damping?,
             restitution,
             stiffness: stiffness?,
+            damping_coefficient_n_s_m,
             minimum_impact_speed_m_s: minimum_impact_speed_m_s?,
             density_kg_m3,
             friction,
         })
     }
 
-    fn law(&mut self, table: &Table<'_>) -> Option<&'static dyn PointLaw> {
+    fn law(&mut self, table: &Table<'_>) -> Option<NormalDescription> {
         match table.get("law") {
             Some(entry) => {
-                let choices: Vec<(&'static str, &'static dyn PointLaw)> =
-                    POINT_LAWS.iter().map(|law| (law.name(), *law)).collect();
+                let choices: Vec<(&'static str, NormalDescription)> =
+                    NormalDescription::all().map(|law| (law.name(), law)).collect();
                 self.reader.choice(&entry, &choices)
             }
-            None => crate::contact::point_law(DEFAULT_LAW),
+            None => point_law(DEFAULT_LAW).map(NormalDescription::Point),
         }
+    }
+
+    /// The law whose χ is the energy loss; the outer option is absent after a complaint.
+    fn damping(&mut self, table: &Table<'_>, law: Option<NormalDescription>) -> Option<Option<&'static dyn PointLaw>> {
+        match law? {
+            NormalDescription::Point(law) => Some(Some(law)),
+            NormalDescription::Linear(_) => Some(None),
+            NormalDescription::Line(law) => match table.get("damping") {
+                Some(entry) => {
+                    let choices: Vec<(&'static str, &'static dyn PointLaw)> =
+                        POINT_LAWS.iter().map(|law| (law.name(), *law)).collect();
+                    self.reader.choice(&entry, &choices).map(Some)
+                }
+                None => Some(point_law(law.default_damping())),
+            },
+        }
+    }
+
+    /// Complains about keys that mean nothing beside the law.
+    fn refuse_keys_of_other_laws(&mut self, table: &Table<'_>, law: NormalDescription) {
+        let materials = YOUNGS_MODULUS.into_iter().chain(POISSON_RATIO);
+        let refused: Vec<&'static str> = match law {
+            NormalDescription::Point(_) => vec!["damping", "damping_coefficient"],
+            NormalDescription::Line(_) => vec!["stiffness", "exponent", "damping_coefficient"],
+            NormalDescription::Linear(law) => {
+                let damping = if law.has_given_damping() { "restitution" } else { "damping_coefficient" };
+                materials.chain(["exponent", "density", "damping", damping]).collect()
+            }
+        };
+        for key in refused {
+            if let Some(entry) = table.get(key) {
+                let entry_words = table.path.describe();
+                let problem = ModelProblem::KeyWithoutEffect { entry: entry_words, key, beside: law.name() };
+                self.reader.complain(&problem, entry.key_span);
+            }
+        }
+    }
+
+    /// K of a linear law.
+    fn linear_stiffness(&mut self, table: &Table<'_>) -> Option<Stiffness> {
+        self.reader.demand(table, "stiffness").then_some(())?;
+        let stiffness_n_m =
+            self.quantity_of(&table.get("stiffness")?, Dimension::contact_stiffness(1.0), Rule::Positive)?;
+        Some(Stiffness::Linear { stiffness_n_m })
+    }
+
+    /// The materials of a line contact.
+    fn material_stiffness(&mut self, table: &Table<'_>) -> Option<Stiffness> {
+        if !YOUNGS_MODULUS.iter().chain(&POISSON_RATIO).any(|key| table.has(key)) {
+            self.reader.demand(table, YOUNGS_MODULUS[0]);
+            self.reader.demand(table, POISSON_RATIO[0]);
+            return None;
+        }
+        let youngs_modulus_pa = self.of_both_parts(table, YOUNGS_MODULUS);
+        let poisson_ratio = self.of_both_parts(table, POISSON_RATIO);
+        Some(Stiffness::Material { youngs_modulus_pa: youngs_modulus_pa?, poisson_ratio: poisson_ratio? })
     }
 
     fn stiffness(&mut self, table: &Table<'_>) -> Option<Stiffness> {
@@ -75,11 +150,7 @@ impl ModelReader {
                 self.reader.complain(&ModelProblem::NoStiffness { entry: table.path.describe() }, table.span);
                 None
             }
-            (Some(_), None) => {
-                let youngs_modulus_pa = self.of_both_parts(table, YOUNGS_MODULUS);
-                let poisson_ratio = self.of_both_parts(table, POISSON_RATIO);
-                Some(Stiffness::Material { youngs_modulus_pa: youngs_modulus_pa?, poisson_ratio: poisson_ratio? })
-            }
+            (Some(_), None) => self.material_stiffness(table),
             (None, Some(_)) => self.given_stiffness(table),
         }
     }
@@ -139,8 +210,12 @@ impl ModelReader {
     fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
         let table = self.reader.table(entry, &FRICTION_KEYS)?;
         let law = match table.get("law") {
-            Some(entry) => self.reader.choice(&entry, &[("ambrosio", FrictionLaw::Ambrosio)]),
-            None => Some(FrictionLaw::Ambrosio),
+            Some(entry) => {
+                let choices: Vec<(&'static str, &'static FrictionDescription)> =
+                    FRICTION_LAWS.iter().map(|law| (law.name, law)).collect();
+                self.reader.choice(&entry, &choices)
+            }
+            None => friction_law(DEFAULT_FRICTION_LAW),
         };
         let sliding_velocity = match table.get("sliding_velocity") {
             Some(entry) => {
@@ -149,19 +224,35 @@ impl ModelReader {
             }
             None => Some(SlidingVelocity::Material),
         };
-        let coefficient = self.quantity(&table, "coefficient");
-        let lower_speed_m_s = self.quantity_or(&table, "lower_speed", LOWER_SPEED_M_S);
-        let upper_speed_m_s = self.quantity_or(&table, "upper_speed", UPPER_SPEED_M_S);
-        let (lower_speed_m_s, upper_speed_m_s) = lower_speed_m_s.zip(upper_speed_m_s)?;
-        let written = ["lower_speed", "upper_speed"].into_iter().find_map(|key| table.get(key));
-        let span = written.map_or(table.span, |entry| entry.span);
-        self.demand_order(lower_speed_m_s, upper_speed_m_s, span).then_some(())?;
-        Some(Friction {
-            law: law?,
-            coefficient: coefficient?,
-            lower_speed_m_s,
-            upper_speed_m_s,
-            sliding_velocity: sliding_velocity?,
-        })
+        let Some(law) = law else {
+            // What is wrong with the numbers is said nevertheless.
+            for key in FRICTION_KEYS.keys {
+                self.quantity(&table, key.name);
+            }
+            return None;
+        };
+        for key in FRICTION_KEYS.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
+            let is_taken = law.numbers.iter().any(|number| number.key == key.name);
+            if let Some(entry) = table.get(key.name).filter(|_| !is_taken) {
+                let entry_words = table.path.describe();
+                let problem = ModelProblem::KeyWithoutEffect { entry: entry_words, key: key.name, beside: law.name };
+                self.reader.complain(&problem, entry.key_span);
+            }
+        }
+        let numbers = law.numbers.iter().map(|number| match number.default_si {
+            Some(default_si) => self.quantity_or(&table, number.key, default_si),
+            None => self.reader.demand(&table, number.key).then(|| self.quantity(&table, number.key)).flatten(),
+        });
+        // All of them are read, so that all complaints come together.
+        let numbers: Vec<Option<QuantityId>> = numbers.collect();
+        if let Some(keys) = law.below {
+            let place = |key: &str| law.numbers.iter().position(|number| number.key == key);
+            let [smaller, larger] = keys.map(|key| place(key).and_then(|place| numbers[place]));
+            let written = keys.into_iter().find_map(|key| table.get(key));
+            let span = written.map_or(table.span, |entry| entry.span);
+            self.demand_order(smaller?, larger?, span).then_some(())?;
+        }
+        let numbers = numbers.into_iter().collect::<Option<Vec<QuantityId>>>()?;
+        Some(Friction { law, numbers, sliding_velocity: sliding_velocity? })
     }
 }

@@ -5,6 +5,7 @@ use super::keys::{DRIVE_KEYS, GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_
 use super::problem::{HAS_PLAY, IS_RIGID, ModelProblem};
 use super::quantity::{Origin, QuantityId};
 use super::topology::{BodyId, Clearance, Drive, DriveId, Joint, JointId, JointKind, PointId};
+use crate::contact::NormalDescription;
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Expression, Rule, run};
 
@@ -48,6 +49,7 @@ impl ModelReader {
     /// The clearance of a revolute joint; the outer option is absent after a complaint, the inner for an ideal joint.
     fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
         let bearing_radius_m = self.quantity(table, "bearing_radius");
+        let bearing_length_m = self.quantity(table, "bearing_length");
         let contact = table.get("contact").and_then(|entry| {
             let name = self.reader.text(&entry)?.to_owned();
             self.used_contacts.push(name.clone());
@@ -56,7 +58,7 @@ impl ModelReader {
         let missing: Vec<&'static str> =
             ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
         let Some(entry) = table.get("radial_clearance") else {
-            if let Some(key) = ["bearing_radius", "contact"].into_iter().find(|key| table.has(key)) {
+            if let Some(key) = ["bearing_radius", "bearing_length", "contact"].into_iter().find(|key| table.has(key)) {
                 let needs = vec!["radial_clearance"];
                 let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
                 self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
@@ -84,7 +86,15 @@ impl ModelReader {
         if !self.demand_order(radial_clearance_m, bearing_radius_m, entry.span) {
             return None;
         }
-        Some(Some(Clearance { bearing_radius_m, radial_clearance_m, contact: contact? }))
+        let contact = contact?;
+        // A length that is there and could not be read was complained about.
+        if matches!(self.contacts[contact.0].law, NormalDescription::Line(_)) && !table.has("bearing_length") {
+            let needs = vec!["bearing_length"];
+            let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key: "contact", needs };
+            self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
+            return None;
+        }
+        Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
     }
 
     fn prismatic(&mut self, table: &Table<'_>) -> Option<JointKind> {

@@ -1,6 +1,6 @@
 //! The keys of a model file.
 
-use crate::contact::POINT_LAWS;
+use crate::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -28,13 +28,21 @@ pub(super) static BODY_KEYS: Keys = Keys::new(
 );
 
 fn law_names() -> Vec<&'static str> {
+    NormalDescription::all().map(|law| law.name()).collect()
+}
+
+fn damping_names() -> Vec<&'static str> {
     POINT_LAWS.iter().map(|law| law.name()).collect()
+}
+
+fn friction_law_names() -> Vec<&'static str> {
+    FRICTION_LAWS.iter().map(|law| law.name).collect()
 }
 
 pub(super) static FRICTION_KEYS: Keys = Keys::new(
     "friction between pin and hole",
     &[
-        optional("law", Kind::Choice(&["ambrosio"]), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+        optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
         required(
             "coefficient",
             quantity(D::NUMBER, Rule::NonNegative),
@@ -45,13 +53,55 @@ pub(super) static FRICTION_KEYS: Keys = Keys::new(
             "lower_speed",
             quantity(D::VELOCITY, Rule::NonNegative),
             "\"0.1 mm/s\"",
-            "sliding speed up to which there is no friction; 0.1 mm/s if left out",
+            "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
         ),
         optional(
             "upper_speed",
             quantity(D::VELOCITY, Rule::Positive),
             "\"1 mm/s\"",
-            "sliding speed from which friction is full; 1 mm/s if left out",
+            "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
+        ),
+        optional(
+            "static_coefficient",
+            quantity(D::NUMBER, Rule::NonNegative),
+            "0.05",
+            "coefficient of friction at the onset of sliding",
+        ),
+        optional(
+            "transition_speed",
+            quantity(D::VELOCITY, Rule::Positive),
+            "\"1 mm/s\"",
+            "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
+        ),
+        optional(
+            "stribeck_speed",
+            quantity(D::VELOCITY, Rule::Positive),
+            "\"10 mm/s\"",
+            "sliding speed over which friction falls from its static to its dynamic value",
+        ),
+        optional(
+            "decay",
+            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+            "\"30 s/m\"",
+            "bengisu-akay: how fast friction falls from its static to its dynamic value",
+        ),
+        optional(
+            "bristle_stiffness",
+            quantity(D::INVERSE_LENGTH, Rule::Positive),
+            "\"1e5 m^-1\"",
+            "lugre: what the coefficient gains for each unit of deflection of the bristles",
+        ),
+        optional(
+            "bristle_damping",
+            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+            "\"0.4 s/m\"",
+            "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
+        ),
+        optional(
+            "viscous",
+            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+            "\"0.02 s/m\"",
+            "what the coefficient gains for each unit of sliding speed; nothing if left out",
         ),
         optional(
             "sliding_velocity",
@@ -66,7 +116,7 @@ pub(super) const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_
 pub(super) const POISSON_RATIO: [&str; 3] = ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
 
 pub(super) static CONTACT_KEYS: Keys = Keys::new(
-    "contact between pin and hole: its stiffness comes from the materials, or is given with its exponent",
+    "contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent",
     &[
         optional(
             "law",
@@ -74,11 +124,23 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
             "\"lankarani-nikravesh\"",
             "the normal force law; lankarani-nikravesh if left out",
         ),
-        required(
+        optional(
             "restitution",
             quantity(D::NUMBER, Rule::Restitution),
             "0.9",
             "nominal coefficient of restitution, in (0, 1]",
+        ),
+        optional(
+            "damping",
+            Kind::ChoiceOf(damping_names),
+            "\"flores\"",
+            "the law whose energy loss a line-contact law has; lankarani-nikravesh if left out, for bai-zhao zhiying-qishao",
+        ),
+        optional(
+            "damping_coefficient",
+            quantity(D::DAMPING, Rule::NonNegative),
+            "\"900 N s/m\"",
+            "damping coefficient D of kelvin-voigt, in place of the restitution",
         ),
         optional(
             YOUNGS_MODULUS[0],
@@ -136,6 +198,12 @@ pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
             quantity(D::LENGTH, Rule::NonNegative),
             "\"0.5 mm\"",
             "radius of the hole minus radius of the pin; ideal joint if left out or zero",
+        ),
+        optional(
+            "bearing_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"20 mm\"",
+            "length of the bearing along its axis, for line-contact laws",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
     ],

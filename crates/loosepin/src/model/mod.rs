@@ -24,6 +24,6 @@ pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, V
 pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use topology::{
-    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, FrictionLaw, Guess,
-    Joint, JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, Guess, Joint,
+    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
 };

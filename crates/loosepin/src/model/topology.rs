@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::quantity::{QuantityId, QuantityTable};
-use crate::contact::PointLaw;
+use crate::contact::{FrictionDescription, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
 
@@ -156,6 +156,8 @@ pub struct Clearance {
     pub bearing_radius_m: QuantityId,
     /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
     pub radial_clearance_m: QuantityId,
+    /// Length L of the bearing, m, > 0; there where the contact is a line contact.
+    pub bearing_length_m: Option<QuantityId>,
     /// The contact between pin and hole.
     pub contact: ContactId,
 }
@@ -166,11 +168,16 @@ pub struct Contact {
     /// Name in the file.
     pub name: String,
     /// Normal force law.
-    pub law: &'static dyn PointLaw,
-    /// Nominal coefficient of restitution c_e in (0, 1].
-    pub restitution: QuantityId,
-    /// Where K and n come from.
+    pub law: NormalDescription,
+    /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
+    /// linear law.
+    pub damping: Option<&'static dyn PointLaw>,
+    /// Nominal coefficient of restitution c_e in (0, 1]; none where the damping coefficient is given.
+    pub restitution: Option<QuantityId>,
+    /// Where the stiffness comes from.
     pub stiffness: Stiffness,
+    /// Damping coefficient D where it is given, N s/m, >= 0.
+    pub damping_coefficient_n_s_m: Option<QuantityId>,
     /// Floor v_min of the impact speed, m/s, > 0.
     pub minimum_impact_speed_m_s: QuantityId,
     /// Density for the validity limit of the law, kg/m³, > 0.
@@ -179,10 +186,10 @@ pub struct Contact {
     pub friction: Option<Friction>,
 }
 
-/// Where the contact stiffness K and the exponent n come from.
+/// Where the contact stiffness comes from.
 #[derive(Debug, Clone)]
 pub enum Stiffness {
-    /// K from eq. (9), n = 3/2; order: bearing, journal.
+    /// From the materials: for a point-contact law K by eq. (9) and n = 3/2; order: bearing, journal.
     Material {
         /// Young's moduli E_i, E_j, Pa, > 0.
         youngs_modulus_pa: [QuantityId; 2],
@@ -196,28 +203,22 @@ pub enum Stiffness {
         /// n, >= 1.
         exponent: QuantityId,
     },
+    /// K of a linear law as given.
+    Linear {
+        /// K, N/m, > 0.
+        stiffness_n_m: QuantityId,
+    },
 }
 
 /// Friction between pin and hole.
 #[derive(Debug, Clone)]
 pub struct Friction {
     /// The law.
-    pub law: FrictionLaw,
-    /// Coefficient of friction μ, >= 0.
-    pub coefficient: QuantityId,
-    /// Sliding speed v_a below which there is no friction, m/s, >= 0 and < v_b.
-    pub lower_speed_m_s: QuantityId,
-    /// Sliding speed v_b above which friction is full, m/s, > v_a.
-    pub upper_speed_m_s: QuantityId,
+    pub law: &'static FrictionDescription,
+    /// What it takes from the file, in the order of [`FrictionDescription::numbers`].
+    pub numbers: Vec<QuantityId>,
     /// Which reading of eq. (7) gives the sliding velocity.
     pub sliding_velocity: SlidingVelocity,
-}
-
-/// Friction laws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrictionLaw {
-    /// Coulomb friction modified by Ambrósio: linear between v_a and v_b.
-    Ambrosio,
 }
 
 /// The two readings of eq. (7) of the source.

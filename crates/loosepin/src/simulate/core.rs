@@ -7,6 +7,7 @@ use super::motion::tolerances;
 use super::reads::ReadLayout;
 use super::report::{EnergyAccount, PlaySummary};
 use super::settings::{STEP_SHARE, Settings};
+use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
 use crate::math::{Lanes, Real};
@@ -72,7 +73,7 @@ impl<'a, T: Lanes> Core<'a, T> {
             stepper: Stepper::with_integrals(settings.method, layout.dimension, layout.length() - layout.dimension),
             layout: reads,
             start: vec![T::zero(); reads.length()],
-            tolerances: tolerances(&equations.motion, 1.0, 1.0, 1.0).into_iter().map(T::from_f64).collect(),
+            tolerances: tolerances(&equations.motion, sample, 1.0, 1.0, 1.0).into_iter().map(T::from_f64).collect(),
             local_m: settings.tolerance_m * STEP_SHARE,
             order: settings.method.order,
             steps: T::zero(),
@@ -97,7 +98,7 @@ impl<'a, T: Lanes> Core<'a, T> {
         energy_j: f64,
     ) {
         self.equations.load(lane, sample, arms);
-        let tolerances = tolerances(&self.equations.motion, self.local_m, rate_1_s, energy_j);
+        let tolerances = tolerances(&self.equations.motion, sample, self.local_m, rate_1_s, energy_j);
         for (to, from) in self.tolerances.iter_mut().zip(tolerances) {
             to.set_lane(lane, from);
         }
@@ -117,10 +118,11 @@ impl<'a, T: Lanes> Core<'a, T> {
     }
 
     /// Sets the contact state of a joint with play in a lane. The lane needs a restart. A penetration whose root becomes an
-    /// unknown begins at zero.
+    /// unknown begins at zero, and so does the deflection of bristles.
     pub fn set_contact(&mut self, lane: usize, play: usize, state: &PlayState<f64>, has_root: bool) {
         self.equations.set_contact(lane, play, state, has_root);
-        if let Some(place) = self.equations.motion.layout.roots[play] {
+        let layout = &self.equations.motion.layout;
+        for place in [layout.roots[play], layout.bristles[play]].into_iter().flatten() {
             self.stepper.start_mut()[place].set_lane(lane, 0.0);
         }
     }
@@ -287,25 +289,21 @@ impl<'a, T: Lanes> Core<'a, T> {
             // δ from g = |e|² - c², or from the root; δ̇ is below v0 or twice its values at the ends.
             let clearance_m = numbers.clearance_m;
             let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
-            let is_root = motion.roots[play].map_or(T::zero(), |root| root.is_unknown);
+            let is_root = motion.unknowns[play].root.map_or(T::zero(), |root| root.is_unknown);
             let is_root = T::from_f64(0.5).less_than(is_root);
             let depth_m = T::select(is_root, limit * limit, limit / (distance_m + clearance_m));
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
             let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (clearance_m * pace));
-            let fastest = (rate_m_s * state.inverse_impact_speed_s_m).max(T::one());
-            let elastic_n = numbers.normal.stiffness_n_m_n * depth_m.max(T::zero()).powf(numbers.normal.exponent);
-            let force_n = elastic_n * numbers.normal.damping_factor.mul_add(fastest, T::one());
+            let force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, state);
             let [deepest_m, strongest_n] = self.records[play];
             let is_closed = T::flags(is_closed);
             notable |= is_closed & (T::flags(deepest_m.less_than(depth_m)) | T::flags(strongest_n.less_than(force_n)));
 
-            if numbers.has_friction {
-                let place = self.layout.sliding(play);
-                let (start, end) = (starts[place], ends[place]);
-                for speed in numbers.friction.kink_speeds_m_s() {
-                    for level in [speed, -speed] {
-                        eventful |= T::flags(((start - level) * (end - level)).less_than(T::zero()));
-                    }
+            let place = self.layout.sliding(play);
+            let (start, end) = (starts[place], ends[place]);
+            for speed in numbers.friction.kink_speeds_m_s().into_iter().flatten() {
+                for level in [speed, -speed] {
+                    eventful |= T::flags(((start - level) * (end - level)).less_than(T::zero()));
                 }
             }
         }

@@ -64,7 +64,8 @@ impl<'a, T: Lanes> Equations<'a, T> {
         let to = &mut self.motion.states[play];
         to.contact.set_lane(lane, state.contact);
         to.inverse_impact_speed_s_m.set_lane(lane, state.inverse_impact_speed_s_m);
-        if let Some(root) = &mut self.motion.roots[play] {
+        to.effective_mass_kg.set_lane(lane, state.effective_mass_kg);
+        if let Some(root) = &mut self.motion.unknowns[play].root {
             root.is_unknown.set_lane(lane, f64::from(u8::from(has_root)));
         }
         if let Some(machine) = &mut self.machine {
@@ -76,10 +77,11 @@ impl<'a, T: Lanes> Equations<'a, T> {
     #[inline]
     pub fn contact(&self, lane: usize, play: usize) -> (PlayState<f64>, bool) {
         let state = &self.motion.states[play];
-        let has_root = self.motion.roots[play].is_some_and(|root| root.is_unknown.lane(lane) > 0.5);
+        let has_root = self.motion.unknowns[play].root.is_some_and(|root| root.is_unknown.lane(lane) > 0.5);
         let state = PlayState {
             contact: state.contact.lane(lane),
             inverse_impact_speed_s_m: state.inverse_impact_speed_s_m.lane(lane),
+            effective_mass_kg: state.effective_mass_kg.lane(lane),
         };
         (state, has_root)
     }

@@ -53,6 +53,25 @@ pub enum RunFailure {
         /// Time, s.
         time_s: f64,
     },
+    /// The penetration is deeper than the contact law can tell a force for.
+    #[error(
+        "at {} the pin of joint '{joint}' is pressed {} into its hole; '{law}' has a force up to {}",
+        format_value(*time_s, Dimension::TIME),
+        format_value(*penetration_m, Dimension::LENGTH),
+        format_value(*limit_m, Dimension::LENGTH)
+    )]
+    BeyondLaw {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: &'static str,
+        /// Penetration, m.
+        penetration_m: f64,
+        /// The largest penetration for which the law has a force, m.
+        limit_m: f64,
+        /// Time, s.
+        time_s: f64,
+    },
     /// The limit of evaluations is reached.
     #[error("at {} the limit of {limit} evaluations was reached", format_value(*time_s, Dimension::TIME))]
     TooManyEvaluations {
@@ -72,7 +91,7 @@ pub enum RunFailure {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 10] = [
+const CODES: [&str; 12] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -83,6 +102,8 @@ const CODES: [&str; 10] = [
     "too_many_evaluations",
     "too_many_rows",
     "pin_leaves_bearing",
+    "beyond_contact_law",
+    "clearance_outside_fit",
 ];
 
 impl RunFailure {
@@ -104,6 +125,8 @@ impl RunFailure {
             Self::TooManyEvaluations { .. } => 7,
             Self::TooManyRows { .. } => 8,
             Self::LeavesBearing { .. } => 9,
+            Self::BeyondLaw { .. } => 10,
+            Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
         }
     }
 
@@ -123,6 +146,7 @@ impl Problem for RunFailure {
             Self::TooManyEvaluations { .. } => Code::RunTooLong,
             Self::TooManyRows { .. } => Code::BadCount,
             Self::LeavesBearing { .. } => Code::PinLeavesBearing,
+            Self::BeyondLaw { .. } => Code::BeyondContactLaw,
         }
     }
 
@@ -139,6 +163,7 @@ impl Problem for RunFailure {
             Self::LeavesBearing { .. } => {
                 Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
             }
+            Self::BeyondLaw { .. } => Some("take a law without such a limit, liu or bai-zhao".to_owned()),
         }
     }
 }
@@ -149,7 +174,9 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::LeavesBearing { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::LeavesBearing { joint, .. } | Self::BeyondLaw { joint, .. } => {
+                Complaint::error(self, model.place(&format!("joint.{joint}")))
+            }
             Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
                 Complaint::error(self, None)
             }

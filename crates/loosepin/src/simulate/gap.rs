@@ -1,5 +1,6 @@
 //! Where within a step pin and hole meet or part.
 
+use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::math::Quintic;
 use crate::mechanism::PlayGeometry;
@@ -133,12 +134,12 @@ impl ContactStep {
             let value = gap.value(tau);
             if self.is_root {
                 let rate_m_s = 2.0 * gap.slope(tau) / self.step; // u' = δ̇/2 with dt = u ds
-                return play.normal.force_at_root(value.max(0.0), rate_m_s, state.inverse_impact_speed_s_m).total_n;
+                return play.normal.force_at_root(value.max(0.0), rate_m_s, state).total_n;
             }
             let distance_m = (value + play.clearance_m * play.clearance_m).max(0.0).sqrt();
             let rate_m_s = gap.slope(tau) / (2.0 * distance_m * time.slope(tau));
             let depth_m = penetration_m(value, play.clearance_m);
-            play.normal.force(depth_m, rate_m_s, state.inverse_impact_speed_s_m).total_n
+            play.normal.force(depth_m, rate_m_s, state).total_n
         };
         (0..=4).map(|k| force_n(f64::from(k) / 4.0)).fold(0.0, f64::max)
     }

@@ -422,8 +422,8 @@ impl<'a> Recorder<'a> {
                     largest_penetration_m: summary.largest_penetration_m,
                     peak_force_n: self.peak_forces_n[index],
                     largest_speed_m_s: self.largest_speeds_m_s[index],
-                    nominal_restitution: Some(self.values[contact.restitution]),
-                    delivered_restitution: Some(numbers.delivered_restitution),
+                    nominal_restitution: contact.restitution.map(|id| self.values[id]),
+                    delivered_restitution: numbers.delivered_restitution,
                     share_outside_validity: (numbers.largest_valid_impact_speed_m_s.is_finite() && impacts > 0)
                         .then(|| summary.impacts_beyond_validity as f64 / impacts as f64),
                     floored_contacts: summary.floored_contacts,

@@ -3,7 +3,8 @@
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
 use super::settings::Window;
-use crate::mechanism::Sample;
+use crate::contact::NormalContact;
+use crate::mechanism::{PlayGeometry, Sample};
 
 /// What ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +55,31 @@ pub enum Phase {
     Stopping,
 }
 
+/// How deep a pin may be pressed into its hole: its centre must stay inside, and the penetration where the law has one meaning.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthLimit {
+    /// The largest penetration, m.
+    pub penetration_m: f64,
+    /// g = |e|² - c² there, m².
+    pub gap_m2: f64,
+    /// Whether the law ends there, and not the hole.
+    pub is_of_law: bool,
+}
+
+impl DepthLimit {
+    /// The limit of a joint with play.
+    pub fn new(play: &PlayGeometry<f64>) -> Self {
+        let hole_m = (play.bearing_radius_m - play.clearance_m).max(0.0);
+        let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
+        let penetration_m = hole_m.min(law_m);
+        Self {
+            penetration_m,
+            gap_m2: penetration_m * (penetration_m + 2.0 * play.clearance_m),
+            is_of_law: law_m < hole_m,
+        }
+    }
+}
+
 /// The run of a lane.
 pub struct LaneRun<O> {
     /// Runs of a batch are numbered as they start, from 1.
@@ -86,8 +112,8 @@ pub struct LaneRun<O> {
     pub counters: Counters,
     /// By joint with play.
     pub plays: Vec<PlaySummary>,
-    /// By joint with play: the largest g, and the largest root of a penetration, with the pin's centre inside the hole.
-    pub gap_limits: Vec<[f64; 2]>,
+    /// By joint with play: how deep a pin may be pressed into its hole.
+    pub depth_limits: Vec<DepthLimit>,
     /// The joint with play the root of whose penetration is an unknown.
     pub root: Option<usize>,
 }
@@ -129,12 +155,6 @@ impl<O> LaneRun<O> {
         if is_root { event_tolerance_m.sqrt() } else { 2.0 * self.sample.plays[play].clearance_m * event_tolerance_m }
     }
 
-    /// Distance from a kink of friction within which a step counts as ending on it, m/s: a share of the narrowest piece.
-    fn kink_tolerance_m_s(&self, play: usize) -> f64 {
-        let [lower_m_s, upper_m_s] = self.sample.plays[play].friction.kink_speeds_m_s();
-        1e-3 * lower_m_s.min(upper_m_s - lower_m_s)
-    }
-
     /// The event of the step that comes first, with its share of the step.
     pub fn earliest_event(&self, step: &LaneStep<'_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
@@ -146,10 +166,11 @@ impl<O> LaneRun<O> {
                 earliest = Some((Event::Contact { play, crossing }, share));
             }
         }
-        for play in (0..step.gaps.len()).filter(|&play| step.is_closed[play] && self.sample.plays[play].has_friction) {
+        for play in (0..step.gaps.len()).filter(|&play| step.is_closed[play]) {
             let [start, end] = step.slidings_m_s[play];
-            let tolerance_m_s = self.kink_tolerance_m_s(play);
-            for speed_m_s in self.sample.plays[play].friction.kink_speeds_m_s() {
+            let friction = &self.sample.plays[play].friction;
+            let tolerance_m_s = friction.kink_tolerance_m_s();
+            for speed_m_s in friction.kink_speeds_m_s().into_iter().flatten() {
                 for level_m_s in [speed_m_s, -speed_m_s] {
                     let (from, to) = (start - level_m_s, end - level_m_s);
                     if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
@@ -203,7 +224,7 @@ impl<O> LaneRun<O> {
         let trial = search.trial;
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
         let may_hide = step.gaps.len() > 1
-            || self.sample.plays[0].has_friction
+            || self.sample.plays[0].friction.acts()
             || step.time[1].jet[0] > self.window.end_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
@@ -236,7 +257,7 @@ impl<O> LaneRun<O> {
                     };
                     search.before = (trial, value);
                     let sign = if start < level_m_s { 1.0 } else { -1.0 };
-                    (sign * value, sign * slope, self.kink_tolerance_m_s(play))
+                    (sign * value, sign * slope, self.sample.plays[play].friction.kink_tolerance_m_s())
                 }
                 Event::End => {
                     let [time_s, pace, _] = step.time[1].jet;

@@ -18,8 +18,8 @@ const STATE: u8 = 2;
 const SLOPE: u8 = 3;
 const READS: u8 = 4;
 
-/// Numbers of a contact: whether it is closed, 1/v0, whether the root of its penetration is an unknown.
-const PER_CONTACT: usize = 3;
+/// Numbers of a contact: whether it is closed, 1/v0, m_eff, whether the root of its penetration is an unknown.
+const PER_CONTACT: usize = 4;
 
 /// The equations of a mechanism as straight-line programs: what machine code is made of, to be counted and timed.
 ///
@@ -128,7 +128,8 @@ impl<'a, T: Lanes> Machine<'a, T> {
 
     /// Sets the contact state of a joint with play in a lane.
     pub fn set_contact(&mut self, lane: usize, play: usize, state: &PlayState<f64>, has_root: bool) {
-        let values = [state.contact, state.inverse_impact_speed_s_m, f64::from(u8::from(has_root))];
+        let values =
+            [state.contact, state.inverse_impact_speed_s_m, state.effective_mass_kg, f64::from(u8::from(has_root))];
         for (number, value) in self.contacts[PER_CONTACT * play..].iter_mut().zip(values) {
             number.set_lane(lane, value);
         }
@@ -220,11 +221,12 @@ impl Tracing<'_, '_> {
         let mut arms = Arms::broadcast(self.arms);
         arms.visit(&mut next);
         let mut motion = Motion::new(self.mechanism, &sample);
-        for (play, (state, root)) in motion.states.iter_mut().zip(&mut motion.roots).enumerate() {
+        for (play, (state, unknowns)) in motion.states.iter_mut().zip(&mut motion.unknowns).enumerate() {
             let contact = |k: usize| input(CONTACTS, PER_CONTACT * play + k);
-            *state = PlayState { contact: contact(0), inverse_impact_speed_s_m: contact(1) };
-            if let Some(root) = root {
-                *root = DepthRoot { is_unknown: contact(2), root: root.root };
+            *state =
+                PlayState { contact: contact(0), inverse_impact_speed_s_m: contact(1), effective_mass_kg: contact(2) };
+            if let Some(root) = &mut unknowns.root {
+                *root = DepthRoot { is_unknown: contact(3), root: root.root };
             }
         }
         let state = (0..motion.layout.dimension).map(|k| input(STATE, k)).collect();

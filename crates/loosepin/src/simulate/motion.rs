@@ -5,21 +5,25 @@
 //! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One joint at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
-use crate::dynamics::{DepthRoot, Dynamics, PlayForce, PlayState};
+use crate::contact::NormalContact;
+use crate::dynamics::{DepthRoot, Dynamics, PlayForce, PlayState, PlayUnknowns};
 use crate::integrate::System;
 use crate::math::Real;
-use crate::mechanism::{Attachment, Mechanism, Sample};
+use crate::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
 
 /// Integrals of the energy account: work of the drives, contact loss, friction loss, J.
 pub const ACCOUNT: usize = 3;
 
-/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations; then the integrals.
+/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations and deflections of bristles; then the
+/// integrals.
 #[derive(Debug, Clone)]
 pub struct Layout {
     /// Free coordinates.
     pub freedoms: usize,
     /// Place of the root of each joint with play that has one.
     pub roots: Vec<Option<usize>>,
+    /// Place of the deflection of the bristles of each joint with play whose friction law has them.
+    pub bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
 }
@@ -29,18 +33,16 @@ impl Layout {
     pub fn new<T: Real>(mechanism: &Mechanism, sample: &Sample<T>) -> Self {
         let freedoms = mechanism.real.free;
         let mut dimension = 2 * freedoms + 1;
-        let roots = sample
-            .plays
-            .iter()
-            .map(|play| {
-                let has_root = play.normal.exponent == 1.5 && !play.has_friction;
-                has_root.then(|| {
-                    dimension += 1;
-                    dimension - 1
-                })
+        let mut place_if = |is_there: bool| {
+            is_there.then(|| {
+                dimension += 1;
+                dimension - 1
             })
-            .collect();
-        Self { freedoms, roots, dimension }
+        };
+        let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
+        let roots = sample.plays.iter().map(|play| place_if(has_root(play))).collect();
+        let bristles = sample.plays.iter().map(|play| place_if(play.friction.has_bristle())).collect();
+        Self { freedoms, roots, bristles, dimension }
     }
 
     /// Place of the time.
@@ -60,8 +62,8 @@ pub struct Motion<'a, T> {
     pub dynamics: Dynamics<'a, T>,
     /// Contact states of the joints with play.
     pub states: Vec<PlayState<T>>,
-    /// Roots of penetrations of the joints with play that have one.
-    pub roots: Vec<Option<DepthRoot<T>>>,
+    /// Roots of penetrations of the joints with play that have one, and deflections of bristles.
+    pub unknowns: Vec<PlayUnknowns<T>>,
     /// Where everything is.
     pub layout: Layout,
     /// The time of the last evaluation, s.
@@ -78,7 +80,15 @@ impl<'a, T: Real> Motion<'a, T> {
         Self {
             dynamics: Dynamics::new(mechanism, sample),
             states: vec![PlayState::flight(); mechanism.plays.len()],
-            roots: layout.roots.iter().map(|root| root.map(|_| known)).collect(),
+            unknowns: layout
+                .roots
+                .iter()
+                .zip(&layout.bristles)
+                .map(|(root, bristle)| PlayUnknowns {
+                    root: root.map(|_| known),
+                    bristle_m: bristle.map(|_| T::zero()),
+                })
+                .collect(),
             has_roots: layout.roots.iter().any(Option::is_some),
             time_s: T::zero(),
             layout,
@@ -102,12 +112,15 @@ impl<'a, T: Real> Motion<'a, T> {
     pub fn evaluate(&mut self, time_s: T, state: &[T]) {
         let n = self.layout.freedoms;
         self.time_s = time_s;
-        for (root, place) in self.roots.iter_mut().zip(&self.layout.roots) {
-            if let (Some(root), Some(place)) = (root, place) {
-                root.root = state[*place];
+        for (play, unknowns) in self.unknowns.iter_mut().enumerate() {
+            if let (Some(root), Some(place)) = (&mut unknowns.root, self.layout.roots[play]) {
+                root.root = state[place];
+            }
+            if let (Some(bristle_m), Some(place)) = (&mut unknowns.bristle_m, self.layout.bristles[play]) {
+                *bristle_m = state[place];
             }
         }
-        self.dynamics.evaluate_with_roots(time_s, &state[..n], &state[n..2 * n], &self.states, &self.roots);
+        self.dynamics.evaluate_with_unknowns(time_s, &state[..n], &state[n..2 * n], &self.states, &self.unknowns);
     }
 
     /// Force in the joint with play `play` at the state set last, with δ from the positions.
@@ -120,8 +133,8 @@ impl<'a, T: Real> Motion<'a, T> {
     pub fn pace(&self) -> [T; 2] {
         let (mut pace, mut change) = (T::one(), T::zero());
         if self.has_roots {
-            for (root, (_, force)) in self.roots.iter().zip(self.dynamics.plays()) {
-                if let Some(root) = root {
+            for (unknowns, (_, force)) in self.unknowns.iter().zip(self.dynamics.plays()) {
+                if let Some(root) = &unknowns.root {
                     let is_unknown = T::from_f64(0.5).less_than(root.is_unknown);
                     pace = T::select(is_unknown, root.root, pace);
                     change = T::select(is_unknown, T::from_f64(0.5) * force.penetration_rate_m_s, change);
@@ -143,10 +156,16 @@ impl<T: Real> System<T> for Motion<'_, T> {
             slope[n + k] = self.dynamics.accelerations()[k] * pace;
         }
         slope[2 * n] = pace;
-        for (root, place) in self.roots.iter().zip(&self.layout.roots) {
-            if let (Some(root), Some(place)) = (root, place) {
+        for (unknowns, place) in self.unknowns.iter().zip(&self.layout.roots) {
+            if let (Some(root), Some(place)) = (&unknowns.root, place) {
                 // u' = δ̇/2 with dt = u ds.
                 slope[*place] = change * root.is_unknown;
+            }
+        }
+        for (play, place) in self.layout.bristles.iter().enumerate() {
+            if let Some(place) = place {
+                // In flight bristles stand still.
+                slope[*place] = self.dynamics.plays()[play].1.bristle_rate_m_s * pace * self.states[play].contact;
             }
         }
         let powers = self.dynamics.powers();
@@ -160,10 +179,17 @@ impl<T: Real> System<T> for Motion<'_, T> {
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
 /// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
-/// that rate. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every step. With friction, whose kinks the
-/// work of friction shows one derivative earlier than the velocities, also the energy account: the same share of `energy_j` as
-/// a length has of the size.
-pub fn tolerances<T: Real>(motion: &Motion<'_, T>, local_m: f64, rate_1_s: f64, energy_j: f64) -> Vec<f64> {
+/// that rate. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every step. Deflections of bristles: the same
+/// share of their largest in steady sliding as a length has of the size. With friction, whose kinks the work of friction shows
+/// one derivative earlier than the velocities, and with forces that begin as abruptly, also the energy account: the same share of `energy_j` as a length has of the
+/// size.
+pub fn tolerances<T: Real>(
+    motion: &Motion<'_, T>,
+    sample: &Sample<f64>,
+    local_m: f64,
+    rate_1_s: f64,
+    energy_j: f64,
+) -> Vec<f64> {
     let mechanism = motion.dynamics.mechanism();
     let tree = &mechanism.real;
     let n = tree.free;
@@ -181,7 +207,12 @@ pub fn tolerances<T: Real>(motion: &Motion<'_, T>, local_m: f64, rate_1_s: f64, 
         tolerances[n + k] = tolerances[k] * rate_1_s;
     }
     tolerances[2 * n] = local_rad / rate_1_s;
-    if motion.dynamics.sample().plays.iter().any(|play| play.has_friction) {
+    for (place, play) in motion.layout.bristles.iter().zip(&sample.plays) {
+        if let Some(place) = place {
+            tolerances[*place] = local_rad * play.friction.largest_deflection_m();
+        }
+    }
+    if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
         tolerances.extend([local_rad * energy_j; ACCOUNT]);
     }
     tolerances

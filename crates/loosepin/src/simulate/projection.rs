@@ -33,7 +33,7 @@ impl<T: Real> Projection<T> {
             jacobian: vec![T::zero(); rows * tree.coordinates()],
             defects: vec![T::zero(); rows],
             mobilities: vec![T::zero(); rows * tree.free],
-            gram: GramSystem::new(rows),
+            gram: GramSystem::new(rows, mechanism.rows_may_repeat),
             correction: vec![T::zero(); tree.free],
         }
     }
@@ -94,7 +94,8 @@ impl<T: Real> Projection<T> {
                 self.gram.matrix[row * rows + s] = sum;
             }
         }
-        self.gram.solve(motion.dynamics.mechanism().rows_may_repeat, &mut self.defects);
+        self.gram.factor();
+        self.gram.solve(&mut self.defects);
         self.correction.fill(T::zero());
         for row in 0..rows {
             for k in 0..n {

@@ -72,7 +72,7 @@ impl<T: Real> Motion<'_, T> {
             let along = rate.length_squared() + e.dot(acceleration);
             let clearance_m = dynamics.sample().plays[play].clearance_m;
             let mut gap = over_s([motion.gap_m2(clearance_m), two * e.dot(rate), two * along]);
-            if let Some(root) = &self.roots[play] {
+            if let Some(root) = &self.unknowns[play].root {
                 let is_unknown = half.less_than(root.is_unknown);
                 let speed = force.penetration_rate_m_s;
                 // δ̈ from d²|e|²/dt² = 2(δ̇² + |e| δ̈), and u' = δ̇/2, u'' = w δ̈/2.

@@ -68,8 +68,9 @@ impl StudyResponse {
             .zip(&self.restitutions)
             .map(|(play, restitution)| ContactNumbers {
                 has_limit: play.largest_valid_impact_speed_m_s.is_finite(),
-                nominal_restitution: values[*restitution],
-                delivered_restitution: play.delivered_restitution,
+                nominal_restitution: restitution.map_or(f64::NAN, |id| values[id]),
+                delivered_restitution: play.delivered_restitution.unwrap_or(f64::NAN),
+                clearance_m: play.clearance_m,
             })
             .collect();
         Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts } })
@@ -97,6 +98,7 @@ impl StudyResponse {
                 play.peak_force_n,
                 contact.nominal_restitution,
                 contact.delivered_restitution,
+                play.largest_penetration_m / contact.clearance_m,
             ]);
         }
         Ok(row)
@@ -108,6 +110,7 @@ struct ContactNumbers {
     has_limit: bool,
     nominal_restitution: f64,
     delivered_restitution: f64,
+    clearance_m: f64,
 }
 
 /// A run of the study on its lane.

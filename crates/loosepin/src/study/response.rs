@@ -70,7 +70,7 @@ pub struct Extras {
 const COMMON_EXTRAS: usize = 4;
 /// Extras of each joint with play: contacts, floored ones, those beyond validity, largest penetration, peak force,
 /// nominal and delivered restitution.
-const EXTRAS_PER_JOINT: usize = 7;
+const EXTRAS_PER_JOINT: usize = 8;
 
 /// The extras of one run, read back from its row.
 #[derive(Debug, Clone)]
@@ -98,11 +98,13 @@ pub struct JointExtras {
     pub beyond_validity: f64,
     /// Largest penetration, m.
     pub largest_penetration_m: f64,
+    /// The same over the radial clearance of the run.
+    pub largest_penetration_share: f64,
     /// Largest normal force, N.
     pub peak_force_n: f64,
-    /// Restitution as stated.
+    /// Restitution as stated; not a number for a law without one.
     pub nominal_restitution: f64,
-    /// Restitution that a free impact delivers.
+    /// Restitution that a free impact delivers; not a number where it depends on the masses that meet.
     pub delivered_restitution: f64,
 }
 
@@ -125,6 +127,7 @@ impl Extras {
                 peak_force_n: joint[4],
                 nominal_restitution: joint[5],
                 delivered_restitution: joint[6],
+                largest_penetration_share: joint[7],
             })
             .collect();
         RunExtras {
@@ -154,7 +157,7 @@ pub struct StudyResponse {
     pub(super) nominal_window: Window,
     random: Vec<QuantityId>,
     epistemic: Vec<QuantityId>,
-    pub(super) restitutions: Vec<QuantityId>,
+    pub(super) restitutions: Vec<Option<QuantityId>>,
     pub(super) transient_turns: f64,
     pub(super) recorded_turns: f64,
     pub(super) drive_speed: QuantityId,

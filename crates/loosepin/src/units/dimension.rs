@@ -71,6 +71,12 @@ impl Dimension {
     pub const FREQUENCY: Dimension = new(0.0, 0.0, -1.0, 0.0);
     /// Pa s.
     pub const VISCOSITY: Dimension = new(-1.0, 1.0, -1.0, 0.0);
+    /// Damping coefficient: force over velocity.
+    pub const DAMPING: Dimension = new(0.0, 1.0, -1.0, 0.0);
+    /// One over a velocity.
+    pub const INVERSE_VELOCITY: Dimension = new(-1.0, 0.0, 1.0, 0.0);
+    /// One over a length.
+    pub const INVERSE_LENGTH: Dimension = new(-1.0, 0.0, 0.0, 0.0);
 
     /// The dimension of a contact stiffness K in F = K δⁿ: N/m^n, `exponent` is n.
     pub fn contact_stiffness(exponent: f64) -> Dimension {

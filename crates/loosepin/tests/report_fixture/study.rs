@@ -135,6 +135,7 @@ pub fn worn_pin() -> StudyResult {
             nominal_restitution: Some(RESTITUTION_RANGE),
             delivered_restitution: Some([0.7960, 0.9132]),
             share_outside_validity: Some(0.981),
+            largest_penetration_share: 0.143,
             peak_force_n: 45_870.0,
             floored_contacts: 112,
         }],

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
+use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{BodyId, Clearance, DriveId, Friction, Joint, JointId, JointKind, Model, PointId};
+use loosepin::model::{BodyId, Clearance, Contact, DriveId, Friction, Joint, JointId, JointKind, Model, PointId};
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
 use loosepin::units::{Dimension, format_number, format_value};
@@ -112,22 +113,28 @@ fn play_lines(
         length(clearance.radial_clearance_m),
         length(clearance.bearing_radius_m)
     )];
-    let restitution = format_number(values[contact.restitution]);
-    let (mut delivered, mut stiffness) = (String::new(), String::new());
-    if let Some(numbers) = numbers {
-        delivered = format!(" (a free impact delivers {:.4})", numbers.delivered_restitution);
-        let exponent = numbers.normal.exponent;
-        let k = format_value(numbers.normal.stiffness_n_m_n, Dimension::contact_stiffness(exponent));
-        let origin = match contact.stiffness {
-            Stiffness::Material { .. } => "from the materials",
-            Stiffness::Given { .. } => "as given",
-        };
-        stiffness = format!("stiffness {k} {origin}; ");
+    let mut law = format!("contact '{}': {}", contact.name, contact.law.name());
+    if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
+        law.push_str(&format!(", energy loss of {}", damping.name()));
     }
-    lines.push(format!("contact '{}': {}, restitution {restitution}{delivered}", contact.name, contact.law.name()));
+    match (contact.restitution, contact.damping_coefficient_n_s_m) {
+        (Some(restitution), _) => {
+            law.push_str(&format!(", restitution {}", format_number(values[restitution])));
+            if let Some(delivered) = numbers.and_then(|numbers| numbers.delivered_restitution) {
+                law.push_str(&format!(" (a free impact delivers {delivered:.4})"));
+            }
+        }
+        (None, Some(damping)) => {
+            let damping = format_value(values[damping], Dimension::DAMPING);
+            law.push_str(&format!(", damping {damping} (what a free impact delivers depends on the masses)"));
+        }
+        (None, None) => {}
+    }
+    lines.push(law);
+    let stiffness = numbers.map_or(String::new(), |numbers| stiffness_words(contact, clearance, numbers, values));
     let friction = match &contact.friction {
         None => "no friction".to_owned(),
-        Some(friction) => friction_words(friction, values),
+        Some(friction) => friction_words(model, friction, values),
     };
     lines.push(format!("{stiffness}{friction}"));
     if let Some(limit_m_s) =
@@ -138,17 +145,50 @@ fn play_lines(
     lines
 }
 
-fn friction_words(friction: &Friction, values: &Values) -> String {
+fn stiffness_words(
+    contact: &Contact,
+    clearance: &Clearance,
+    numbers: &loosepin::mechanism::PlayGeometry<f64>,
+    values: &Values,
+) -> String {
+    match (&numbers.normal, clearance.bearing_length_m) {
+        (NormalLaw::Point(point), _) => {
+            let k = format_value(point.stiffness_n_m_n, Dimension::contact_stiffness(point.exponent));
+            let origin = match contact.stiffness {
+                Stiffness::Material { .. } => "from the materials",
+                Stiffness::Given { .. } | Stiffness::Linear { .. } => "as given",
+            };
+            format!("stiffness {k} {origin}; ")
+        }
+        (NormalLaw::Linear(linear), _) => {
+            format!("stiffness {} as given; ", format_value(linear.stiffness_n_m, Dimension::contact_stiffness(1.0)))
+        }
+        (normal, Some(length)) => {
+            let limit = normal.limit_m().map_or(String::new(), |limit_m| {
+                format!(", valid up to a penetration of {}", format_value(limit_m, Dimension::LENGTH))
+            });
+            format!("line contact over {}{limit}; ", format_value(values[length], Dimension::LENGTH))
+        }
+        _ => String::new(),
+    }
+}
+
+fn friction_words(model: &Model, friction: &Friction, values: &Values) -> String {
     let reading = match friction.sliding_velocity {
         SlidingVelocity::Material => "",
         SlidingVelocity::Literal => ", sliding velocity by the literal reading",
     };
-    format!(
-        "friction coefficient {}, growing from {} to {} of sliding{reading}",
-        format_number(values[friction.coefficient]),
-        format_value(values[friction.lower_speed_m_s], Dimension::VELOCITY),
-        format_value(values[friction.upper_speed_m_s], Dimension::VELOCITY)
-    )
+    let numbers: Vec<String> = friction
+        .law
+        .numbers
+        .iter()
+        .zip(&friction.numbers)
+        .map(|(number, id)| {
+            let value = format_value(values[*id], model.quantities[*id].dimension);
+            format!("{} {value}", number.key.replace('_', " "))
+        })
+        .collect();
+    format!("friction by {}: {}{reading}", friction.law.name, numbers.join(", "))
 }
 
 fn push_mobility(text: &mut String, mechanism: &Mechanism) {

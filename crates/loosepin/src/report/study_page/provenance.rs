@@ -60,6 +60,8 @@ fn impacts(joint: &JointImpacts, writer: &NumberWriter) -> Markup {
             (plain(median, writer)) " in the median run (" (plain(least, writer)) " to " (plain(most, writer)) ")"
         },
     )];
+    let share = writer.percent(joint.largest_penetration_share, Rounding::Up);
+    rows.push(("Largest penetration".to_owned(), html! { (share) " of the clearance of its run" }));
     rows.push(("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }));
     if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
         rows.push((

@@ -15,7 +15,7 @@ use crate::simulate::column::{Arms, Reading};
 use crate::simulate::core::{Attempt, Core};
 use crate::simulate::failure::RunFailure;
 use crate::simulate::gap::{ContactStep, GapJet, penetration_m};
-use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
+use crate::simulate::lane::{Decision, DepthLimit, Event, LaneRun, LaneStep, Phase};
 use crate::simulate::motion::Motion;
 use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
 use crate::simulate::projection::Projection;
@@ -154,18 +154,11 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         self.view.set_state(0.0, state);
         let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
-        let gap_limits = sample
-            .plays
-            .iter()
-            .map(|play| {
-                let (radius_m, clearance_m) = (play.bearing_radius_m, play.clearance_m);
-                [radius_m * radius_m - clearance_m * clearance_m, (radius_m - clearance_m).max(0.0).sqrt()]
-            })
-            .collect();
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
         self.runs[lane] = Some(LaneRun {
             number: self.started,
+            depth_limits: sample.plays.iter().map(DepthLimit::new).collect(),
             sample,
             window,
             observer,
@@ -180,7 +173,6 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             stalled: 0,
             counters: Counters::default(),
             plays: vec![PlaySummary::default(); self.mechanism.plays.len()],
-            gap_limits,
             root: None,
         });
         self.restarts |= 1 << lane;
@@ -317,7 +309,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let step = self.core.steps.lane(lane);
         let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
         let start_s = self.core.start[ReadLayout::TIME].lane(lane);
-        self.check_bearings(lane)?;
+        self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_end = event == Some(Event::End) || (event.is_none() && step == run.window.end_s - start_s);
         let end_s = if run.reaches_end { run.window.end_s } else { end_s };
@@ -349,26 +341,52 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         Ok(())
     }
 
-    /// No pin may be pressed so deep that its centre leaves the hole.
-    fn check_bearings(&self, lane: usize) -> Result<(), RunFailure> {
+    /// No pin may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
+    fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
-        for (play, limits) in run.gap_limits.iter().enumerate() {
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        for (play, limit) in run.depth_limits.iter().enumerate() {
             let gap = self.core.equations.reads[self.core.layout.gap(play)].lane(lane);
-            let is_root = run.root == Some(play);
             if gap.is_nan() {
-                return Err(RunFailure::NotFinite { time_s: self.core.start[ReadLayout::TIME].lane(lane) });
+                return Err(RunFailure::NotFinite { time_s });
             }
-            if gap > limits[usize::from(is_root)] {
-                let numbers = &run.sample.plays[play];
-                return Err(RunFailure::LeavesBearing {
-                    joint: self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone(),
-                    penetration_m: if is_root { gap * gap } else { penetration_m(gap, numbers.clearance_m) },
-                    bearing_radius_m: numbers.bearing_radius_m,
-                    time_s: self.core.start[ReadLayout::TIME].lane(lane),
-                });
+            let clearance_m = run.sample.plays[play].clearance_m;
+            let is_root = run.root == Some(play);
+            let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap_m2 };
+            let mut depth_m = match (is_beyond, is_root) {
+                (false, _) => 0.0,
+                (true, true) => gap * gap,
+                (true, false) => penetration_m(gap, clearance_m),
+            };
+            if !is_beyond && is_notable && limit.is_of_law && self.core.equations.contact(lane, play).0.contact > 0.0 {
+                let (gap, time) = (self.gap(lane, play), self.times(lane));
+                let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
+                depth_m = step.largest_penetration_m(clearance_m);
+                if depth_m <= limit.penetration_m {
+                    depth_m = 0.0;
+                }
+            }
+            if depth_m > 0.0 {
+                return Err(self.too_deep(run, play, depth_m, time_s));
             }
         }
         Ok(())
+    }
+
+    fn too_deep(&self, run: &LaneRun<O>, play: usize, penetration_m: f64, time_s: f64) -> RunFailure {
+        let model = &self.mechanism.model;
+        let joint = &model.joints[self.mechanism.plays[play].0];
+        let (limit, bearing_radius_m) = (run.depth_limits[play], run.sample.plays[play].bearing_radius_m);
+        match &joint.kind {
+            JointKind::Revolute { clearance: Some(clearance), .. } if limit.is_of_law => RunFailure::BeyondLaw {
+                joint: joint.name.clone(),
+                law: model.contacts[clearance.contact.0].law.name(),
+                penetration_m,
+                limit_m: limit.penetration_m,
+                time_s,
+            },
+            _ => RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s },
+        }
     }
 
     /// Takes in the largest penetration and force of a step that may hold a record.

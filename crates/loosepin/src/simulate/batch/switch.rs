@@ -1,6 +1,7 @@
 //! Contacts that begin and end, and roots of penetrations that come and go with them.
 
 use super::{Batch, Queue};
+use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::math::{Lanes, Real};
 use crate::simulate::gap::Crossing;
@@ -59,6 +60,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         let speed_m_s = self.gap_rate_m_s(lane, play);
         let has_layout_root = self.core.equations.motion.layout.roots[play].is_some();
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, play) } else { 0.0 };
         let Some(run) = &mut self.runs[lane] else { return };
         run.phase = Phase::Stepping;
         run.stalled = 0;
@@ -75,7 +77,8 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
                     summary.impacts_beyond_validity += u64::from(speed_m_s > numbers.largest_valid_impact_speed_m_s);
                 }
                 run.observer.contact_begins(&Onset { play, time_s, speed_m_s, is_floored });
-                let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s };
+                let state =
+                    PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s, effective_mass_kg };
                 // One root at a time: two that vanish together would never leave zero.
                 (state, has_layout_root && !had_root && !is_floored, 0)
             }
@@ -106,6 +109,28 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
         }
         self.choose_step(lane);
+    }
+
+    /// The mass that a contact meets along its normal at the start of the step, kg; zero where its law does not ask for it.
+    fn effective_mass_kg(&mut self, lane: usize, play: usize) -> f64 {
+        let Some(run) = &self.runs[lane] else { return 0.0 };
+        if !run.sample.plays[play].normal.needs_effective_mass() {
+            return 0.0;
+        }
+        if self.viewed != run.number {
+            self.viewed = run.number;
+            self.view.dynamics.sample_mut().clone_from(&run.sample);
+        }
+        for (value, from) in self.view_state.iter_mut().zip(self.core.stepper.start()) {
+            // No negative zeros: see `Core::jets`.
+            *value = from.lane(lane) + 0.0;
+        }
+        for (state, contact) in self.view.states.iter_mut().enumerate() {
+            *contact = self.core.equations.contact(lane, state).0;
+        }
+        let time_s = self.view_state[self.view.layout.time()];
+        self.view.evaluate(time_s, &self.view_state);
+        1.0 / self.view.dynamics.inverse_mass_along_normal_1_kg(play)
     }
 
     /// δ̇ at the start of the step.

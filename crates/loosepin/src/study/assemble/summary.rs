@@ -135,6 +135,7 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
             let range = |value: &dyn Fn(&crate::study::response::JointExtras) -> f64| {
                 all.iter().map(value).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)])
             };
+            let known = |range: [f64; 2]| (range[0] <= range[1]).then_some(range);
             let mut per_turn: Vec<f64> = all.iter().map(|joint| (joint.contacts - joint.floored) / turns).collect();
             per_turn.sort_by(f64::total_cmp);
             let impacts: f64 = all.iter().map(|joint| joint.contacts - joint.floored).sum();
@@ -142,9 +143,10 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
             JointImpacts {
                 joint: joint.clone(),
                 impacts_per_turn: [per_turn[0], per_turn[per_turn.len() / 2], per_turn[per_turn.len() - 1]],
-                nominal_restitution: Some(range(&|joint| joint.nominal_restitution)),
-                delivered_restitution: Some(range(&|joint| joint.delivered_restitution)),
+                nominal_restitution: known(range(&|joint| joint.nominal_restitution)),
+                delivered_restitution: known(range(&|joint| joint.delivered_restitution)),
                 share_outside_validity: (beyond.is_finite() && impacts > 0.0).then(|| beyond / impacts),
+                largest_penetration_share: all.iter().map(|joint| joint.largest_penetration_share).fold(0.0, f64::max),
                 peak_force_n: all.iter().map(|joint| joint.peak_force_n).fold(0.0, f64::max),
                 floored_contacts: all.iter().map(|joint| joint.floored).sum::<f64>() as u64,
             }

@@ -197,6 +197,9 @@ pub struct JointImpacts {
     /// Share of the impacts outside the validity limit of the law, over all runs.
     #[serde(with = "extended")]
     pub share_outside_validity: Option<f64>,
+    /// Largest penetration over the radial clearance of its run, of any run.
+    #[serde(with = "extended")]
+    pub largest_penetration_share: f64,
     /// Largest contact force of any run.
     #[serde(with = "extended")]
     pub peak_force_n: f64,

@@ -1,0 +1,115 @@
+//! Contact laws in mechanisms: what is refused, what ends a run, and the mass that a contact meets.
+
+use loosepin::contact::{FrictionLaw, PlayState};
+use loosepin::dynamics::Dynamics;
+use loosepin::mechanism::{IdealMotion, Mechanism, Sample, SampleError, acceleration_at};
+use loosepin::model::Model;
+use loosepin::simulate::{Observer, RunFailure, Settings, Step, Window, run};
+use std::path::Path;
+
+fn case_text(name: &str) -> String {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
+    std::fs::read_to_string(file).expect("the case is there")
+}
+
+/// The slider-crank with a line-contact law.
+fn slider_crank(law: &str, youngs_modulus: &str) -> Mechanism {
+    let text = case_text("slider_crank_5000")
+        .replace("lankarani-nikravesh", law)
+        .replace("207 GPa", youngs_modulus)
+        .replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    Mechanism::new(&model, &model.quantities.nominal()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+struct Nobody;
+impl Observer for Nobody {
+    fn step(&mut self, _step: &mut Step<'_, '_>) {}
+}
+
+#[test]
+fn a_clearance_outside_of_the_fit_is_refused() {
+    let mechanism = slider_crank("pereira", "207 GPa");
+    let clearance = mechanism.model.quantities.id("joint.gudgeon.radial_clearance").expect("it has one");
+    let sample = |clearance_m: f64| {
+        Sample::<f64>::new(
+            &mechanism,
+            &mechanism.model.quantities.evaluate(&[(clearance, clearance_m)]).expect("possible"),
+        )
+    };
+    assert!(sample(5.1e-6).is_ok() && sample(9.9e-3).is_ok());
+    let error = sample(4.9e-6).expect_err("too small");
+    assert_eq!(
+        error.to_string(),
+        "joint 'gudgeon' has a radial clearance of 0.0049 mm; 'pereira' was fitted to clearances from 0.005 mm to 10 mm"
+    );
+    assert!(matches!(error, SampleError::ClearanceOutsideFit { .. }));
+    let complaint = error.complaint(&mechanism.model).to_string();
+    assert!(complaint.contains("error[E0810]") && complaint.contains("hint: take another law"), "{complaint}");
+}
+
+#[test]
+fn identity_a_run_beyond_the_inverse_of_its_law_fails_by_name() {
+    let window = Window { start_s: 0.0, end_s: 0.012 };
+    for (law, share) in [("johnson", 4.0 / std::f64::consts::E.powi(2)), ("radzimovsky", 0.7165)] {
+        // As soft as rubber.
+        let mechanism = slider_crank(law, "0.1 GPa");
+        let sample = Sample::new(&mechanism, &mechanism.model.quantities.nominal()).expect("the sample fits");
+        let failure = run(&mechanism, &sample, &window, &Settings::for_study(), &mut Nobody).expect_err("too deep");
+        assert_eq!(failure.code(), "beyond_contact_law", "{failure}");
+        let RunFailure::BeyondLaw { penetration_m, limit_m, .. } = failure else { panic!("{failure}") };
+        // The limit is known to four digits; a step ends a little beyond it.
+        assert!((limit_m / (share * 0.5e-3) - 1.0).abs() < 1e-4, "{limit_m}");
+        assert!(penetration_m > limit_m && penetration_m < 1.5 * limit_m, "{penetration_m} {limit_m}");
+    }
+    // A law without such a limit goes on.
+    let mechanism = slider_crank("liu", "0.1 GPa");
+    let sample = Sample::new(&mechanism, &mechanism.model.quantities.nominal()).expect("the sample fits");
+    let report = run(&mechanism, &sample, &window, &Settings::for_study(), &mut Nobody).expect("no limit");
+    assert!(report.plays[0].largest_penetration_m > 0.3e-3, "{:?}", report.plays);
+}
+
+#[test]
+fn identity_effective_mass_is_the_answer_to_a_contact_force() {
+    /// Round-off of accelerations that differ by much more than their size.
+    const ROUND_OFF: f64 = 1e-9;
+    for name in ["slider_crank_two_clearances", "six_bar", "four_bar_floating_coupler", "five_bar_driven_slider"] {
+        let model = Model::from_text(name, &case_text(name)).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it moves");
+        let mut sample = Sample::<f64>::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
+        // Friction pushes too.
+        sample.plays.iter_mut().for_each(|play| play.friction = FrictionLaw::None);
+        let ideal = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("the start closes");
+        let (mut coordinates, rates) = mechanism.real_coordinates(ideal.kinematics(), &sample.real);
+        // Off the centres of the bearings, by more than the clearances.
+        for (k, coordinate) in coordinates.iter_mut().enumerate() {
+            *coordinate += 0.013 * (1.0 + 0.37 * k as f64);
+        }
+        let n = mechanism.real.free;
+        let mut dynamics = Dynamics::new(&mechanism, &sample);
+        for play in 0..mechanism.plays.len() {
+            let mut states = vec![PlayState::flight(); mechanism.plays.len()];
+            let mut along_normal = |states: &[PlayState<f64>]| {
+                dynamics.evaluate(0.0, &coordinates[..n], &rates[..n], states);
+                let (motion, force) = &dynamics.plays()[play];
+                let [bearing, journal] = dynamics.play_slots()[play];
+                let twists = &dynamics.kinematics.twists;
+                let difference =
+                    acceleration_at(&dynamics.acceleration(journal), &twists[journal], motion.journal_arm_m)
+                        - acceleration_at(&dynamics.acceleration(bearing), &twists[bearing], motion.bearing_arm_m);
+                let normal = motion.eccentricity_m * (1.0 / motion.eccentricity_m.length());
+                (difference.dot(normal), force.normal_n, dynamics.inverse_mass_along_normal_1_kg(play))
+            };
+            let (before, _, inverse_mass_1_kg) = along_normal(&states);
+            states[play].contact = 1.0;
+            let (after, force_n, again_1_kg) = along_normal(&states);
+            assert_eq!(inverse_mass_1_kg, again_1_kg, "{name}: it does not depend on the forces");
+            assert!(force_n > 0.0 && inverse_mass_1_kg > 0.1, "{name}: {force_n} {inverse_mass_1_kg}");
+            let found_1_kg = (before - after) / force_n;
+            assert!(
+                (found_1_kg / inverse_mass_1_kg - 1.0).abs() < ROUND_OFF,
+                "{name}: {found_1_kg} {inverse_mass_1_kg}"
+            );
+        }
+    }
+}
