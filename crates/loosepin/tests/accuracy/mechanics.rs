@@ -41,7 +41,11 @@ fn identity_power_balance_of_all_cases() {
             in_contact += touches.iter().filter(|touch| **touch).count();
             let states: Vec<PlayState<f64>> = touches
                 .iter()
-                .map(|touch| PlayState { contact: f64::from(*touch), inverse_impact_speed_s_m: 2.3 })
+                .map(|touch| PlayState {
+                    contact: f64::from(*touch),
+                    inverse_impact_speed_s_m: 2.3,
+                    effective_mass_kg: 0.41,
+                })
                 .collect();
             plain.evaluate(time_s, &q[..n], &rates[..n], &states);
             let powers = plain.powers();
@@ -173,7 +177,11 @@ fn identity_a_floating_pair_in_contact_keeps_its_momenta() {
             *rate += 3.0 * spread(k, 0.023);
         }
         let states: Vec<PlayState<f64>> = (0..mechanism.plays.len())
-            .map(|play| PlayState { contact: f64::from(play == apex), inverse_impact_speed_s_m: 0.7 })
+            .map(|play| PlayState {
+                contact: f64::from(play == apex),
+                inverse_impact_speed_s_m: 0.7,
+                effective_mass_kg: 0.41,
+            })
             .collect();
         let mut dynamics = Dynamics::new(mechanism, &sample);
         dynamics.evaluate(0.0137, &q[..6], &rates[..6], &states);
