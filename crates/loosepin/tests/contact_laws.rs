@@ -1,10 +1,10 @@
 //! Contact laws in mechanisms: what is refused, what ends a run, and the mass that a contact meets.
 
-use loosepin::contact::{FrictionLaw, PlayState};
+use loosepin::contact::{FrictionLaw, LINE_LAWS, PlayState};
 use loosepin::dynamics::Dynamics;
 use loosepin::mechanism::{IdealMotion, Mechanism, Sample, SampleError, acceleration_at};
 use loosepin::model::Model;
-use loosepin::simulate::{Observer, RunFailure, Settings, Step, Window, run};
+use loosepin::simulate::{Observer, Onset, RunFailure, Separation, Settings, Step, Window, run};
 use std::path::Path;
 
 fn case_text(name: &str) -> String {
@@ -110,6 +110,56 @@ fn identity_effective_mass_is_the_answer_to_a_contact_force() {
                 (found_1_kg / inverse_mass_1_kg - 1.0).abs() < ROUND_OFF,
                 "{name}: {found_1_kg} {inverse_mass_1_kg}"
             );
+        }
+    }
+}
+
+/// Speeds at which contacts begin and end.
+#[derive(Default)]
+struct Speeds {
+    onset_m_s: f64,
+    pairs_m_s: Vec<[f64; 2]>,
+}
+impl Observer for Speeds {
+    fn step(&mut self, _step: &mut Step<'_, '_>) {}
+    fn contact_begins(&mut self, onset: &Onset) {
+        self.onset_m_s = onset.speed_m_s;
+    }
+    fn contact_ends(&mut self, separation: &Separation) {
+        self.pairs_m_s.push([self.onset_m_s, separation.speed_m_s]);
+    }
+}
+
+#[test]
+fn identity_laws_that_promise_a_restitution_deliver_it_in_a_mechanism() {
+    /// What the other forces of the mechanism do during 20 µs, over the slowest impact looked at. Half or twice the mass that the
+    /// contact meets would change the restitution by 0.05.
+    const OTHER_FORCES: f64 = 6e-3;
+    const RESTITUTION: f64 = 0.83;
+    let linear = "law = \"exact-linear-restitution\"\nrestitution = 0.83\nstiffness = \"3e9 N/m\"";
+    let steel =
+        "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\ndamping = \"exact-restitution\"";
+    let mut laws: Vec<String> = LINE_LAWS.iter().map(|law| format!("law = \"{}\"\n{steel}", law.name())).collect();
+    laws.push(linear.to_owned());
+    let text = case_text("slider_crank_5000");
+    let (before, rest) = text.split_once("[contact.steel_pin]").expect("there is a contact");
+    let (_, after) = rest.split_once("[joint.main]").expect("joints follow");
+    let after = after.replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
+    for law in laws {
+        let text = format!("{before}[contact.steel_pin]\n{law}\n[joint.main]{after}");
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it moves");
+        let sample = Sample::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
+        let delivered = sample.plays[0].delivered_restitution.expect("it is known");
+        assert!((delivered - RESTITUTION).abs() < 1e-12, "{law}: {delivered}");
+        let window = Window { start_s: 0.0, end_s: 0.012 };
+        let mut speeds = Speeds::default();
+        run(&mechanism, &sample, &window, &Settings::for_study(), &mut speeds).expect("the run is sound");
+        let impacts: Vec<&[f64; 2]> = speeds.pairs_m_s.iter().filter(|[onset, _]| *onset > 0.7).collect();
+        assert!(!impacts.is_empty(), "{law}: {:?}", speeds.pairs_m_s);
+        for [onset_m_s, separation_m_s] in impacts {
+            let found = separation_m_s / onset_m_s;
+            assert!((found - RESTITUTION).abs() < OTHER_FORCES, "{law}: {onset_m_s} m/s, {found}");
         }
     }
 }

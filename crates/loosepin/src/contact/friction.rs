@@ -107,7 +107,7 @@ macro_rules! friction_laws {
         pub enum FrictionLaw<T> {
             /// No friction.
             None,
-            $(#[doc = concat!("See [`", stringify!($friction), "`].")] $variant($friction<T>)),*
+            $(#[doc = concat!("The numbers of `", stringify!($friction), "`.")] $variant($friction<T>)),*
         }
 
         /// Every friction law.

@@ -64,7 +64,7 @@ impl<T: Real> NormalContact<T> for LiuContact<T> {
         self.force_at_root(penetration_m.max(T::zero()).sqrt(), rate_m_s, state)
     }
 
-    /// K c² G(δ/c): see [`liu_energy`].
+    /// K c² G(δ/c), G as in `liu_energy`.
     #[inline(always)]
     fn stored_energy_j(&self, penetration_m: T) -> T {
         let depth = penetration_m.max(T::zero()) / self.clearance_m;

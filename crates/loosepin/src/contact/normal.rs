@@ -99,7 +99,7 @@ macro_rules! normal_laws {
         /// all lanes.
         #[derive(Debug, Clone, Copy)]
         pub enum NormalLaw<T> {
-            $(#[doc = concat!("See [`", stringify!($contact), "`].")] $variant($contact<T>)),*
+            $(#[doc = concat!("The numbers of `", stringify!($contact), "`.")] $variant($contact<T>)),*
         }
 
         impl<T: Real> NormalLaw<T> {

@@ -7,7 +7,7 @@
 use super::Real;
 
 /// ln 2 as the sum of two numbers; the first has zeros at its end, so that its multiples are exact.
-const LN_2_PARTS: [f64; 2] = [6.931_471_803_691_238_2e-1, 1.908_214_929_270_587_7e-10];
+const LN_2_PARTS: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
 // Minimax coefficients of fdlibm's `e_log.c`, for √½ to √2, and of its `e_exp.c`, for -½ ln 2 to ½ ln 2.
 const LOGARITHM: [f64; 7] = [

@@ -1,10 +1,10 @@
 //! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
 
+use super::batch::DepthLimit;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
 use super::settings::Window;
-use crate::contact::NormalContact;
-use crate::mechanism::{PlayGeometry, Sample};
+use crate::mechanism::Sample;
 
 /// What ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,31 +53,6 @@ pub enum Phase {
     Searching(Search),
     /// To stop just before an event that dissolved on closer look.
     Stopping,
-}
-
-/// How deep a pin may be pressed into its hole: its centre must stay inside, and the penetration where the law has one meaning.
-#[derive(Debug, Clone, Copy)]
-pub struct DepthLimit {
-    /// The largest penetration, m.
-    pub penetration_m: f64,
-    /// g = |e|² - c² there, m².
-    pub gap_m2: f64,
-    /// Whether the law ends there, and not the hole.
-    pub is_of_law: bool,
-}
-
-impl DepthLimit {
-    /// The limit of a joint with play.
-    pub fn new(play: &PlayGeometry<f64>) -> Self {
-        let hole_m = (play.bearing_radius_m - play.clearance_m).max(0.0);
-        let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
-        let penetration_m = hole_m.min(law_m);
-        Self {
-            penetration_m,
-            gap_m2: penetration_m * (penetration_m + 2.0 * play.clearance_m),
-            is_of_law: law_m < hole_m,
-        }
-    }
 }
 
 /// The run of a lane.

@@ -44,7 +44,7 @@ fn identity_power_balance_of_all_cases() {
                 .map(|touch| PlayState {
                     contact: f64::from(*touch),
                     inverse_impact_speed_s_m: 2.3,
-                    effective_mass_kg: f64::NAN,
+                    effective_mass_kg: 0.41,
                 })
                 .collect();
             plain.evaluate(time_s, &q[..n], &rates[..n], &states);
@@ -180,7 +180,7 @@ fn identity_a_floating_pair_in_contact_keeps_its_momenta() {
             .map(|play| PlayState {
                 contact: f64::from(play == apex),
                 inverse_impact_speed_s_m: 0.7,
-                effective_mass_kg: f64::NAN,
+                effective_mass_kg: 0.41,
             })
             .collect();
         let mut dynamics = Dynamics::new(mechanism, &sample);

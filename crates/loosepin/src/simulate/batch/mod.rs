@@ -3,7 +3,10 @@
 //! A pass tries one step in every lane at once, then decides lane by lane: try again, accept, begin or end a contact, finish.
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
+mod depth;
 mod switch;
+
+pub use depth::DepthLimit;
 
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -14,8 +17,8 @@ use crate::native::Level;
 use crate::simulate::column::{Arms, Reading};
 use crate::simulate::core::{Attempt, Core};
 use crate::simulate::failure::RunFailure;
-use crate::simulate::gap::{ContactStep, GapJet, penetration_m};
-use crate::simulate::lane::{Decision, DepthLimit, Event, LaneRun, LaneStep, Phase};
+use crate::simulate::gap::{ContactStep, GapJet};
+use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::simulate::motion::Motion;
 use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
 use crate::simulate::projection::Projection;
@@ -339,54 +342,6 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         run.observer.step(&mut Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets });
         run.counters.evaluations += dense.evaluations;
         Ok(())
-    }
-
-    /// No pin may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
-    fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
-        let Some(run) = &self.runs[lane] else { return Ok(()) };
-        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
-        for (play, limit) in run.depth_limits.iter().enumerate() {
-            let gap = self.core.equations.reads[self.core.layout.gap(play)].lane(lane);
-            if gap.is_nan() {
-                return Err(RunFailure::NotFinite { time_s });
-            }
-            let clearance_m = run.sample.plays[play].clearance_m;
-            let is_root = run.root == Some(play);
-            let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap_m2 };
-            let mut depth_m = match (is_beyond, is_root) {
-                (false, _) => 0.0,
-                (true, true) => gap * gap,
-                (true, false) => penetration_m(gap, clearance_m),
-            };
-            if !is_beyond && is_notable && limit.is_of_law && self.core.equations.contact(lane, play).0.contact > 0.0 {
-                let (gap, time) = (self.gap(lane, play), self.times(lane));
-                let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
-                depth_m = step.largest_penetration_m(clearance_m);
-                if depth_m <= limit.penetration_m {
-                    depth_m = 0.0;
-                }
-            }
-            if depth_m > 0.0 {
-                return Err(self.too_deep(run, play, depth_m, time_s));
-            }
-        }
-        Ok(())
-    }
-
-    fn too_deep(&self, run: &LaneRun<O>, play: usize, penetration_m: f64, time_s: f64) -> RunFailure {
-        let model = &self.mechanism.model;
-        let joint = &model.joints[self.mechanism.plays[play].0];
-        let (limit, bearing_radius_m) = (run.depth_limits[play], run.sample.plays[play].bearing_radius_m);
-        match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } if limit.is_of_law => RunFailure::BeyondLaw {
-                joint: joint.name.clone(),
-                law: model.contacts[clearance.contact.0].law.name(),
-                penetration_m,
-                limit_m: limit.penetration_m,
-                time_s,
-            },
-            _ => RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s },
-        }
     }
 
     /// Takes in the largest penetration and force of a step that may hold a record.
