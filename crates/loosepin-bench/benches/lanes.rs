@@ -1,6 +1,6 @@
 //! Runs a second on one core, one run at a time and on lanes, with the equations evaluated as they stand and as machine
-//! code; and on two threads. Every block of runs is repeated in turn, so that a noisy machine disturbs all alike; printed is
-//! the median. Bits are compared on the way.
+//! code, by processor time; and on two threads, by the clock. Every block of runs is repeated in turn, so that a noisy machine
+//! disturbs all alike; printed is the median. Bits are compared on the way.
 //!
 //! `cargo bench --bench lanes` for the four mechanisms of the table in `docs/performance.md`; case names as arguments choose
 //! others.
@@ -8,6 +8,7 @@
 use loosepin::math::Vectors;
 use loosepin::simulate::Settings;
 use loosepin_bench::batch::{Case, Finished, Plan};
+use loosepin_bench::processor_time_s;
 use std::time::Instant;
 
 const CASES: [&str; 4] = ["slider_crank_5000", "four_bar_600", "slider_crank_two_clearances", "six_bar"];
@@ -15,6 +16,8 @@ const CASES: [&str; 4] = ["slider_crank_5000", "four_bar_600", "slider_crank_two
 const ROUNDS: usize = 5;
 const RUNS: usize = 768;
 const SCALAR_RUNS: usize = 48;
+/// Lanes of a batch.
+const LANES: usize = 16;
 
 struct Way {
     name: String,
@@ -55,9 +58,17 @@ fn measure(case: &Case) {
             let runs = if matches!(way.vectors, Vectors::None) { SCALAR_RUNS } else { RUNS };
             let settings = Settings { machine_code: way.machine_code, ..Settings::for_study() };
             let plan = Plan { runs, turns: 2, readings_per_turn: 1000, settings };
-            let started = Instant::now();
-            let finished = case.conduct_on_threads(&plan, way.vectors, way.threads);
-            way.seconds_a_run.push(started.elapsed().as_secs_f64() / runs as f64);
+            let (started, started_s) = (Instant::now(), processor_time_s());
+            let finished = match way.threads {
+                // On this thread: the system forgets the time of one that has ended.
+                1 => case.conduct(&plan, way.vectors),
+                threads => case.conduct_on_threads(&plan, way.vectors, threads),
+            };
+            let seconds = match (started_s, processor_time_s()) {
+                (Some(start_s), Some(end_s)) if way.threads == 1 => end_s - start_s,
+                _ => started.elapsed().as_secs_f64(),
+            };
+            way.seconds_a_run.push(seconds / runs as f64);
             if runs == RUNS {
                 let reference = reference.get_or_insert_with(|| finished.clone());
                 assert!(*reference == finished, "{}: {} has other bits", case.name, way.name);
@@ -75,11 +86,27 @@ fn measure(case: &Case) {
         per_turn(|run| run.counters.rejections),
         per_turn(|run| run.counters.events),
     );
+    for runs in [64, 256, RUNS] {
+        let idle = 100.0 * idle_share(&reference[..runs]);
+        println!("  idle lanes at the end of a batch of {runs}: {idle:.1} %");
+    }
     let scalar_s = median(&ways[0].seconds_a_run);
     for way in &ways {
         let seconds = median(&way.seconds_a_run);
         println!("  {:28} {:8.0} runs/s   {:6.2} times scalar", way.name, 1.0 / seconds, scalar_s / seconds);
     }
+}
+
+/// Which share of the lanes' time is idle because no run is left: each run goes to the lane that is free first, and takes as
+/// long as its evaluations.
+fn idle_share(finished: &[Finished]) -> f64 {
+    let mut lanes = [0; LANES];
+    for run in finished {
+        lanes.sort_unstable();
+        lanes[0] += run.counters.evaluations;
+    }
+    let (busy, longest) = (lanes.iter().sum::<u64>(), lanes.iter().max().copied().unwrap_or(0));
+    1.0 - busy as f64 / (LANES as u64 * longest) as f64
 }
 
 fn median(values: &[f64]) -> f64 {

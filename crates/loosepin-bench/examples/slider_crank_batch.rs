@@ -7,6 +7,7 @@
 use loosepin::math::Vectors;
 use loosepin::simulate::Settings;
 use loosepin_bench::batch::{Case, Plan};
+use loosepin_bench::processor_time_s;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -25,16 +26,6 @@ const RUNS_AHEAD: usize = 32;
 fn plan(runs: usize) -> Plan {
     let settings = Settings { tolerance_m: TOLERANCE_M, ..Settings::for_study() };
     Plan { runs, turns: TURNS, readings_per_turn: READINGS_PER_TURN, settings }
-}
-
-/// Processor time of all threads of this process so far, s; none where the system does not tell.
-fn processor_time_s() -> Option<f64> {
-    let mut nanoseconds = 0;
-    for thread in std::fs::read_dir("/proc/self/task").ok()? {
-        let text = std::fs::read_to_string(thread.ok()?.path().join("schedstat")).ok()?;
-        nanoseconds += text.split_whitespace().next()?.parse::<u64>().ok()?;
-    }
-    Some(nanoseconds as f64 * 1e-9)
 }
 
 fn print_history(case: &Case) {

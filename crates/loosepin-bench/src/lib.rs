@@ -60,3 +60,13 @@ impl fmt::Display for Throughput {
         )
     }
 }
+
+/// Processor time of all threads of this process so far, s; none where the system does not tell.
+pub fn processor_time_s() -> Option<f64> {
+    let mut nanoseconds = 0;
+    for thread in std::fs::read_dir("/proc/self/task").ok()? {
+        let text = std::fs::read_to_string(thread.ok()?.path().join("schedstat")).ok()?;
+        nanoseconds += text.split_whitespace().next()?.parse::<u64>().ok()?;
+    }
+    Some(nanoseconds as f64 * 1e-9)
+}
