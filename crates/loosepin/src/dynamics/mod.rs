@@ -5,9 +5,15 @@
 
 mod energy;
 mod equations;
+mod linear_spring;
+mod load;
 mod play;
 mod reactions;
+mod spring;
+mod torsional_spring;
 
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
+pub use load::LoadForce;
 pub use play::{DepthRoot, PlayForce, PlayMotion, PlayState};
+pub use spring::SpringForce;

@@ -10,8 +10,8 @@ use crate::integrate::System;
 use crate::math::Real;
 use crate::mechanism::{Attachment, Mechanism, Sample};
 
-/// Integrals of the energy account: work of the drives, contact loss, friction loss, J.
-pub const ACCOUNT: usize = 3;
+/// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
+const ACCOUNT: usize = 3;
 
 /// Where everything is in the state vector: coordinates, rates, time, roots of penetrations; then the integrals.
 #[derive(Debug, Clone)]
@@ -22,6 +22,8 @@ pub struct Layout {
     pub roots: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
+    /// Whether the loss of dampers is an integral as well, the last one.
+    pub has_dampers: bool,
 }
 
 impl Layout {
@@ -40,7 +42,8 @@ impl Layout {
                 })
             })
             .collect();
-        Self { freedoms, roots, dimension }
+        let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
+        Self { freedoms, roots, dimension, has_dampers }
     }
 
     /// Place of the time.
@@ -50,8 +53,38 @@ impl Layout {
 
     /// Unknowns and integrals.
     pub fn length(&self) -> usize {
-        self.dimension + ACCOUNT
+        self.dimension + self.integrals()
     }
+
+    /// Integrals of the energy account.
+    pub fn integrals(&self) -> usize {
+        ACCOUNT + usize::from(self.has_dampers)
+    }
+
+    /// The energy account in a state.
+    #[inline(always)]
+    pub fn account<T: Real>(&self, state: &[T]) -> Account<T> {
+        let integrals = &state[self.dimension..];
+        Account {
+            supplied_j: integrals[0],
+            contact_loss_j: integrals[1],
+            friction_loss_j: integrals[2],
+            damping_loss_j: if self.has_dampers { integrals[ACCOUNT] } else { T::zero() },
+        }
+    }
+}
+
+/// What was supplied and lost since time zero, J.
+#[derive(Debug, Clone, Copy)]
+pub struct Account<T> {
+    /// Work of drives and loads.
+    pub supplied_j: T,
+    /// Turned into heat by normal contact.
+    pub contact_loss_j: T,
+    /// Turned into heat by friction.
+    pub friction_loss_j: T,
+    /// Turned into heat by dampers.
+    pub damping_loss_j: T,
 }
 
 /// Equations of motion with the time and the roots of penetrations as unknowns, and the energy account as integrals.
@@ -152,8 +185,14 @@ impl<T: Real> System<T> for Motion<'_, T> {
         let powers = self.dynamics.powers();
         let account = self.layout.dimension;
         slope[account] = powers.drives_w * pace;
+        if !self.dynamics.loads().is_empty() {
+            slope[account] += powers.loads_w * pace;
+        }
         slope[account + 1] = powers.contact_loss_w * pace;
         slope[account + 2] = powers.friction_loss_w * pace;
+        if self.layout.has_dampers {
+            slope[account + ACCOUNT] = powers.damping_loss_w * pace;
+        }
     }
 }
 
@@ -182,7 +221,7 @@ pub fn tolerances<T: Real>(motion: &Motion<'_, T>, local_m: f64, rate_1_s: f64, 
     }
     tolerances[2 * n] = local_rad / rate_1_s;
     if motion.dynamics.sample().plays.iter().any(|play| play.has_friction) {
-        tolerances.extend([local_rad * energy_j; ACCOUNT]);
+        tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances
 }
