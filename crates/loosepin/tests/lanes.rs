@@ -21,7 +21,12 @@ struct Case {
 }
 
 fn case_text(name: &str) -> String {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let file = if name.ends_with(".toml") {
+        folder.join("tests/files").join(name)
+    } else {
+        folder.join("../../cases").join(name).join("model.toml")
+    };
     std::fs::read_to_string(file).expect("the case is there")
 }
 
@@ -117,8 +122,9 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
     waiting.seen
 }
 
-/// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone.
-const CASES: [(&str, f64); 8] = [
+/// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
+/// springs with dampers and loads of every kind.
+const CASES: [(&str, f64); 9] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -127,6 +133,7 @@ const CASES: [(&str, f64); 8] = [
     ("four_bar_linear_contact", 0.05),
     ("slider_crank_given_stiffness", 0.1),
     ("four_bar_floating_coupler", 0.03),
+    ("slider_crank_elements.toml", 0.1),
 ];
 
 #[test]

@@ -164,6 +164,11 @@ is too large."
 "Only values of one dimension can be added, subtracted or compared; sines need angles, exponents need numbers. \"50 mm + 3\" \
 is refused, since nobody knows which unit the 3 was meant in."
 
+    FunctionNotPossible "E0310" "an expression over time does what the equations of motion cannot"
+"Expressions that change with time or with a joint are part of the equations of motion, which run on many samples at once. \
+They know + - * /, powers with whole or half exponents, sqrt, abs, min, max, sin, cos and tan. Everything else is allowed in \
+the part that does not change: give it a name under [parameter]."
+
     UnknownReference "E0401" "a name refers to nothing"
 "Points are written `body.point`, joints, contacts, drives and outputs by their names. The complaint lists what there is."
 

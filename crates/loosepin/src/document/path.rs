@@ -28,16 +28,16 @@ pub fn describe_path(dotted: &str) -> String {
     describe(&dotted.split('.').collect::<Vec<_>>())
 }
 
+/// Tables whose entries are tables under names of the person's choosing.
+const NAMED: [&str; 9] = ["body", "contact", "joint", "spring", "load", "drive", "output", "random", "epistemic"];
+
 fn describe(keys: &[&str]) -> String {
     match keys {
         [] => String::new(),
         ["assembly", "guess", body] => format!("assembly: guess of '{body}'"),
-        [kind @ ("parameter" | "body" | "contact" | "joint" | "drive" | "output" | "random" | "epistemic"), name] => {
-            format!("{kind} '{name}'")
-        }
-        [kind @ ("body" | "contact" | "joint" | "drive" | "output" | "random" | "epistemic"), name, rest @ ..] => {
-            format!("{kind} '{name}': {}", plain_words(rest))
-        }
+        ["parameter", name] => format!("parameter '{name}'"),
+        [kind, name] if NAMED.contains(kind) => format!("{kind} '{name}'"),
+        [kind, name, rest @ ..] if NAMED.contains(kind) => format!("{kind} '{name}': {}", plain_words(rest)),
         [kind @ ("ask" | "require"), number] => format!("[[{kind}]] {number}"),
         [kind @ ("ask" | "require"), number, rest @ ..] => format!("[[{kind}]] {number}: {}", plain_words(rest)),
         [kind @ ("sampling" | "cycle"), rest @ ..] if !rest.is_empty() => format!("{kind}: {}", plain_words(rest)),

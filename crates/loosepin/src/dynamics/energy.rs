@@ -11,7 +11,7 @@ pub struct MechanicalEnergy<T> {
     pub kinetic_j: T,
     /// -Σ m g·r.
     pub potential_j: T,
-    /// Σ ∫ F_el dδ over the contacts.
+    /// Σ ∫ F_el dδ over the contacts, and Σ k (x - x0)²/2 + P (x - x0) over the springs.
     pub stored_j: T,
 }
 
@@ -46,6 +46,9 @@ impl<T: Real> Dynamics<'_, T> {
         for (index, ((motion, _), play)) in self.plays.iter().zip(&self.sample.plays).enumerate() {
             let penetration_m = motion.penetration_m(play.clearance_m) * contact(index);
             energy.stored_j += play.normal.stored_energy_j(penetration_m);
+        }
+        for index in 0..self.spring_slots.len() {
+            energy.stored_j += self.spring_force(index).stored_j;
         }
         energy
     }

@@ -1,21 +1,27 @@
 //! Mass matrix, forces and accelerations.
 
+use super::load::LoadForce;
 use super::play::{PlayForce, PlayMotion, PlayUnknowns};
 use crate::contact::PlayState;
 use crate::math::{GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
     Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, moved, points_of, turned_by,
 };
+use crate::model::Course;
 
 /// Powers that the energy account integrates, W.
 #[derive(Debug, Clone, Copy)]
 pub struct Powers<T> {
     /// Supplied by all drives.
     pub drives_w: T,
+    /// Supplied by all loads.
+    pub loads_w: T,
     /// Turned into heat by normal contact.
     pub contact_loss_w: T,
     /// Turned into heat by friction.
     pub friction_loss_w: T,
+    /// Turned into heat by dampers.
+    pub damping_loss_w: T,
 }
 
 /// The equations of motion of one sample, with room for everything that an evaluation needs.
@@ -34,6 +40,18 @@ pub struct Dynamics<'a, T> {
     /// Slots of bearing body and journal body of each joint with play.
     pub(super) play_slots: Vec<[usize; 2]>,
     pub(super) plays: Vec<(PlayMotion<T>, PlayForce<T>)>,
+    /// Slots of first and second body of each spring.
+    pub(super) spring_slots: Vec<[usize; 2]>,
+    /// Power that the dampers turned into heat at the last evaluation, W.
+    pub(super) damping_loss_w: T,
+    /// Loads at the last evaluation.
+    pub(super) loads: Vec<LoadForce<T>>,
+    /// Power of the loads at the last evaluation, W.
+    pub(super) loads_w: T,
+    /// Room for the functions of loads.
+    pub(super) function_room: Vec<T>,
+    /// Time of the last state, s.
+    pub(super) time_s: T,
     /// Free accelerations q̈.
     pub(super) accelerations: Vec<T>,
     /// Constraint forces λ; where rows repeat each other, one of the many that do the same.
@@ -74,6 +92,19 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 (motion, motion.force(play, &PlayState::flight()))
             })
             .collect();
+        let springs = mechanism.model.springs.iter();
+        let loads = mechanism.model.loads.iter().map(|load| LoadForce {
+            slot: tree.slot_of_body[load.kind.body().0],
+            arm_m: Vec2::zero(),
+            force_n: Vec2::zero(),
+            torque_n_m: T::zero(),
+        });
+        let loads = loads.collect();
+        let steps = mechanism.model.loads.iter().map(|load| match &load.course {
+            Course::Function(function) => function.steps(),
+            _ => 0,
+        });
+        let function_steps = steps.max().unwrap_or(0);
         Self {
             mechanism,
             sample: sample.clone(),
@@ -83,6 +114,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
             driven_accelerations: vec![T::zero(); tree.drives.len()],
             play_slots,
             plays,
+            spring_slots: springs.map(|spring| spring.kind.bodies().map(|body| tree.slot_of_body[body.0])).collect(),
+            damping_loss_w: T::zero(),
+            loads,
+            loads_w: T::zero(),
+            function_room: vec![T::zero(); function_steps],
+            time_s: T::zero(),
             accelerations: vec![T::zero(); n],
             multipliers: vec![T::zero(); rows],
             mass: vec![T::zero(); n * n],
@@ -108,6 +145,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     fn set_motion(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
         let tree = &self.mechanism.real;
         let n = tree.free;
+        self.time_s = time_s;
         self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
         self.rates[..n].copy_from_slice(&free_rates[..n]);
         for (k, drive) in tree.drives.iter().enumerate() {
@@ -144,6 +182,8 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 self.set_motion(time_s, free_coordinates, free_rates);
                 self.set_forces(states, unknowns);
                 self.add_bodies();
+                self.add_springs();
+                self.add_loads();
                 self.add_plays();
                 self.solve();
             },
@@ -207,22 +247,24 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Adds the forces of the joints with play.
     #[inline(always)]
     fn add_plays(&mut self) {
-        let tree = &self.mechanism.real;
-        for ((motion, force), [slot_i, slot_j]) in self.plays.iter().zip(&self.play_slots) {
-            let bearing = (*slot_i, motion.bearing_arm_m, -force.on_journal_n, force.moment_on_bearing_n_m);
-            let journal = (*slot_j, motion.journal_arm_m, force.on_journal_n, force.moment_on_journal_n_m);
-            for (slot, arm, force_n, moment_n_m) in [bearing, journal] {
-                if slot == 0 {
-                    continue;
-                }
-                let about_origin = moment_n_m + arm.cross(force_n);
-                let partials = self.kinematics.partials(slot);
-                for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
-                    let sum = turned_by(self.forces[dependence.coordinate], about_origin, dependence.turning);
-                    self.forces[dependence.coordinate] =
-                        force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, sum));
-                }
-            }
+        for index in 0..self.plays.len() {
+            let ((motion, force), [slot_i, slot_j]) = (self.plays[index], self.play_slots[index]);
+            self.add_force(slot_i, motion.bearing_arm_m, -force.on_journal_n, force.moment_on_bearing_n_m);
+            self.add_force(slot_j, motion.journal_arm_m, force.on_journal_n, force.moment_on_journal_n_m);
+        }
+    }
+
+    /// Adds a force that acts on the body in `slot` at `arm_m` from its origin (ground's frame), and a torque.
+    #[inline(always)]
+    pub(super) fn add_force(&mut self, slot: usize, arm_m: Vec2<T>, force_n: Vec2<T>, moment_n_m: T) {
+        if slot == 0 {
+            return;
+        }
+        let about_origin = moment_n_m + arm_m.cross(force_n);
+        let partials = self.kinematics.partials(slot);
+        for (dependence, partial) in self.mechanism.real.links[slot - 1].dependences.iter().zip(partials) {
+            let sum = turned_by(self.forces[dependence.coordinate], about_origin, dependence.turning);
+            self.forces[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, sum));
         }
     }
 
@@ -273,7 +315,13 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.
     #[inline(always)]
     pub fn powers(&self) -> Powers<T> {
-        let mut powers = Powers { drives_w: T::zero(), contact_loss_w: T::zero(), friction_loss_w: T::zero() };
+        let mut powers = Powers {
+            drives_w: T::zero(),
+            loads_w: self.loads_w,
+            contact_loss_w: T::zero(),
+            friction_loss_w: T::zero(),
+            damping_loss_w: self.damping_loss_w,
+        };
         for (_, force) in &self.plays {
             powers.contact_loss_w += force.contact_loss_w;
             powers.friction_loss_w += force.friction_loss_w;

@@ -5,10 +5,16 @@
 
 mod energy;
 mod equations;
+mod linear_spring;
+mod load;
 mod play;
 mod reactions;
+mod spring;
+mod torsional_spring;
 
 pub use crate::contact::PlayState;
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
+pub use load::LoadForce;
 pub use play::{DepthRoot, PlayForce, PlayMotion, PlayUnknowns};
+pub use spring::SpringForce;

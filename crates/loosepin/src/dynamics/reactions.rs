@@ -100,6 +100,14 @@ impl<T: Real> Dynamics<'_, T> {
         for ((_, force), slots) in self.plays.iter().zip(self.play_slots()) {
             subtract(*slots, force.on_journal_n);
         }
+        for (index, slots) in self.spring_slots().iter().enumerate() {
+            subtract(*slots, self.spring_force(index).on_second_n);
+        }
+        for load in self.loads() {
+            if beyond[load.slot] {
+                needed -= load.force_n;
+            }
+        }
         if forward { needed } else { -needed }
     }
 

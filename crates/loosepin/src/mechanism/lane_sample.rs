@@ -1,7 +1,9 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
+use super::load::LoadGeometry;
 use super::sample::{DriveMotion, PlayGeometry, Sample};
+use super::spring::SpringGeometry;
 use crate::contact::{FrictionLaw, NormalContact, NormalLaw};
 use crate::math::{Real, Vec2};
 
@@ -13,6 +15,8 @@ impl<T: Real> Sample<T> {
             ideal: geometry(&sample.ideal),
             real: geometry(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
+            springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
+            loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
             drives: sample
                 .drives
                 .iter()
@@ -21,7 +25,7 @@ impl<T: Real> Sample<T> {
         }
     }
 
-    /// Shows every number that the equations of motion use, those of the real tree, plays and drives, in an order that
+    /// Shows every number that the equations of motion use, those of the real tree, plays, springs, loads and drives, in an order that
     /// depends on the mechanism alone.
     ///
     /// What is no number (which laws, which exponent) belongs to the mechanism and is the same in all lanes.
@@ -59,6 +63,8 @@ impl<T: Real> Sample<T> {
             play.friction.visit(visit);
             visit(&mut play.minimum_impact_speed_m_s);
         }
+        self.springs.iter_mut().for_each(|spring| spring.visit(visit));
+        self.loads.iter_mut().for_each(|load| load.visit(visit));
         for drive in &mut self.drives {
             visit(&mut drive.start);
             visit(&mut drive.speed);

@@ -11,15 +11,19 @@ mod geometry;
 mod ideal;
 mod kinematics;
 mod lane_sample;
+mod load;
 mod mobility;
 mod sample;
+mod spring;
 mod tree;
 
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
+pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{DriveMotion, PlayGeometry, Sample};
+pub use spring::SpringGeometry;
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
 
 use crate::math::Vec2;

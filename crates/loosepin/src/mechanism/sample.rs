@@ -2,6 +2,8 @@
 
 use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
+use super::load::LoadGeometry;
+use super::spring::SpringGeometry;
 use super::{Mechanism, tree::points_of};
 use crate::contact::{
     FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact, compliance_1_pa,
@@ -44,7 +46,7 @@ pub struct PlayGeometry<T> {
     pub delivered_restitution: Option<f64>,
 }
 
-/// The numbers of one sample: the ideal mechanism, the real one, its contacts and its drives.
+/// The numbers of one sample: the ideal mechanism, the real one, its contacts, springs, loads and drives.
 #[derive(Debug, Clone)]
 pub struct Sample<T> {
     /// For the tree in which every joint is ideal.
@@ -53,6 +55,10 @@ pub struct Sample<T> {
     pub real: Geometry<T>,
     /// Joints with play, in the order of [`Mechanism::plays`].
     pub plays: Vec<PlayGeometry<T>>,
+    /// Springs, in the order of the model.
+    pub springs: Vec<SpringGeometry<T>>,
+    /// Loads, in the order of the model.
+    pub loads: Vec<LoadGeometry<T>>,
     /// Drives, in the order of the model.
     pub drives: Vec<DriveMotion<T>>,
 }
@@ -100,6 +106,8 @@ impl<T: Real> Sample<T> {
             ideal: Geometry::new(model, &mechanism.ideal, values),
             real: Geometry::new(model, &mechanism.real, values),
             plays,
+            springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
+            loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
             drives,
         })
     }

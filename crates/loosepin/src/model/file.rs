@@ -5,9 +5,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::keys::MODEL_KEYS;
+use super::load::Load;
 use super::parameter::Parameters;
 use super::problem::ModelProblem;
 use super::quantity::{Origin, Quantity, QuantityId, QuantityTable};
+use super::spring::Spring;
 use super::topology::{Body, BodyId, Contact, ContactId, Cycle, Drive, DriveId, Guess, Joint, JointId, Model, PointId};
 use crate::diagnostics::{Complaint, Complaints, Source, Span, nearest_name};
 use crate::document::{
@@ -77,6 +79,8 @@ pub(super) struct ModelReader {
     pub contacts: Vec<Contact>,
     pub joint_names: NamesOf<JointId>,
     pub joints: Vec<Joint>,
+    pub springs: Vec<Spring>,
+    pub loads: Vec<Load>,
     pub drive_names: NamesOf<DriveId>,
     pub drives: Vec<Drive>,
     pub used_contacts: Vec<String>,
@@ -102,6 +106,8 @@ impl ModelReader {
             contacts: Vec::new(),
             joint_names: Vec::new(),
             joints: Vec::new(),
+            springs: Vec::new(),
+            loads: Vec::new(),
             drive_names: Vec::new(),
             drives: Vec::new(),
             used_contacts: Vec::new(),
@@ -119,6 +125,8 @@ impl ModelReader {
             ("body", ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
             ("contact", ModelReader::read_contacts),
             ("joint", ModelReader::read_joints),
+            ("spring", ModelReader::read_springs),
+            ("load", ModelReader::read_loads),
             ("drive", ModelReader::read_drives),
         ] {
             if let Some(entry) = root.get(key) {
@@ -137,6 +145,8 @@ impl ModelReader {
                 bodies: self.bodies,
                 contacts: self.contacts,
                 joints: self.joints,
+                springs: self.springs,
+                loads: self.loads,
                 drives: self.drives,
                 guesses,
                 cycle,

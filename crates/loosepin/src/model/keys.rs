@@ -1,5 +1,7 @@
 //! The keys of a model file.
 
+use super::load_keys::LOAD_KINDS;
+use super::spring_keys::SPRING_KINDS;
 use crate::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
@@ -377,6 +379,18 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
         ),
         optional("contact", Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "", "contacts, shared by joints"),
         optional("joint", Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "", "the joints"),
+        optional(
+            "spring",
+            Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS },
+            "",
+            "springs with their dampers, each under [spring.NAME]",
+        ),
+        optional(
+            "load",
+            Kind::TaggedTables { tag: "kind", variants: LOAD_KINDS },
+            "",
+            "forces and torques from outside, each under [load.NAME]",
+        ),
         required("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),

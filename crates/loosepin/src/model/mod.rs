@@ -6,23 +6,31 @@
 mod body;
 mod contact;
 mod file;
+mod function;
 mod joint;
 mod keys;
+mod load;
+mod load_keys;
 mod output;
 mod parameter;
 mod problem;
 mod quantity;
 mod set_values;
 mod setting;
+mod spring;
+mod spring_keys;
 mod topology;
 
 pub use crate::units::Rule;
 pub use file::model_schema;
+pub use function::Function;
 pub(crate) use keys::CYCLE_NUMBERS;
+pub use load::{Course, Load, LoadKind};
 pub use problem::ModelProblem;
 pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
+pub use spring::{Spring, SpringKind};
 pub use topology::{
     Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, Guess, Joint,
     JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,

@@ -98,6 +98,62 @@ pub enum ModelProblem {
         /// What makes it meaningless.
         beside: &'static str,
     },
+    /// A torsional spring without the two bodies that it turns.
+    #[error("{entry}: the two bodies are missing")]
+    NoBodies {
+        /// The spring.
+        entry: String,
+    },
+    /// A joint without an angle where one is needed.
+    #[error("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint")]
+    DoesNotTurn {
+        /// The spring.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A load on the ground.
+    #[error("{entry} acts on the ground, which does not move")]
+    LoadOnGround {
+        /// The load.
+        entry: String,
+    },
+    /// A rigid joint where a coordinate is needed.
+    #[error("{entry}: joint '{joint}' is rigid; it has neither angle nor position")]
+    DoesNotMove {
+        /// The entry.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A joint that nothing reads.
+    #[error("{entry}: 'joint' has no meaning here; '{key}' is no expression over its angle, position or speed")]
+    JointNotRead {
+        /// The load.
+        entry: String,
+        /// The key that could read it.
+        key: &'static str,
+    },
+    /// A variable with the name of a parameter.
+    #[error("{entry}: '{name}' is a parameter of this file and a variable of this expression")]
+    NameTaken {
+        /// The entry.
+        entry: String,
+        /// The name.
+        name: &'static str,
+    },
+    /// An inverse trigonometric function of something that changes.
+    #[error("{entry}: inverse trigonometric functions cannot be used together with what changes in time")]
+    InverseFunction {
+        /// The entry.
+        entry: String,
+    },
+    /// An exponent that a changing expression cannot have.
+    #[error("{entry}: exponents of what changes in time are whole or half numbers, written out, up to 32")]
+    ExponentOfFunction {
+        /// The entry.
+        entry: String,
+    },
     /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
     NotDrivable {
@@ -173,8 +229,12 @@ impl Problem for ModelProblem {
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
-            | Self::KeyWithoutEffect { .. } => Code::ConflictingKeys,
-            Self::NoStiffness { .. } => Code::MissingKey,
+            | Self::KeyWithoutEffect { .. }
+            | Self::JointNotRead { .. } => Code::ConflictingKeys,
+            Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
+            Self::DoesNotTurn { .. } | Self::LoadOnGround { .. } | Self::DoesNotMove { .. } => Code::UnknownReference,
+            Self::NameTaken { .. } => Code::BadName,
+            Self::InverseFunction { .. } | Self::ExponentOfFunction { .. } => Code::FunctionNotPossible,
             Self::NotDrivable { .. } | Self::WrongStart { .. } | Self::CycleNeedsTurns { .. } => Code::DriveNotPossible,
             Self::DrivenTwice { .. } => Code::DrivenTwice,
             Self::GuessOfGround => Code::UnknownReference,
@@ -209,6 +269,14 @@ impl Problem for ModelProblem {
             }
             Self::NeedsKeys { key: "radial_clearance", .. } => {
                 Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())
+            }
+            Self::NoBodies { .. } => {
+                Some("name a revolute joint as joint, or two bodies as first and second".to_owned())
+            }
+            Self::DoesNotTurn { .. } => Some("name a revolute joint, or two bodies as first and second".to_owned()),
+            Self::NameTaken { name, .. } => Some(format!("give the parameter another name, for example {name}_value")),
+            Self::InverseFunction { .. } => {
+                Some("give what does not change a name under [parameter] and use that".to_owned())
             }
             Self::WrongStart { due, .. } => Some(format!("write {due}")),
             Self::NotDrivable { why, .. } if *why == HAS_PLAY => {

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
+use super::spring::Spring;
 use crate::contact::{FrictionDescription, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
@@ -48,6 +50,10 @@ pub struct Model {
     pub contacts: Vec<Contact>,
     /// Joints in file order.
     pub joints: Vec<Joint>,
+    /// Springs in file order.
+    pub springs: Vec<Spring>,
+    /// Loads in file order.
+    pub loads: Vec<Load>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
     /// Hints for the assembly, at the start of the cycle.

@@ -384,6 +384,7 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         ("stored in contacts and springs", Role::Fourth, &account.stored_j),
         ("lost in contacts", Role::Second, &account.contact_loss_j),
         ("lost in friction", Role::Limit, &account.friction_loss_j),
+        ("lost in dampers", Role::Mixed, &account.damping_loss_j),
         ("supplied", Role::Worst, &account.supplied_j),
     ];
     for (label, role, values_j) in histories {

@@ -196,9 +196,13 @@ impl<'a, T: Lanes> Core<'a, T> {
         T::vectorize(
             #[inline(always)]
             || {
-                let first = self.equations.motion.layout.dimension;
-                let integrals = &self.stepper.start()[first..first + 3];
-                let (supplied_j, losses_j) = (integrals[0], integrals[1] + integrals[2]);
+                let layout = &self.equations.motion.layout;
+                let account = layout.account(self.stepper.start());
+                let supplied_j = account.supplied_j;
+                let mut losses_j = account.contact_loss_j + account.friction_loss_j;
+                if layout.has_dampers {
+                    losses_j += account.damping_loss_j;
+                }
                 let change_j = self.start[ReadLayout::ENERGY] - self.energy_at_start_j;
                 let residual_j = (change_j + losses_j - supplied_j).abs();
                 let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs());
@@ -212,14 +216,14 @@ impl<'a, T: Lanes> Core<'a, T> {
 
     /// The energy account of a lane after its last step.
     pub fn account(&self, lane: usize) -> EnergyAccount {
-        let first = self.equations.motion.layout.dimension;
-        let integral = |k: usize| self.stepper.start()[first + k].lane(lane);
+        let account = self.equations.motion.layout.account(self.stepper.start());
         EnergyAccount {
             at_start_j: self.energy_at_start_j.lane(lane),
             at_end_j: self.start[ReadLayout::ENERGY].lane(lane),
-            supplied_j: integral(0),
-            contact_loss_j: integral(1),
-            friction_loss_j: integral(2),
+            supplied_j: account.supplied_j.lane(lane),
+            contact_loss_j: account.contact_loss_j.lane(lane),
+            friction_loss_j: account.friction_loss_j.lane(lane),
+            damping_loss_j: account.damping_loss_j.lane(lane),
             largest_residual_j: self.largest_residual_j.lane(lane),
             largest_exchange_j: self.largest_exchange_j.lane(lane),
         }

@@ -8,6 +8,7 @@ use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
 use super::report::{Counters, RunReport};
 use super::settings::{Settings, Window};
+use super::work::KinematicAccount;
 use crate::math::{InstructionSet, LaneGroup, Vectors};
 use crate::mechanism::{IdealMotion, Mechanism, Sample};
 use crate::native::Level;
@@ -119,6 +120,7 @@ fn run_kinematics(
     let span_s = window.end_s - window.start_s;
     let steps = (span_s / (LARGEST_STEP_TURNS * turn_s)).ceil().clamp(1.0, 1e9) as u64;
     ideal.move_to(window.start_s)?;
+    let mut account = KinematicAccount::is_needed(&motion).then(|| KinematicAccount::new(&mut motion, &ideal));
     let mut failure = None;
     let mut outputs = vec![[[0.0; 3]; 2]; readings.len()];
     let at = |step: u64| window.start_s + span_s * step as f64 / steps as f64;
@@ -137,13 +139,22 @@ fn run_kinematics(
                 jets[side] = reading.jet(arms, &motion.dynamics);
             }
         }
-        let source = Source::Kinematic { motion: &mut motion, ideal: &mut ideal, failure: &mut failure };
+        let source = Source::Kinematic {
+            motion: &mut motion,
+            ideal: &mut ideal,
+            failure: &mut failure,
+            account: account.as_ref(),
+        };
         let time = [start_s, end_s].map(|time_s| GapJet { jet: [time_s, 1.0, 0.0] });
         observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time, outputs: &outputs });
         if let Some(error) = failure {
             return Err(error.into());
         }
-        ideal.move_to(end_s)?;
+        match &mut account {
+            Some(account) => account.close_step(&mut motion, &mut ideal, start_s, end_s)?,
+            None => ideal.move_to(end_s)?,
+        }
     }
-    Ok(RunReport { counters: Counters { steps, ..Counters::default() }, plays: Vec::new(), energy: None })
+    let energy = account.map(|account| account.total());
+    Ok(RunReport { counters: Counters { steps, ..Counters::default() }, plays: Vec::new(), energy })
 }

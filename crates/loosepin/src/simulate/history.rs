@@ -4,6 +4,7 @@ use super::column::{Arms, Column, columns};
 use super::drawing::{add_pose, skeleton};
 use super::engine::run;
 use super::failure::RunFailure;
+use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::record::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
@@ -138,6 +139,7 @@ struct Recorder<'a> {
     drawing: Drawing,
     states: Option<BodyStates>,
     with_forces: bool,
+    has_dampers: bool,
 }
 
 impl<'a> Recorder<'a> {
@@ -177,6 +179,7 @@ impl<'a> Recorder<'a> {
                 stored_j: Vec::new(),
                 contact_loss_j: Vec::new(),
                 friction_loss_j: Vec::new(),
+                damping_loss_j: Vec::new(),
                 supplied_j: Vec::new(),
                 residual_j: Vec::new(),
             },
@@ -190,6 +193,7 @@ impl<'a> Recorder<'a> {
             drawing: skeleton(mechanism, values),
             states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
+            has_dampers: mechanism.model.springs.iter().any(|spring| spring.damping.is_some()),
             columns,
         }
     }
@@ -293,13 +297,21 @@ impl<'a> Recorder<'a> {
         let energy = dynamics.energy(|play| in_contact[play]);
         let total_j = energy.total_j();
         let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);
-        let [supplied_j, contact_loss_j, friction_loss_j] = step.account_j().unwrap_or([total_j - at_zero_j, 0.0, 0.0]);
+        let account = step.account(time_s).unwrap_or(Account {
+            supplied_j: total_j - at_zero_j,
+            contact_loss_j: 0.0,
+            friction_loss_j: 0.0,
+            damping_loss_j: 0.0,
+        });
         self.energy.kinetic_j.push(energy.kinetic_j);
         self.energy.potential_j.push(energy.potential_j);
         self.energy.stored_j.push(energy.stored_j);
-        self.energy.contact_loss_j.push(contact_loss_j);
-        self.energy.friction_loss_j.push(friction_loss_j);
-        self.energy.supplied_j.push(supplied_j);
+        self.energy.contact_loss_j.push(account.contact_loss_j);
+        self.energy.friction_loss_j.push(account.friction_loss_j);
+        self.energy.supplied_j.push(account.supplied_j);
+        if self.has_dampers {
+            self.energy.damping_loss_j.push(account.damping_loss_j);
+        }
         if let Some(states) = &mut self.states {
             let dynamics = step.evaluate(time_s);
             states.rows.push(body_states(self.mechanism, self.values, dynamics));
@@ -319,6 +331,7 @@ impl<'a> Recorder<'a> {
                 energy.kinetic_j[k] + energy.potential_j[k] + energy.stored_j[k] - at_zero_j
                     + energy.contact_loss_j[k]
                     + energy.friction_loss_j[k]
+                    + energy.damping_loss_j.get(k).unwrap_or(&0.0)
                     - energy.supplied_j[k]
             })
             .collect();

@@ -21,6 +21,7 @@ mod report;
 mod search;
 mod settings;
 mod tables;
+mod work;
 
 pub use batch::{Queue, Run};
 pub use column::{Arms, Column, Reading, columns};

@@ -11,8 +11,8 @@ use crate::integrate::System;
 use crate::math::Real;
 use crate::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
 
-/// Integrals of the energy account: work of the drives, contact loss, friction loss, J.
-pub const ACCOUNT: usize = 3;
+/// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
+const ACCOUNT: usize = 3;
 
 /// Where everything is in the state vector: coordinates, rates, time, roots of penetrations and deflections of bristles; then the
 /// integrals.
@@ -26,6 +26,8 @@ pub struct Layout {
     pub bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
+    /// Whether the loss of dampers is an integral as well, the last one.
+    pub has_dampers: bool,
 }
 
 impl Layout {
@@ -42,7 +44,8 @@ impl Layout {
         let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
         let roots = sample.plays.iter().map(|play| place_if(has_root(play))).collect();
         let bristles = sample.plays.iter().map(|play| place_if(play.friction.has_bristle())).collect();
-        Self { freedoms, roots, bristles, dimension }
+        let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
+        Self { freedoms, roots, bristles, dimension, has_dampers }
     }
 
     /// Place of the time.
@@ -52,8 +55,38 @@ impl Layout {
 
     /// Unknowns and integrals.
     pub fn length(&self) -> usize {
-        self.dimension + ACCOUNT
+        self.dimension + self.integrals()
     }
+
+    /// Integrals of the energy account.
+    pub fn integrals(&self) -> usize {
+        ACCOUNT + usize::from(self.has_dampers)
+    }
+
+    /// The energy account in a state.
+    #[inline(always)]
+    pub fn account<T: Real>(&self, state: &[T]) -> Account<T> {
+        let integrals = &state[self.dimension..];
+        Account {
+            supplied_j: integrals[0],
+            contact_loss_j: integrals[1],
+            friction_loss_j: integrals[2],
+            damping_loss_j: if self.has_dampers { integrals[ACCOUNT] } else { T::zero() },
+        }
+    }
+}
+
+/// What was supplied and lost since time zero, J.
+#[derive(Debug, Clone, Copy)]
+pub struct Account<T> {
+    /// Work of drives and loads.
+    pub supplied_j: T,
+    /// Turned into heat by normal contact.
+    pub contact_loss_j: T,
+    /// Turned into heat by friction.
+    pub friction_loss_j: T,
+    /// Turned into heat by dampers.
+    pub damping_loss_j: T,
 }
 
 /// Equations of motion with the time and the roots of penetrations as unknowns, and the energy account as integrals.
@@ -171,8 +204,14 @@ impl<T: Real> System<T> for Motion<'_, T> {
         let powers = self.dynamics.powers();
         let account = self.layout.dimension;
         slope[account] = powers.drives_w * pace;
+        if !self.dynamics.loads().is_empty() {
+            slope[account] += powers.loads_w * pace;
+        }
         slope[account + 1] = powers.contact_loss_w * pace;
         slope[account + 2] = powers.friction_loss_w * pace;
+        if self.layout.has_dampers {
+            slope[account + ACCOUNT] = powers.damping_loss_w * pace;
+        }
     }
 }
 
@@ -213,7 +252,7 @@ pub fn tolerances<T: Real>(
         }
     }
     if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
-        tolerances.extend([local_rad * energy_j; ACCOUNT]);
+        tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances
 }

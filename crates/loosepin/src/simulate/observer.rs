@@ -1,8 +1,9 @@
 //! What looks at a run while it goes on.
 
 use super::gap::GapJet;
-use super::motion::Motion;
+use super::motion::{Account, Motion};
 use super::projection::Projection;
+use super::work::KinematicAccount;
 use crate::dynamics::{Dynamics, PlayState};
 use crate::math::Quintic;
 use crate::mechanism::{IdealMotion, Sample, SampleError};
@@ -70,7 +71,13 @@ pub(super) enum Source<'s, 'a> {
         run: u64,
     },
     /// The motion of a mechanism without play, solved afresh at each instant.
-    Kinematic { motion: &'s mut Motion<'a, f64>, ideal: &'s mut IdealMotion<'a>, failure: &'s mut Option<SampleError> },
+    Kinematic {
+        motion: &'s mut Motion<'a, f64>,
+        ideal: &'s mut IdealMotion<'a>,
+        failure: &'s mut Option<SampleError>,
+        /// Where springs or loads act.
+        account: Option<&'s KinematicAccount>,
+    },
 }
 
 /// The inside of an integrated step.
@@ -115,15 +122,20 @@ impl<'a> Step<'_, 'a> {
         }
     }
 
-    /// Work of the drives, contact loss and friction loss since time zero at the instant looked at last, J. None where the
-    /// motion was not integrated.
-    pub fn account_j(&self) -> Option<[f64; 3]> {
-        match &self.source {
-            Source::Integrated { view, state, .. } => {
-                let first = view.layout.dimension;
-                Some([state[first], state[first + 1], state[first + 2]])
+    /// What was supplied and lost since time zero, at `time_s` within the step, which was looked at last. None where the work
+    /// of the drives is the change of mechanical energy.
+    pub(super) fn account(&mut self, time_s: f64) -> Option<Account<f64>> {
+        match &mut self.source {
+            Source::Integrated { view, state, .. } => Some(view.layout.account(state)),
+            Source::Kinematic { motion, ideal, failure, account } => {
+                match (*account)?.until(motion, ideal, self.start_s, time_s) {
+                    Ok(account) => Some(account),
+                    Err(error) => {
+                        **failure = failure.take().or(Some(error));
+                        None
+                    }
+                }
             }
-            Source::Kinematic { .. } => None,
         }
     }
 
@@ -188,7 +200,7 @@ impl<'a> Step<'_, 'a> {
                 }
                 &view.dynamics
             }
-            Source::Kinematic { motion, ideal, failure } => {
+            Source::Kinematic { motion, ideal, failure, .. } => {
                 match ideal.move_to(time_s) {
                     Ok(()) => {
                         let (coordinates, rates) = ideal.real_state();

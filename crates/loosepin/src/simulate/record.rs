@@ -278,6 +278,9 @@ pub struct EnergyAccount {
     /// Energy lost in friction up to the sample time.
     #[serde(with = "extended")]
     pub friction_loss_j: Vec<f64>,
+    /// Energy lost in dampers up to the sample time; empty, and not written, for a mechanism without dampers.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub damping_loss_j: Vec<f64>,
     /// Work of drives and loads up to the sample time.
     #[serde(with = "extended")]
     pub supplied_j: Vec<f64>,

@@ -31,19 +31,21 @@ pub struct PlaySummary {
 /// Energy over a run, J.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct EnergyAccount {
-    /// Mechanical energy (kinetic, potential, stored in contacts) at the start.
+    /// Mechanical energy (kinetic, potential, stored in contacts and springs) at the start.
     pub at_start_j: f64,
     /// Mechanical energy at the end.
     pub at_end_j: f64,
-    /// Work of the drives.
+    /// Work of drives and loads.
     pub supplied_j: f64,
     /// Turned into heat by normal contact.
     pub contact_loss_j: f64,
     /// Turned into heat by friction.
     pub friction_loss_j: f64,
+    /// Turned into heat by dampers.
+    pub damping_loss_j: f64,
     /// Largest |energy + losses - supplied - energy at the start| over all steps.
     pub largest_residual_j: f64,
-    /// Largest of: work of the drives, change of mechanical energy, losses.
+    /// Largest of: work of drives and loads, change of mechanical energy, losses.
     pub largest_exchange_j: f64,
 }
 

@@ -69,10 +69,16 @@ impl Dimension {
     pub const VOLUME: Dimension = new(3.0, 0.0, 0.0, 0.0);
     /// Hz.
     pub const FREQUENCY: Dimension = new(0.0, 0.0, -1.0, 0.0);
+    /// N/m.
+    pub const SPRING_STIFFNESS: Dimension = new(0.0, 1.0, -2.0, 0.0);
+    /// N s/m.
+    pub const DAMPING: Dimension = new(0.0, 1.0, -1.0, 0.0);
+    /// N m/rad.
+    pub const TORSIONAL_STIFFNESS: Dimension = new(2.0, 1.0, -2.0, -1.0);
+    /// N m s/rad.
+    pub const TORSIONAL_DAMPING: Dimension = new(2.0, 1.0, -1.0, -1.0);
     /// Pa s.
     pub const VISCOSITY: Dimension = new(-1.0, 1.0, -1.0, 0.0);
-    /// Damping coefficient: force over velocity.
-    pub const DAMPING: Dimension = new(0.0, 1.0, -1.0, 0.0);
     /// One over a velocity.
     pub const INVERSE_VELOCITY: Dimension = new(-1.0, 0.0, 1.0, 0.0);
     /// One over a length.
@@ -115,9 +121,15 @@ impl Dimension {
 
     /// The SI unit, for example `kg m^2` or `rad/s`; empty for a number.
     pub fn si_unit(self) -> String {
-        for (dimension, symbol) in
-            [(Self::FORCE, "N"), (Self::PRESSURE, "Pa"), (Self::POWER, "W"), (Self::TORQUE, "N m")]
-        {
+        for (dimension, symbol) in [
+            (Self::FORCE, "N"),
+            (Self::PRESSURE, "Pa"),
+            (Self::POWER, "W"),
+            (Self::TORQUE, "N m"),
+            (Self::DAMPING, "N s/m"),
+            (Self::TORSIONAL_STIFFNESS, "N m/rad"),
+            (Self::TORSIONAL_DAMPING, "N m s/rad"),
+        ] {
             if self == dimension {
                 return symbol.to_owned();
             }
@@ -202,5 +214,9 @@ static NAMED: &[Named] = &[
     named(Dimension::AREA, "an area", "1 mm^2"),
     named(Dimension::VOLUME, "a volume", "1 mm^3"),
     named(Dimension::FREQUENCY, "a frequency", "50 Hz"),
+    named(Dimension::SPRING_STIFFNESS, "the stiffness of a spring", "20 N/mm"),
+    named(Dimension::DAMPING, "a damping", "5 N s/m"),
+    named(Dimension::TORSIONAL_STIFFNESS, "the stiffness of a torsional spring", "2 N m/rad"),
+    named(Dimension::TORSIONAL_DAMPING, "a torsional damping", "0.01 N m s/rad"),
     named(Dimension::VISCOSITY, "a dynamic viscosity", "0.02 Pa s"),
 ];

@@ -158,6 +158,7 @@ fn energy(time_s: &[f64]) -> EnergyAccount {
         stored_j: history(&|_| 0.0),
         contact_loss_j: history(&lost),
         friction_loss_j: history(&|_| 0.0),
+        damping_loss_j: Vec::new(),
         supplied_j: history(&|time| kinetic(time) + potential(time) + lost(time) - 112.0),
         residual_j: history(&|time| 2.3e-9 * (40.0 * angle(time)).sin() * time / last),
     }

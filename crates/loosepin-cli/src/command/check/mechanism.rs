@@ -9,6 +9,7 @@ use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
 use loosepin::units::{Dimension, format_number, format_value};
 
+use super::elements::push_elements;
 use super::trial::Trial;
 use crate::console::{counted, listed};
 
@@ -23,6 +24,7 @@ pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
     let mut text = format!("{}\n", model.name);
     push_bodies(&mut text, model, values);
     push_joints(&mut text, mechanism, values);
+    push_elements(&mut text, model, values);
     push_mobility(&mut text, mechanism);
     push_start(&mut text, mechanism, values, tried);
     push_cycle(&mut text, mechanism, tried);

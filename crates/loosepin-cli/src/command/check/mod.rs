@@ -1,5 +1,6 @@
 //! `loosepin check`.
 
+mod elements;
 mod mechanism;
 mod study;
 mod trial;

@@ -1,0 +1,109 @@
+//! Springs and loads in words.
+
+use std::fmt::Write;
+
+use loosepin::model::{Course, JointId, Load, LoadKind, Model, PointId, Spring, SpringKind, Values};
+use loosepin::units::{Dimension, format_value};
+
+use crate::console::counted;
+
+/// The springs and the loads, each under a line that counts them; nothing where there are none.
+pub fn push_elements(text: &mut String, model: &Model, values: &Values) {
+    let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));
+    push_list(text, springs.collect(), ("spring", "springs"));
+    let loads = model.loads.iter().map(|load| (load.name.as_str(), load_words(model, load, values)));
+    push_list(text, loads.collect(), ("load", "loads"));
+}
+
+fn push_list(text: &mut String, items: Vec<(&str, String)>, (one, many): (&str, &str)) {
+    if items.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "\n{}", counted(items.len(), one, many));
+    let width = items.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    for (name, words) in items {
+        let _ = writeln!(text, "  {name:width$}  {words}");
+    }
+}
+
+fn point(model: &Model, id: PointId) -> String {
+    format!("{}.{}", model.bodies[id.body.0].name, model.bodies[id.body.0].points[id.point].name)
+}
+
+fn spring_words(model: &Model, spring: &Spring, values: &Values) -> String {
+    let (place, stiffness, free, damping, preload) = match spring.kind {
+        SpringKind::Linear { first, second } => (
+            format!("linear: from {} to {}", point(model, first), point(model, second)),
+            Dimension::SPRING_STIFFNESS,
+            ("free length", Dimension::LENGTH),
+            Dimension::DAMPING,
+            Dimension::FORCE,
+        ),
+        SpringKind::Torsional { first, second } => (
+            format!("torsional: turns {} against {}", model.bodies[second.0].name, model.bodies[first.0].name),
+            Dimension::TORSIONAL_STIFFNESS,
+            ("free angle", Dimension::ANGLE),
+            Dimension::TORSIONAL_DAMPING,
+            Dimension::TORQUE,
+        ),
+    };
+    let mut words = format!(
+        "{place}, {}, {} {}",
+        format_value(values[spring.stiffness], stiffness),
+        free.0,
+        format_value(values[spring.free], free.1)
+    );
+    if let Some(id) = spring.damping {
+        let _ = write!(words, ", damping {}", format_value(values[id], damping));
+    }
+    if values[spring.preload] != 0.0 {
+        let _ = write!(words, ", preload {}", format_value(values[spring.preload], preload));
+    }
+    words
+}
+
+fn load_words(model: &Model, load: &Load, values: &Values) -> String {
+    let dimension = match load.kind {
+        LoadKind::Force { .. } => Dimension::FORCE,
+        LoadKind::Torque { .. } => Dimension::TORQUE,
+    };
+    let course = course_words(model, &load.course, load.joint, dimension, values);
+    match load.kind {
+        LoadKind::Force { point: id, direction_rad, follows_body } => {
+            let frame = if follows_body { "of the body's x axis" } else { "from the x axis" };
+            let direction = format_value(values[direction_rad], Dimension::ANGLE);
+            format!("force on {}: {course}, {direction} {frame}", point(model, id))
+        }
+        LoadKind::Torque { body } => format!("torque on {}: {course}", model.bodies[body.0].name),
+    }
+}
+
+fn course_words(
+    model: &Model,
+    course: &Course,
+    joint: Option<JointId>,
+    dimension: Dimension,
+    values: &Values,
+) -> String {
+    match course {
+        Course::Constant(id) => format_value(values[*id], dimension),
+        Course::Harmonic { mean, amplitude, frequency, phase_rad } => {
+            let mut words = format!(
+                "{} up and down at {}",
+                format_value(values[*amplitude], dimension),
+                format_value(values[*frequency], Dimension::FREQUENCY)
+            );
+            if values[*mean] != 0.0 {
+                let _ = write!(words, " about {}", format_value(values[*mean], dimension));
+            }
+            if values[*phase_rad] != 0.0 {
+                let _ = write!(words, ", phase {}", format_value(values[*phase_rad], Dimension::ANGLE));
+            }
+            words
+        }
+        Course::Function(_) => match joint {
+            Some(joint) => format!("an expression over time and joint '{}'", model.joints[joint.0].name),
+            None => "an expression over time".to_owned(),
+        },
+    }
+}
