@@ -132,16 +132,16 @@ impl Observer for Speeds {
 
 #[test]
 fn identity_laws_that_promise_a_restitution_deliver_it_in_a_mechanism() {
-    /// What the other forces of the mechanism do during 20 µs, over the slowest impact looked at. Half or twice the mass that the
-    /// contact meets would change the restitution by 0.05.
-    const OTHER_FORCES: f64 = 6e-3;
+    /// What the other forces of the mechanism do while a contact lasts: slow as it turns, 0.006 with the softest law. Half or twice
+    /// the mass that the contact meets would change the restitution by 0.05.
+    const OTHER_FORCES: f64 = 8e-3;
     const RESTITUTION: f64 = 0.83;
     let linear = "law = \"exact-linear-restitution\"\nrestitution = 0.83\nstiffness = \"3e9 N/m\"";
     let steel =
         "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\ndamping = \"exact-restitution\"";
     let mut laws: Vec<String> = LINE_LAWS.iter().map(|law| format!("law = \"{}\"\n{steel}", law.name())).collect();
     laws.push(linear.to_owned());
-    let text = case_text("slider_crank_5000");
+    let text = case_text("slider_crank_5000").replace("5000 rpm", "200 rpm");
     let (before, rest) = text.split_once("[contact.steel_pin]").expect("there is a contact");
     let (_, after) = rest.split_once("[joint.main]").expect("joints follow");
     let after = after.replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
@@ -152,10 +152,10 @@ fn identity_laws_that_promise_a_restitution_deliver_it_in_a_mechanism() {
         let sample = Sample::new(&mechanism, &model.quantities.nominal()).expect("the sample fits");
         let delivered = sample.plays[0].delivered_restitution.expect("it is known");
         assert!((delivered - RESTITUTION).abs() < 1e-12, "{law}: {delivered}");
-        let window = Window { start_s: 0.0, end_s: 0.012 };
+        let window = Window { start_s: 0.0, end_s: 0.1 };
         let mut speeds = Speeds::default();
         run(&mechanism, &sample, &window, &Settings::for_study(), &mut speeds).expect("the run is sound");
-        let impacts: Vec<&[f64; 2]> = speeds.pairs_m_s.iter().filter(|[onset, _]| *onset > 0.7).collect();
+        let impacts: Vec<&[f64; 2]> = speeds.pairs_m_s.iter().filter(|[onset, _]| *onset > 0.13).collect();
         assert!(!impacts.is_empty(), "{law}: {:?}", speeds.pairs_m_s);
         for [onset_m_s, separation_m_s] in impacts {
             let found = separation_m_s / onset_m_s;
