@@ -214,7 +214,7 @@ static NAMED: &[Named] = &[
     named(Dimension::AREA, "an area", "1 mm^2"),
     named(Dimension::VOLUME, "a volume", "1 mm^3"),
     named(Dimension::FREQUENCY, "a frequency", "50 Hz"),
-    named(Dimension::SPRING_STIFFNESS, "the stiffness of a spring", "20 N/mm"),
+    named(Dimension::SPRING_STIFFNESS, "a stiffness in N/m", "20 N/mm"),
     named(Dimension::DAMPING, "a damping", "5 N s/m"),
     named(Dimension::TORSIONAL_STIFFNESS, "the stiffness of a torsional spring", "2 N m/rad"),
     named(Dimension::TORSIONAL_DAMPING, "a torsional damping", "0.01 N m s/rad"),
