@@ -72,7 +72,7 @@ pub enum RunFailure {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 10] = [
+const CODES: [&str; 11] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -83,6 +83,7 @@ const CODES: [&str; 10] = [
     "too_many_evaluations",
     "too_many_rows",
     "pin_leaves_bearing",
+    "start_contradicts",
 ];
 
 impl RunFailure {
@@ -104,6 +105,7 @@ impl RunFailure {
             Self::TooManyEvaluations { .. } => 7,
             Self::TooManyRows { .. } => 8,
             Self::LeavesBearing { .. } => 9,
+            Self::Sample(SampleError::StartContradicts { .. }) => 10,
         }
     }
 
