@@ -39,7 +39,7 @@ fn prepare() -> Bench {
             Sample::new(&mechanism, &values).expect("the sample fits the mechanism")
         })
         .collect();
-    let turn_s = std::f64::consts::TAU / nominal[model.drives[0].speed];
+    let turn_s = model.cycle_input(&nominal).turn_s();
     Bench { mechanism, samples, turn_s }
 }
 

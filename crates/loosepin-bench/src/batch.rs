@@ -58,7 +58,7 @@ impl Case {
         let model = Model::from_path(&file).unwrap_or_else(|complaints| panic!("{complaints}"));
         let nominal = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let turn_s = std::f64::consts::TAU / nominal[model.drives[model.cycle.drive.0].speed].abs();
+        let turn_s = model.cycle_input(&nominal).turn_s();
         let clearances = mechanism
             .plays
             .iter()

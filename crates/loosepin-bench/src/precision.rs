@@ -4,7 +4,7 @@ use loosepin::math::{Quintic, Vectors};
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, PointId, QuantityId};
 use loosepin::simulate::{
-    Arms, Counters, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, conduct, turn_s,
+    Arms, Counters, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, conduct,
 };
 use std::path::Path;
 
@@ -86,7 +86,7 @@ impl Samples {
             })
             .collect();
         let point = watched(&model, case.point).expect("the case has this point");
-        let turn_s = turn_s(&mechanism, &nominal, &model.cycle).expect("the drive turns");
+        let turn_s = model.cycle_input(&nominal).turn_s();
         let half_turn_s = 0.5 * turn_s;
         Self {
             name: case.name,

@@ -151,7 +151,7 @@ fn drives_that_are_too_few_or_too_many() {
         "model.toml:17:7: error[E0701]: the mechanism has 3 degrees of freedom and 1 drive: the motions of 'rod' and \
          'slider' are not determined\n\
          model.toml:23:7: note: this can move too\n\
-         hint: add a drive, or a joint that holds what can still move",
+         hint: add a drive, or a joint that holds what can still move; what only forces move needs its start under [initial]",
     );
     bad_model(
         "slider_crank_5000",
@@ -436,5 +436,16 @@ fn commands_that_do_not_exist() {
         &["simulat", "model.toml"],
         "error: unrecognized subcommand 'simulat'\n\n  tip: a similar subcommand exists: 'simulate'\n\n\
          Usage: loosepin <COMMAND>\n\nFor more information, try '--help'.",
+    );
+}
+
+#[test]
+fn an_initial_state_of_what_the_drives_move() {
+    bad_model(
+        "slider_crank_5000",
+        "[assembly]\n",
+        "[initial.body.crank]\nangle = \"0 deg\"\n\n[assembly]\n",
+        "model.toml:64:2: error[E0706]: the drives determine the motion; the initial state under [initial] has nothing to say\n\
+         hint: remove [initial], or a drive",
     );
 }

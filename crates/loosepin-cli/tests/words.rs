@@ -139,3 +139,46 @@ fn motion_of_a_model_and_of_a_study() {
     assert_eq!(desk.succeed(&["report", "motion"]).output, said.output);
     desk.succeed(&["motion", "study.toml"]);
 }
+
+#[test]
+fn check_tells_springs_loads_motions_and_initial_states() {
+    let desk = Desk::new();
+    for (name, text, expected) in [
+        (
+            "elements.toml",
+            include_str!("../../loosepin/tests/files/slider_crank_elements.toml"),
+            include_str!("expected/check_elements.txt"),
+        ),
+        (
+            "motions.toml",
+            include_str!("../../loosepin/tests/files/slider_crank_table_drive.toml"),
+            include_str!("expected/check_motions.txt"),
+        ),
+        (
+            "initial.toml",
+            include_str!("../../loosepin/tests/files/pendulum_on_a_spring.toml"),
+            include_str!("expected/check_initial.txt"),
+        ),
+    ] {
+        desk.write(name, text);
+        let said = desk.succeed(&["check", name]);
+        assert_eq!(said.output, expected, "{name}");
+        assert_eq!(said.messages, "");
+    }
+}
+
+#[test]
+fn a_mechanism_that_forces_move_is_simulated_and_has_no_ideal_motion() {
+    let desk = Desk::new();
+    desk.write("model.toml", include_str!("../../loosepin/tests/files/pendulum_on_a_spring.toml"));
+    desk.fail(
+        &["motion", "model.toml"],
+        "model.toml:48:2: error[E0701]: the drives do not move the mechanism alone: without its forces it has no ideal motion\n\
+         hint: use loosepin simulate: it follows the forces in time",
+    );
+    let said = desk.succeed(&["simulate", "model.toml", "--out", "run"]);
+    assert!(said.output.contains("energy account"), "{}", said.output);
+    let history = std::fs::read_to_string(desk.path("run/history.csv")).expect("the history is there");
+    assert!(history.starts_with("time_s,cycle_rad,tip_x_m,tip_y_m\n0.0,0.0,"), "{}", &history[..80]);
+    assert_eq!(history.lines().count(), 502);
+}

@@ -39,7 +39,7 @@ fn compiled(name: &str, text: &str) -> Case {
     let nominal = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
     let readings = columns(&mechanism).iter().map(|column| column.reading).filter(Reading::is_position).collect();
-    let turn_s = std::f64::consts::TAU / nominal[model.drives[model.cycle.drive.0].speed].abs();
+    let turn_s = model.cycle_input(&nominal).turn_s();
     Case { mechanism, readings, turn_s }
 }
 
@@ -123,8 +123,8 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
-/// springs with dampers and loads of every kind.
-const CASES: [(&str, f64); 9] = [
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all.
+const CASES: [(&str, f64); 11] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -134,6 +134,8 @@ const CASES: [(&str, f64); 9] = [
     ("slider_crank_given_stiffness", 0.1),
     ("four_bar_floating_coupler", 0.03),
     ("slider_crank_elements.toml", 0.1),
+    ("slider_crank_table_drive.toml", 0.3),
+    ("pendulum_on_a_spring.toml", 0.3),
 ];
 
 #[test]

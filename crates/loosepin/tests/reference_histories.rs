@@ -40,7 +40,7 @@ fn run(folder: &Path, reference: &Reference, tolerance_m: f64) -> Simulation {
     let values = model.quantities.evaluate(&[]).expect("the values of a case are sound");
     let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut cycle = model.cycle.clone();
-    let turn_s = std::f64::consts::TAU / values[model.drives[cycle.drive.0].speed].abs();
+    let turn_s = model.input(cycle.span, &values).turn_s();
     let span_s = reference.time_s[reference.time_s.len() - 1];
     cycle.transient_turns = 0.0;
     cycle.recorded_turns = span_s / turn_s;

@@ -30,7 +30,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     let set = model.set_values(&settings)?;
     let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.complaint(model))?;
     let plan = MotionPlan {
-        drive: model.cycle.drive,
+        span: model.cycle.span,
         positions: POSITIONS,
         scatter: scatter(&file),
         overrides: overrides(&settings),

@@ -9,6 +9,7 @@ impl Problem for AccuracyError {
         match self {
             Self::Sample(error) => error.code(),
             Self::Quantity(error) => error.code(),
+            Self::NotDriven => Code::TooFewDrives,
             Self::StandsStill { .. } => Code::DriveStandsStill,
             Self::TooFewPositions { .. } => Code::BadCount,
             Self::BadStandardDeviation { .. } => Code::BadDistribution,
@@ -21,6 +22,7 @@ impl Problem for AccuracyError {
         match self {
             Self::Sample(error) => error.hint(),
             Self::Quantity(error) => error.hint(),
+            Self::NotDriven => Some("use loosepin simulate: it follows the forces in time".to_owned()),
             Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } => None,
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
@@ -36,6 +38,7 @@ impl AccuracyError {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::Quantity(error) => Complaint::error(error, model.place(error.path())),
+            Self::NotDriven => Complaint::error(self, model.place("initial")),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
             Self::BadStandardDeviation { path, .. } => Complaint::error(self, model.place(path)),
             Self::CannotCloseWithPlay { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),

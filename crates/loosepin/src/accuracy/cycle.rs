@@ -3,6 +3,7 @@
 use super::record::SingularPosition;
 use super::transmission::{Transmission, is_positive};
 use crate::mechanism::{IdealMotion, Mechanism, SampleError};
+use crate::model::CycleInput;
 use crate::simulate::maximum_within;
 
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more
@@ -24,30 +25,10 @@ pub struct Cycle<'a> {
     singular: Vec<(f64, String)>,
 }
 
-/// Angle of the input drive: `start_rad + speed_rad_s · t`.
-#[derive(Debug, Clone, Copy)]
-pub struct Input {
-    /// At time zero.
-    pub start_rad: f64,
-    /// Its constant speed, not zero.
-    pub speed_rad_s: f64,
-}
-
-impl Input {
-    /// The angle at `time_s`, rad.
-    pub fn angle_rad(&self, time_s: f64) -> f64 {
-        self.start_rad + self.speed_rad_s * time_s
-    }
-    /// Duration of a turn, s.
-    pub fn turn_s(&self) -> f64 {
-        std::f64::consts::TAU / self.speed_rad_s.abs()
-    }
-}
-
 impl<'a> Cycle<'a> {
     /// Walks `positions` steps of one turn from `start`. A mechanism that cannot go through the turn is followed as far as
     /// it goes forwards, and from the start backwards.
-    pub fn walk(mechanism: &Mechanism, start: IdealMotion<'a>, input: Input, positions: usize) -> Self {
+    pub fn walk(mechanism: &Mechanism, start: IdealMotion<'a>, input: &CycleInput, positions: usize) -> Self {
         let turn_s = input.turn_s();
         let at = |step: i64| turn_s * step as f64 / positions as f64;
         let steps = positions as i64;
@@ -66,7 +47,7 @@ impl<'a> Cycle<'a> {
     }
 
     /// The singular positions in the order of the drive's angle.
-    pub fn singular_positions(&self, input: Input) -> Vec<SingularPosition> {
+    pub fn singular_positions(&self, input: &CycleInput) -> Vec<SingularPosition> {
         let mut found: Vec<SingularPosition> = self
             .singular
             .iter()
@@ -80,7 +61,7 @@ impl<'a> Cycle<'a> {
 /// What is noted on the way.
 struct Walk<'m> {
     mechanism: &'m Mechanism,
-    input: Input,
+    input: &'m CycleInput,
     singular: Vec<(f64, String)>,
 }
 

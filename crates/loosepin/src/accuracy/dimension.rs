@@ -26,7 +26,7 @@ impl DimensionDirection {
         use crate::model::JointKind;
         let model = &mechanism.model;
         let points = model.bodies.iter().flat_map(|body| body.points.iter().flat_map(|point| point.position_m));
-        let drives = model.drives.iter().flat_map(|drive| [drive.start, drive.speed]);
+        let drives = model.drives.iter().flat_map(|drive| drive.law.quantities());
         let angles = model.joints.iter().flat_map(|joint| match joint.kind {
             JointKind::Revolute { .. } => Vec::new(),
             JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => vec![guide_angle_rad, slider_angle_rad],

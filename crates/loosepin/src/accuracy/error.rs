@@ -14,6 +14,9 @@ pub enum AccuracyError {
     /// A quantity cannot be varied.
     #[error(transparent)]
     Quantity(#[from] QuantityError),
+    /// Forces move the mechanism, not drives alone.
+    #[error("the drives do not move the mechanism alone: without its forces it has no ideal motion")]
+    NotDriven,
     /// The drive whose angle is the input does not turn.
     #[error("drive '{drive}' stands still: it goes through no cycle")]
     StandsStill {

@@ -1,6 +1,6 @@
 //! The ideal motion over one cycle with the quasi-static answer: what `loosepin motion` shows.
 
-use super::cycle::{Cycle, Input};
+use super::cycle::Cycle;
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
@@ -9,7 +9,7 @@ use super::record::{ClearanceAnswer, DimensionContributor, JointContributor, Mot
 use super::sensitivity::{dimension_derivatives, eccentricity_gradients};
 use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
 use crate::mechanism::{IdealMotion, Mechanism, Sample, point_m};
-use crate::model::{DriveId, QuantityId, Values};
+use crate::model::{CycleSpan, QuantityId, Values};
 use crate::simulate::record::Override;
 use crate::simulate::{add_pose, skeleton};
 use crate::units::DisplayUnits;
@@ -20,8 +20,8 @@ const LEAST_POSITIONS: usize = 12;
 /// What is computed.
 #[derive(Debug, Clone)]
 pub struct MotionPlan {
-    /// The drive whose angle is the input and which turns once.
-    pub drive: DriveId,
+    /// What is counted as the one turn that is walked through.
+    pub span: CycleSpan,
     /// Steps of the cycle, at least 12; the record has one position more where the mechanism can turn fully.
     pub positions: usize,
     /// Dimensions that scatter, independent of each other; empty without a study.
@@ -49,10 +49,12 @@ pub struct Scatter {
 /// An impossible sample, loops that do not close at the start, a drive that stands still, too few positions, a standard
 /// deviation or a quantity that cannot be used.
 pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Result<MotionRecord, AccuracyError> {
-    let drive = &mechanism.model.drives[plan.drive.0];
-    let input = Input { start_rad: values[drive.start], speed_rad_s: values[drive.speed] };
+    if !mechanism.is_driven() {
+        return Err(AccuracyError::NotDriven);
+    }
+    let input = mechanism.model.input(plan.span, values);
     if input.speed_rad_s == 0.0 {
-        return Err(AccuracyError::StandsStill { drive: drive.name.clone() });
+        return Err(AccuracyError::StandsStill { drive: input.name });
     }
     if plan.positions < LEAST_POSITIONS {
         return Err(AccuracyError::TooFewPositions { positions: plan.positions, least: LEAST_POSITIONS });
@@ -60,7 +62,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     let directions = directions(mechanism, values, &plan.scatter)?;
     let sample = Sample::new(mechanism, values)?;
     let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
-    let mut cycle = Cycle::walk(mechanism, start, input, plan.positions);
+    let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions);
     if input.speed_rad_s < 0.0 {
         // The record is in the order of the angle, not of time.
         cycle.states.reverse();
@@ -81,10 +83,10 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
         model: mechanism.model.name.clone(),
         version: crate::VERSION.to_owned(),
         overrides: plan.overrides.clone(),
-        drive: drive.name.clone(),
-        drive_speed_rad_s: Some(input.speed_rad_s),
+        drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
         mobility: mobility_words(mechanism),
-        singular_positions: cycle.singular_positions(input),
+        singular_positions: cycle.singular_positions(&input),
+        drive: input.name,
         display_units: DisplayUnits::default(),
         drive_angle_rad,
         outputs: recorder.outputs,
@@ -121,7 +123,7 @@ struct Recorder<'a> {
     loops: DisplacedLoops<'a>,
     readings: Vec<PositionReading>,
     clearances_m: Vec<f64>,
-    input: DriveId,
+    input: CycleSpan,
     directions: &'a [(Scatter, DimensionDirection)],
     outputs: Vec<OutputMotion>,
 }
@@ -167,7 +169,7 @@ impl<'a> Recorder<'a> {
             loops: DisplacedLoops::new(mechanism, values),
             readings: outputs.iter().map(|output| output.reading).collect(),
             clearances_m,
-            input: plan.drive,
+            input: plan.span,
             directions,
             outputs: motions.collect(),
         }

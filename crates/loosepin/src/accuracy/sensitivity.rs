@@ -5,8 +5,8 @@ use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::position::PositionReading;
 use crate::math::{Dual, Vec2};
-use crate::mechanism::{Geometry, Mechanism, numbered_point_m};
-use crate::model::{DriveId, Values};
+use crate::mechanism::{DriveMotion, Geometry, Mechanism, numbered_point_m, room};
+use crate::model::{CycleSpan, DriveId, Values};
 
 /// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`:
 /// m/m or rad/m. e_k is the journal's place minus the bearing's, in the ground's frame.
@@ -29,8 +29,8 @@ pub fn eccentricity_gradients(
     Ok(gradients)
 }
 
-/// d(output)/d(quantity) for each output, at the present position of `loops`, which is reached at `time_s`. The angle of
-/// the drive `input` is held; other drives follow at the time at which it has that angle.
+/// d(output)/d(quantity) for each output, at the present position of `loops`, which is reached at `time_s`. The input of a
+/// cycle that counts by `span` is held; drives follow at the time at which it is the same.
 ///
 /// # Errors
 /// The position is singular.
@@ -39,26 +39,34 @@ pub fn dimension_derivatives(
     mechanism: &Mechanism,
     values: &Values,
     direction: &DimensionDirection,
-    input: DriveId,
+    span: CycleSpan,
     time_s: f64,
     readings: &[PositionReading],
 ) -> Result<Vec<f64>, AccuracyError> {
     let (model, tree) = (&mechanism.model, &mechanism.ideal);
     let number = |id| Dual { value: values[id], derivative: direction.derivatives[id] };
     let geometry = Geometry::from_numbers(model, tree, &number);
-    let change = |id| direction.derivatives[id];
-    // The input's angle start + speed·t is held: dt = -(d start + t d speed)/speed.
-    let held = &model.drives[input.0];
-    let delay_s = -(change(held.start) + time_s * change(held.speed)) / values[held.speed];
+    let mut room = vec![Dual::constant(Dual::constant(Dual::constant(0.0))); room(model)];
+    let mut motion = |drive: DriveId| {
+        let law = &model.drives[drive.0].law;
+        let [position, velocity, _] = DriveMotion::new(law, &number, time_s).at(law, Dual::constant(time_s), &mut room);
+        [position.derivative, velocity.value]
+    };
+    // What the time must change by to hold the input: an angle of a drive, or a share of the period.
+    let delay_s = match (span, model.period_s(span, &number)) {
+        (CycleSpan::Turns(held), _) => {
+            let [change, velocity] = motion(held);
+            -change / velocity
+        }
+        (_, Some(period_s)) => time_s * period_s.derivative / period_s.value,
+        (_, None) => 0.0,
+    };
     let driven: Vec<f64> = tree
         .drives
         .iter()
-        .map(|&id| {
-            if id == input {
-                return 0.0;
-            }
-            let drive = &model.drives[id.0];
-            change(drive.start) + time_s * change(drive.speed) + values[drive.speed] * delay_s
+        .map(|&drive| {
+            let [change, velocity] = motion(drive);
+            if span == CycleSpan::Turns(drive) { 0.0 } else { change + velocity * delay_s }
         })
         .collect();
     loops.derivatives(&geometry, &driven, readings, &|point| numbered_point_m(model, &number, point))

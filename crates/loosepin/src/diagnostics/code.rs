@@ -273,6 +273,11 @@ centres cannot be driven through a full turn."
 centre that is driven from the wrong side, or where links lie in one line. Forces are unbounded there and nothing can be \
 computed. Start a few degrees away, or drive another joint."
 
+    StartNotPossible "E0706" "the initial state does not fit the mechanism"
+"A mechanism that its drives do not move alone needs its state at time zero under [initial]: as many angles or positions as \
+it has freedoms that no drive moves, and as many rates (none at all for a mechanism without drives means at rest). What is \
+given beyond that must agree with the links. Everything else follows from the joints."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 

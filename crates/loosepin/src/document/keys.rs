@@ -58,6 +58,13 @@ pub enum Kind {
         /// The choices with their keys.
         variants: &'static [(&'static str, &'static Keys)],
     },
+    /// A table whose keys depend on the choice behind `tag`.
+    Tagged {
+        /// The key that chooses.
+        tag: &'static str,
+        /// The choices with their keys.
+        variants: &'static [(&'static str, &'static Keys)],
+    },
     /// Values under names of the person's choosing.
     Values(&'static Kind),
     /// A list.

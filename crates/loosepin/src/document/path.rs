@@ -34,6 +34,10 @@ const NAMED: [&str; 9] = ["body", "contact", "joint", "spring", "load", "drive",
 fn describe(keys: &[&str]) -> String {
     match keys {
         [] => String::new(),
+        ["initial", kind @ ("body" | "joint"), name] => format!("initial: {kind} '{name}'"),
+        ["initial", kind @ ("body" | "joint"), name, rest @ ..] => {
+            format!("initial: {kind} '{name}': {}", plain_words(rest))
+        }
         ["assembly", "guess", body] => format!("assembly: guess of '{body}'"),
         ["parameter", name] => format!("parameter '{name}'"),
         [kind, name] if NAMED.contains(kind) => format!("{kind} '{name}'"),

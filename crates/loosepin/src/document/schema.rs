@@ -71,6 +71,10 @@ fn kind(due: &Kind) -> Value {
             let tables: Vec<Value> = variants.iter().map(|(_, keys)| Value::Object(table(keys))).collect();
             json!({ "type": "object", "additionalProperties": { "type": "object", "required": [tag], "oneOf": tables } })
         }
+        Kind::Tagged { tag, variants } => {
+            let tables: Vec<Value> = variants.iter().map(|(_, keys)| Value::Object(table(keys))).collect();
+            json!({ "type": "object", "required": [tag], "oneOf": tables })
+        }
         Kind::Values(each) => json!({ "type": "object", "additionalProperties": kind(each) }),
         Kind::List(each) => json!({ "type": "array", "items": kind(each) }),
         Kind::AnyOf(kinds) => json!({ "anyOf": kinds.iter().map(kind).collect::<Vec<_>>() }),

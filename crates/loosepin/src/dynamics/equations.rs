@@ -3,9 +3,9 @@
 use super::load::LoadForce;
 use super::play::{PlayForce, PlayMotion, PlayUnknowns};
 use crate::contact::PlayState;
-use crate::math::{GramSystem, Real, Vec2, factor_ldl, solve_ldl};
+use crate::math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
-    Kinematics, Mechanism, Sample, Twist, acceleration_at, constraints, moved, points_of, turned_by,
+    Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room, turned_by,
 };
 use crate::model::Course;
 
@@ -50,6 +50,8 @@ pub struct Dynamics<'a, T> {
     pub(super) loads_w: T,
     /// Room for the functions of loads.
     pub(super) function_room: Vec<T>,
+    /// Room for the functions of drives.
+    drive_room: Vec<TimeDual<T>>,
     /// Time of the last state, s.
     pub(super) time_s: T,
     /// Free accelerations q̈.
@@ -119,6 +121,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             loads,
             loads_w: T::zero(),
             function_room: vec![T::zero(); function_steps],
+            drive_room: vec![Dual::constant(Dual::constant(T::zero())); room(&mechanism.model)],
             time_s: T::zero(),
             accelerations: vec![T::zero(); n],
             multipliers: vec![T::zero(); rows],
@@ -149,9 +152,8 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
         self.rates[..n].copy_from_slice(&free_rates[..n]);
         for (k, drive) in tree.drives.iter().enumerate() {
-            let motion = &self.sample.drives[drive.0];
-            self.coordinates[n + k] = motion.start + motion.speed * time_s;
-            self.rates[n + k] = motion.speed;
+            let motion = self.sample.drives.motion(&self.mechanism.model, *drive, time_s, &mut self.drive_room);
+            [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
         }
         self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);
         self.kinematics.set_velocities(tree, &self.rates);
@@ -360,6 +362,11 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// The numbers of the mechanism, to put another sample in place. The next evaluation uses them.
     pub fn sample_mut(&mut self) -> &mut Sample<T> {
         &mut self.sample
+    }
+    /// Free coordinates and rates at the last state that was set.
+    pub fn free_state(&self) -> (&[T], &[T]) {
+        let n = self.mechanism.real.free;
+        (&self.coordinates[..n], &self.rates[..n])
     }
     /// Free accelerations q̈ at the last evaluation.
     pub fn accelerations(&self) -> &[T] {

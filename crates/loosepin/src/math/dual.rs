@@ -16,10 +16,12 @@ pub struct Dual<T> {
 
 impl<T: Real> Dual<T> {
     /// A number that does not move.
+    #[inline(always)]
     pub fn constant(value: T) -> Self {
         Self { value, derivative: T::zero() }
     }
     /// The number with respect to which one differentiates.
+    #[inline(always)]
     pub fn variable(value: T) -> Self {
         Self { value, derivative: T::one() }
     }

@@ -8,6 +8,7 @@ mod hermite;
 mod lanes;
 mod linear;
 mod real;
+mod spline;
 mod vector;
 
 pub use angle::sin_cos;
@@ -18,4 +19,5 @@ pub use hermite::Quintic;
 pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};
 pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
 pub use real::Real;
+pub use spline::{clamped_spline, cubic_piece, periodic_spline};
 pub use vector::Vec2;

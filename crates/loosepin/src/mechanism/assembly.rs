@@ -1,13 +1,14 @@
 //! Closing the loops for the first time: from hints to a configuration.
 
-use super::constraints;
+use super::drive::Drives;
 use super::error::MechanismError;
 use super::geometry::{CutGeometry, Geometry};
 use super::ideal::worst_joint;
+use super::initial::StartEquations;
 use super::kinematics::{Kinematics, Pose};
 use super::tree::{Attachment, Cut, CutKind, Tree};
 use crate::math::{factor_ldl, solve_ldl};
-use crate::model::{Model, Values};
+use crate::model::Values;
 
 /// Starting points tried: the hinted one, then others spread over the circle.
 const STARTS: usize = 48;
@@ -32,28 +33,27 @@ pub struct Assembly {
 ///
 /// # Errors
 /// [`MechanismError::CannotClose`] with the best that was found.
-pub fn assemble(
-    model: &Model,
-    tree: &Tree,
-    geometry: &Geometry<f64>,
-    values: &Values,
-    size_m: f64,
-) -> Result<Assembly, MechanismError> {
+pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) -> Result<Assembly, MechanismError> {
+    let StartEquations { model, tree, geometry, .. } = *equations;
+    let drives = Drives::new(model, values);
     let hints: Vec<(usize, f64)> =
         model.guesses.iter().map(|guess| (tree.slot_of_body[guess.body.0], values[guess.angle_rad])).collect();
     let mut kinematics = Kinematics::new(tree);
     let mut found: Vec<Configuration> = Vec::new();
     let mut best_open: Option<(f64, Vec<f64>)> = None;
     for start in 0..STARTS {
-        let mut z = starting_point(model, tree, values, &hints, size_m, start);
-        let worst = close(tree, geometry, &mut kinematics, &mut z, size_m);
+        let mut z = starting_point(equations, &drives, &hints, size_m, start);
+        let worst = close(equations, &mut kinematics, &mut z, size_m);
         if !(worst <= CLOSED * size_m) || !all_face_the_right_way(tree, geometry, &kinematics) {
             if best_open.as_ref().is_none_or(|(gap, _)| worst < *gap) {
                 best_open = Some((worst, z));
             }
             continue;
         }
-        unwind(tree, geometry, &mut kinematics, &hints, &mut z);
+        // Given angles have their turns already.
+        if model.initial.is_empty() {
+            unwind(tree, geometry, &mut kinematics, &hints, &mut z);
+        }
         let poses = kinematics.poses.clone();
         let is_known = found.iter().any(|known| known.is_the_same(&poses, size_m));
         if !is_known {
@@ -61,7 +61,7 @@ pub fn assemble(
             let distance = hints.iter().map(|&(slot, hint)| 1.0 - (poses[slot].angle_rad - hint).cos()).sum();
             found.push(Configuration { distance, coordinates: z, poses });
         }
-        if tree.cuts.is_empty() {
+        if tree.cuts.is_empty() && model.initial.is_empty() {
             break;
         }
     }
@@ -75,10 +75,17 @@ pub fn assemble(
         None => {
             let z = best_open.map(|(_, z)| z).unwrap_or_default();
             kinematics.set_positions(tree, geometry, &z);
-            let mut residuals = vec![0.0; tree.constraint_rows()];
-            constraints::residuals(tree, geometry, &kinematics, &mut residuals);
-            let (joint, gap_m) = worst_joint(model, tree, &residuals);
-            Err(MechanismError::CannotClose { joint, gap_m })
+            let mut residuals = vec![0.0; equations.rows()];
+            equations.residuals(&kinematics, &mut residuals);
+            if let Some(error) = equations.contradiction(&residuals) {
+                return Err(error);
+            }
+            let (joint, gap_m) = worst_joint(model, tree, &residuals[..tree.constraint_rows()]);
+            Err(if model.initial.is_empty() {
+                MechanismError::CannotClose { joint, gap_m }
+            } else {
+                MechanismError::CannotCloseAsGiven { joint, gap_m }
+            })
         }
     }
 }
@@ -103,16 +110,16 @@ impl Configuration {
 
 /// Hinted bodies start at their hint in every attempt; the others at zero first, then spread.
 fn starting_point(
-    model: &Model,
-    tree: &Tree,
-    values: &Values,
+    equations: &StartEquations<'_>,
+    drives: &Drives<f64>,
     hints: &[(usize, f64)],
     size_m: f64,
     start: usize,
 ) -> Vec<f64> {
+    let StartEquations { model, tree, .. } = *equations;
     let mut z = vec![0.0; tree.coordinates()];
     for (k, drive) in tree.drives.iter().enumerate() {
-        z[tree.free + k] = values[model.drives[drive.0].start];
+        z[tree.free + k] = drives.at(model, *drive, 0.0)[0];
     }
     for (index, link) in tree.links.iter().enumerate() {
         // Multiples of irrational numbers fill the circle evenly, differently for each body.
@@ -131,8 +138,9 @@ fn starting_point(
 }
 
 /// Minimises |Φ|² by Levenberg and Marquardt's method over the free coordinates; gives the largest residual left.
-fn close(tree: &Tree, geometry: &Geometry<f64>, kinematics: &mut Kinematics<f64>, z: &mut [f64], size_m: f64) -> f64 {
-    let (n, rows, columns) = (tree.free, tree.constraint_rows(), tree.coordinates());
+fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &mut [f64], size_m: f64) -> f64 {
+    let StartEquations { tree, geometry, .. } = *equations;
+    let (n, rows, columns) = (tree.free, equations.rows(), tree.coordinates());
     // Lengths are counted in sizes of the mechanism, so that they weigh like angles.
     let mut scale = vec![1.0; n];
     for link in &tree.links {
@@ -147,7 +155,7 @@ fn close(tree: &Tree, geometry: &Geometry<f64>, kinematics: &mut Kinematics<f64>
     let mut damping = 1e-3;
     let evaluate = |kinematics: &mut Kinematics<f64>, z: &[f64], residuals: &mut [f64]| {
         kinematics.set_positions(tree, geometry, z);
-        constraints::residuals(tree, geometry, kinematics, residuals);
+        equations.residuals(kinematics, residuals);
         residuals.iter().map(|r| r * r).sum::<f64>()
     };
     let mut error = evaluate(kinematics, z, &mut residuals);
@@ -155,7 +163,7 @@ fn close(tree: &Tree, geometry: &Geometry<f64>, kinematics: &mut Kinematics<f64>
         if error.sqrt() <= 1e-15 * size_m {
             break;
         }
-        constraints::jacobian(tree, geometry, kinematics, &mut jacobian);
+        equations.jacobian(kinematics, &mut jacobian);
         let mut normal = vec![0.0; n * n];
         let mut step = vec![0.0; n];
         for row in 0..rows {

@@ -2,7 +2,7 @@
 
 use super::error::{MechanismError, SampleError};
 use crate::diagnostics::{Code, Complaint, Place, Problem};
-use crate::model::Model;
+use crate::model::{CycleSpan, Model};
 
 impl Problem for MechanismError {
     fn code(&self) -> Code {
@@ -13,13 +13,27 @@ impl Problem for MechanismError {
             Self::DrivenLoop { .. } => Code::DrivenLoop,
             Self::CannotClose { .. } => Code::CannotClose,
             Self::SingularStart { .. } => Code::SingularPosition,
+            Self::StartNotDetermined { .. }
+            | Self::StartNotNeeded
+            | Self::StartContradicts { .. }
+            | Self::CannotCloseAsGiven { .. } => Code::StartNotPossible,
         }
     }
 
     fn hint(&self) -> Option<String> {
         let hint = match self {
             Self::Quantity(error) => return error.hint(),
-            Self::TooFewDrives { .. } => "add a drive, or a joint that holds what can still move",
+            Self::TooFewDrives { .. } => {
+                "add a drive, or a joint that holds what can still move; what only forces move needs its start under \
+                 [initial]"
+            }
+            Self::StartNotDetermined { is_rate: false, .. } => {
+                "give the angle or position of one of them under [initial]"
+            }
+            Self::StartNotDetermined { .. } => "give the angular velocity or velocity of one of them under [initial]",
+            Self::StartNotNeeded => "remove [initial], or a drive",
+            Self::StartContradicts { .. } => "leave it out: it follows from the others; or change those",
+            Self::CannotCloseAsGiven { .. } => "leave out what follows from the other values under [initial]",
             Self::TooManyDrives { .. } => "remove a drive",
             Self::DrivenLoop { .. } => "remove one of the drives of this loop",
             Self::CannotClose { .. } => {
@@ -40,6 +54,13 @@ impl MechanismError {
             Self::TooFewDrives { undetermined: bodies, .. } | Self::SingularStart { bodies } => {
                 labelled(self, bodies.iter().map(|body| model.place(&format!("body.{body}"))), "this can move too")
             }
+            Self::StartNotDetermined { bodies, .. } => labelled(
+                self,
+                bodies.iter().map(|body| model.place(&format!("body.{body}"))),
+                "this is not determined either",
+            ),
+            Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Complaint::error(self, model.place("initial")),
+            Self::StartContradicts { path, .. } => Complaint::error(self, model.place(path)),
             Self::TooManyDrives { .. } => {
                 // The last drive is as good as any; the others are shown beside it.
                 let drives = model.drives.iter().rev().map(|drive| model.place(&format!("drive.{}", drive.name)));
@@ -65,6 +86,7 @@ impl Problem for SampleError {
             Self::ClearanceChangesTopology { .. } => Code::ClearanceTouchesZero,
             Self::ClearanceOutsideFit { .. } => Code::ClearanceOutsideFit,
             Self::CannotClose { .. } => Code::CannotClose,
+            Self::StartContradicts { .. } => Code::StartNotPossible,
             Self::Singular { .. } => Code::SingularPosition,
         }
     }
@@ -78,6 +100,9 @@ impl Problem for SampleError {
             Self::ClearanceOutsideFit { .. } => Some("take another law for this clearance".to_owned()),
             Self::CannotClose { .. } => {
                 Some("the lengths do not allow the whole turn; check them, or drive another joint".to_owned())
+            }
+            Self::StartContradicts { .. } => {
+                Some("leave it out: it follows from the others; or change those".to_owned())
             }
             Self::Singular { .. } => Some("drive another joint, or stay away from this position".to_owned()),
         }
@@ -93,7 +118,11 @@ impl SampleError {
                 format!("joint.{joint}.radial_clearance")
             }
             Self::CannotClose { joint, .. } => format!("joint.{joint}"),
-            Self::Singular { .. } => format!("drive.{}", model.drives[model.cycle.drive.0].name),
+            Self::StartContradicts { path, .. } => path.clone(),
+            Self::Singular { .. } => match model.cycle.span {
+                CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => format!("drive.{}", model.drives[drive.0].name),
+                CycleSpan::Duration(_) => "cycle".to_owned(),
+            },
         };
         Complaint::error(self, model.place(&path))
     }

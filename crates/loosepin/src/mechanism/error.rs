@@ -1,6 +1,6 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
-use crate::model::QuantityError;
+use crate::model::{QuantityError, describe_path};
 use crate::units::{Dimension, format_value};
 use thiserror::Error;
 
@@ -52,6 +52,48 @@ pub enum MechanismError {
         /// Its gap, m.
         gap_m: f64,
     },
+    /// No configuration closes all loops with the given positions.
+    #[error(
+        "the links cannot close at the start that [initial] gives: joint '{joint}' stays {} open at best",
+        format_value(*gap_m, Dimension::LENGTH)
+    )]
+    CannotCloseAsGiven {
+        /// The joint with the largest gap.
+        joint: String,
+        /// Its gap, m.
+        gap_m: f64,
+    },
+    /// The initial state leaves something open.
+    #[error(
+        "the initial state does not determine {}",
+        if *is_rate { rates_of(bodies) } else { places_of(bodies) }
+    )]
+    StartNotDetermined {
+        /// Whether rates are missing, not positions.
+        is_rate: bool,
+        /// Bodies that can still be placed, or moved, in more than one way.
+        bodies: Vec<String>,
+    },
+    /// The initial state says what the drives say already.
+    #[error("the drives determine the motion; the initial state under [initial] has nothing to say")]
+    StartNotNeeded,
+    /// A given position that the loops and the other given positions do not allow.
+    #[error(
+        "{} cannot be {} at the start; the links and what else is given come no closer than {}",
+        describe_path(path),
+        format_value(*given_si, *dimension),
+        format_value(*found_si, *dimension)
+    )]
+    StartContradicts {
+        /// Path of the value.
+        path: String,
+        /// The value, SI.
+        given_si: f64,
+        /// The nearest one, SI.
+        found_si: f64,
+        /// What it measures.
+        dimension: Dimension,
+    },
     /// The start is a singular position.
     #[error(
         "the mechanism starts in a singular position: {} can move although every drive stands still",
@@ -61,6 +103,20 @@ pub enum MechanismError {
         /// Bodies that can move there.
         bodies: Vec<String>,
     },
+}
+
+/// Where bodies are, in words.
+fn places_of(bodies: &[String]) -> String {
+    if bodies.len() == 1 { format!("where {} is", quoted(bodies)) } else { format!("where {} are", quoted(bodies)) }
+}
+
+/// How fast bodies move, in words.
+fn rates_of(bodies: &[String]) -> String {
+    if bodies.len() == 1 {
+        format!("how fast {} moves", quoted(bodies))
+    } else {
+        format!("how fast {} move", quoted(bodies))
+    }
 }
 
 fn undetermined_words(bodies: &[String]) -> String {
@@ -127,6 +183,23 @@ pub enum SampleError {
         gap_m: f64,
         /// The time, s.
         time_s: f64,
+    },
+    /// A given rate that the drives and the other given rates do not allow.
+    #[error(
+        "{} is {}; the links and what else is given make it {}",
+        describe_path(path),
+        format_value(*given_si, *dimension),
+        format_value(*found_si, *dimension)
+    )]
+    StartContradicts {
+        /// Path of the value.
+        path: String,
+        /// The value, SI.
+        given_si: f64,
+        /// What it would have to be, SI.
+        found_si: f64,
+        /// What it measures.
+        dimension: Dimension,
     },
     /// A singular position is met.
     #[error("singular position at {}: the drives no longer determine the motion", format_value(*time_s, Dimension::TIME))]

@@ -2,13 +2,13 @@
 
 use super::Mechanism;
 use super::constraints;
+use super::drive::{Drives, TimeDual, room};
 use super::error::SampleError;
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, Twist};
 use super::mobility::eliminate_free;
-use super::sample::DriveMotion;
 use super::tree::Tree;
-use crate::math::{Real, solve_square};
+use crate::math::{Dual, Real, solve_square};
 use crate::model::Model;
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
@@ -23,20 +23,23 @@ const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 pub struct IdealMotion<'a> {
     mechanism: &'a Mechanism,
     geometry: Geometry<f64>,
-    drives: Vec<DriveMotion<f64>>,
+    drives: Drives<f64>,
+    /// The time whose pieces of motions are used whatever the time, s.
+    held_s: Option<f64>,
     /// Time of the present state, s.
     time_s: f64,
     /// Coordinates, free ones first.
     coordinates: Vec<f64>,
     rates: Vec<f64>,
     accelerations: Vec<f64>,
-    /// Drives run at constant speed.
     driven_accelerations: Vec<f64>,
     kinematics: Kinematics<f64>,
     residuals: Vec<f64>,
     jacobian: Vec<f64>,
     matrix: Vec<f64>,
     right_hand_side: Vec<f64>,
+    /// Room for the functions of drives.
+    room: Vec<TimeDual<f64>>,
     pivot_ratio: f64,
     /// Constraint rows that are solved. Where joints repeat each other, which rows carry the motion changes along the way.
     rows: Vec<usize>,
@@ -47,17 +50,14 @@ impl<'a> IdealMotion<'a> {
     ///
     /// # Errors
     /// The sample cannot close, or only in a singular position.
-    pub fn new(
-        mechanism: &'a Mechanism,
-        geometry: &Geometry<f64>,
-        drives: &[DriveMotion<f64>],
-    ) -> Result<Self, SampleError> {
+    pub fn new(mechanism: &'a Mechanism, geometry: &Geometry<f64>, drives: &Drives<f64>) -> Result<Self, SampleError> {
         let tree = &mechanism.ideal;
         let (n, rows) = (tree.free, tree.constraint_rows());
         let mut motion = Self {
             mechanism,
             geometry: geometry.clone(),
-            drives: drives.to_vec(),
+            drives: drives.clone(),
+            held_s: None,
             time_s: 0.0,
             coordinates: mechanism.ideal_start.clone(),
             rates: vec![0.0; tree.coordinates()],
@@ -68,6 +68,7 @@ impl<'a> IdealMotion<'a> {
             jacobian: vec![0.0; rows * tree.coordinates()],
             matrix: vec![0.0; n * n],
             right_hand_side: vec![0.0; n],
+            room: vec![Dual::constant(Dual::constant(0.0)); room(&mechanism.model)],
             pivot_ratio: 1.0,
             rows: mechanism.ideal_rows.clone(),
         };
@@ -84,8 +85,8 @@ impl<'a> IdealMotion<'a> {
         /// Largest turn of any body in one prediction, rad.
         const LARGEST_STEP_RAD: f64 = 0.2;
         let fastest = self.kinematics.twists.iter().fold(0.0_f64, |f, twist| f.max(twist.angular.abs()));
-        let driven = self.drives.iter().fold(0.0_f64, |f, drive| f.max(drive.speed.abs() / self.drive_scale()));
         let span = time_s - self.time_s;
+        let driven = self.fastest_drive_1_s(time_s);
         let steps = (span.abs() * fastest.max(driven) / LARGEST_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
         let start_s = self.time_s;
         for step in 1..=steps {
@@ -98,6 +99,33 @@ impl<'a> IdealMotion<'a> {
             self.set_rates_and_accelerations();
         }
         Ok(())
+    }
+
+    /// Uses the pieces that motions have at `time_s` at all times, or those of each time: within a step that ends where two
+    /// pieces meet, its end belongs to the first.
+    pub fn hold_pieces(&mut self, time_s: Option<f64>) {
+        self.held_s = time_s;
+    }
+
+    /// The fastest drive between the present time and `time_s`, 1/s.
+    fn fastest_drive_1_s(&self, time_s: f64) -> f64 {
+        /// Instants at which a drive that does not run at constant speed is looked at.
+        const LOOKS: u32 = 16;
+        let (model, scale) = (&self.mechanism.model, self.drive_scale());
+        let mut fastest = 0.0_f64;
+        for &drive in &self.mechanism.ideal.drives {
+            if let Some(speed) = self.drives.constant_speed(drive) {
+                fastest = fastest.max(speed.abs() / scale);
+                continue;
+            }
+            let mut drives = self.drives.clone();
+            for k in 0..=LOOKS {
+                let at_s = self.time_s + (time_s - self.time_s) * f64::from(k) / f64::from(LOOKS);
+                drives.take_pieces_at(self.held_s.unwrap_or(at_s));
+                fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale);
+            }
+        }
+        fastest
     }
 
     /// The present time, s.
@@ -153,9 +181,10 @@ impl<'a> IdealMotion<'a> {
     fn close_here(&mut self, time_s: f64) -> Result<(), SampleError> {
         let tree = &self.mechanism.ideal;
         let n = tree.free;
+        self.drives.take_pieces_at(self.held_s.unwrap_or(time_s));
         for (k, &drive) in tree.drives.iter().enumerate() {
-            let motion = &self.drives[drive.0];
-            self.coordinates[n + k] = motion.start + motion.speed * time_s;
+            let motion = self.drives.motion(&self.mechanism.model, drive, time_s, &mut self.room);
+            [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
         }
         self.time_s = time_s;
         let mut polished = false;
@@ -207,9 +236,6 @@ impl<'a> IdealMotion<'a> {
     fn set_rates_and_accelerations_here(&mut self) {
         let tree = &self.mechanism.ideal;
         let (n, columns) = (tree.free, tree.coordinates());
-        for (k, &drive) in tree.drives.iter().enumerate() {
-            self.rates[n + k] = self.drives[drive.0].speed;
-        }
         let mut matrix = std::mem::take(&mut self.matrix);
         for (row, &independent) in self.rows.iter().enumerate() {
             self.right_hand_side[row] =

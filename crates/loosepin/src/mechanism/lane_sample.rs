@@ -1,8 +1,9 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
+use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
-use super::sample::{DriveMotion, PlayGeometry, Sample};
+use super::sample::{PlayGeometry, Sample};
 use super::spring::SpringGeometry;
 use crate::contact::{FrictionLaw, NormalContact, NormalLaw};
 use crate::math::{Real, Vec2};
@@ -10,18 +11,14 @@ use crate::math::{Real, Vec2};
 impl<T: Real> Sample<T> {
     /// The same sample in every lane.
     pub fn broadcast(sample: &Sample<f64>) -> Self {
-        let number = T::from_f64;
         Self {
             ideal: geometry(&sample.ideal),
             real: geometry(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
             springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
             loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
-            drives: sample
-                .drives
-                .iter()
-                .map(|drive| DriveMotion { start: number(drive.start), speed: number(drive.speed) })
-                .collect(),
+            drives: Drives::broadcast(&sample.drives),
+            initial: sample.initial.clone(),
         }
     }
 
@@ -65,10 +62,7 @@ impl<T: Real> Sample<T> {
         }
         self.springs.iter_mut().for_each(|spring| spring.visit(visit));
         self.loads.iter_mut().for_each(|load| load.visit(visit));
-        for drive in &mut self.drives {
-            visit(&mut drive.start);
-            visit(&mut drive.speed);
-        }
+        self.drives.visit(visit);
     }
 }
 

@@ -3,6 +3,7 @@
 use super::constraints;
 use super::error::MechanismError;
 use super::geometry::Geometry;
+use super::initial::{StartEquations, conditions};
 use super::kinematics::Kinematics;
 use super::tree::Tree;
 use crate::math::Elimination;
@@ -10,7 +11,7 @@ use crate::model::{BodyId, JointId, Model};
 
 /// Pivots below this share of the largest count as zero. Redundant rows leave round-off (1e-16), real ones of ordinary
 /// mechanisms leave more than 1e-4.
-const RANK_TOLERANCE: f64 = 1e-9;
+pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
 /// What the loop equations say about a mechanism with all clearances at zero.
 #[derive(Debug, Clone)]
@@ -42,12 +43,33 @@ pub fn count(
     }
     let free = eliminate_free(tree, &at_start);
     if free.rank() < tree.free {
-        let bodies = moving_bodies(model, tree, geometry, coordinates, &free);
-        return Err(if degrees_of_freedom > drives {
-            MechanismError::TooFewDrives { mobility: degrees_of_freedom, drives, undetermined: bodies }
-        } else {
-            MechanismError::SingularStart { bodies }
-        });
+        let moving = |elimination: &Elimination| moving_bodies(model, tree, geometry, coordinates, elimination);
+        if degrees_of_freedom <= drives {
+            return Err(MechanismError::SingularStart { bodies: moving(&free) });
+        }
+        if model.initial.is_empty() {
+            let undetermined = moving(&free);
+            return Err(MechanismError::TooFewDrives { mobility: degrees_of_freedom, drives, undetermined });
+        }
+        for is_rate in [false, true] {
+            let mut kinematics = Kinematics::new(tree);
+            kinematics.set_positions(tree, geometry, coordinates);
+            let given = conditions(model, is_rate).count();
+            // What no drive moves and no rate is given for is at rest.
+            if is_rate && given == 0 && drives == 0 {
+                continue;
+            }
+            let mut with_given = at_start.clone();
+            with_given.resize((rows + given) * columns, 0.0);
+            let equations = StartEquations::new(model, tree, geometry, &[]);
+            equations.gradients(&kinematics, is_rate, &mut with_given[rows * columns..]);
+            let start = eliminate(tree, &with_given);
+            if start.rank() < tree.free {
+                return Err(MechanismError::StartNotDetermined { is_rate, bodies: moving(&start) });
+            }
+        }
+    } else if !model.initial.is_empty() {
+        return Err(MechanismError::StartNotNeeded);
     }
     let dependent = free.dependent_rows();
     let mut redundant: Vec<(JointId, usize)> = Vec::new();
@@ -69,7 +91,13 @@ pub fn open_freedoms(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64])
 
 /// Eliminates the part of a Jacobian that belongs to the free coordinates: its rank, and which rows carry it.
 pub(super) fn eliminate_free(tree: &Tree, jacobian: &[f64]) -> Elimination {
-    let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
+    eliminate(tree, &jacobian[..tree.constraint_rows() * tree.coordinates()])
+}
+
+/// The same for any number of rows.
+fn eliminate(tree: &Tree, jacobian: &[f64]) -> Elimination {
+    let columns = tree.coordinates();
+    let rows = jacobian.len() / columns.max(1);
     let free: Vec<f64> =
         (0..rows).flat_map(|row| jacobian[row * columns..row * columns + tree.free].iter().copied()).collect();
     Elimination::new(&free, rows, tree.free, RANK_TOLERANCE)

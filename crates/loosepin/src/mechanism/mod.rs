@@ -6,28 +6,33 @@
 mod assembly;
 mod complaint;
 pub mod constraints;
+mod drive;
 mod error;
 mod geometry;
 mod ideal;
+mod initial;
 mod kinematics;
 mod lane_sample;
 mod load;
 mod mobility;
 mod sample;
 mod spring;
+mod table;
 mod tree;
 
+pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
-pub use sample::{DriveMotion, PlayGeometry, Sample};
+pub use sample::{PlayGeometry, Sample};
 pub use spring::SpringGeometry;
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
 
 use crate::math::Vec2;
 use crate::model::{BodyId, JointId, JointKind, Model, Values};
+use initial::StartEquations;
 use mobility::Mobility;
 
 /// A compiled mechanism: topology and nominal start, no state. Many runs share one.
@@ -75,7 +80,9 @@ impl Mechanism {
         let real = Tree::new(model, |joint| !has_play(joint)).map_err(driven_loop)?;
         let size_m = size_m(model, values);
         let geometry = Geometry::new(model, &ideal, values);
-        let assembly = assembly::assemble(model, &ideal, &geometry, values, size_m)?;
+        let numbers = initial::initial_numbers(model, values);
+        let equations = StartEquations::new(model, &ideal, &geometry, &numbers);
+        let assembly = assembly::assemble(&equations, values, size_m)?;
         let Mobility { degrees_of_freedom, redundant, independent_rows } =
             mobility::count(model, &ideal, &geometry, &assembly.coordinates)?;
         let by_body = |angles: &Vec<f64>| ideal.slot_of_body.iter().map(|&slot| angles[slot]).collect();
@@ -108,9 +115,27 @@ impl Mechanism {
         Self { real: self.ideal.clone(), plays: Vec::new(), dynamic_freedoms: 0, rows_may_repeat, ..self.clone() }
     }
 
-    /// Whether the drives alone determine the motion: no joint has play.
+    /// Whether the drives alone determine the motion: they move every freedom, and no joint has play.
     pub fn is_ideal(&self) -> bool {
-        self.plays.is_empty()
+        self.plays.is_empty() && self.is_driven()
+    }
+
+    /// Whether the drives move every freedom that the mechanism has with all clearances at zero. Otherwise forces do, from
+    /// the initial state that the model gives.
+    pub fn is_driven(&self) -> bool {
+        self.degrees_of_freedom == self.model.drives.len()
+    }
+
+    /// Coordinates and rates of the real tree at time zero: ideal positions and velocities of the sample, journals centred.
+    ///
+    /// # Errors
+    /// The sample cannot close, or does not fit the initial state.
+    pub fn start(&self, sample: &Sample<f64>) -> Result<(Vec<f64>, Vec<f64>), SampleError> {
+        if self.is_driven() {
+            let ideal = IdealMotion::new(self, &sample.ideal, &sample.drives)?;
+            return Ok(self.real_coordinates(ideal.kinematics(), &sample.real));
+        }
+        Ok(self.real_coordinates(&initial::initial_kinematics(self, sample)?, &sample.real))
     }
 
     /// Independent constraint rows of the ideal tree, as many as it has free coordinates.

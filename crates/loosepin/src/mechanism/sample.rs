@@ -1,7 +1,9 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
+use super::drive::Drives;
 use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
+use super::initial::initial_numbers;
 use super::load::LoadGeometry;
 use super::spring::SpringGeometry;
 use super::{Mechanism, tree::points_of};
@@ -11,15 +13,6 @@ use crate::contact::{
 };
 use crate::math::{Real, Vec2};
 use crate::model::{Clearance, Contact, JointId, JointKind, SlidingVelocity, Stiffness, Values};
-
-/// Motion of a driven coordinate: position = start + speed · t, m or rad.
-#[derive(Debug, Clone, Copy)]
-pub struct DriveMotion<T> {
-    /// At time zero.
-    pub start: T,
-    /// Rate, m/s or rad/s.
-    pub speed: T,
-}
 
 /// Numbers of a joint with play.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +53,9 @@ pub struct Sample<T> {
     /// Loads, in the order of the model.
     pub loads: Vec<LoadGeometry<T>>,
     /// Drives, in the order of the model.
-    pub drives: Vec<DriveMotion<T>>,
+    pub drives: Drives<T>,
+    /// The given numbers of the initial state, in the order of the model.
+    pub initial: Vec<f64>,
 }
 
 impl<T: Real> Sample<T> {
@@ -94,14 +89,7 @@ impl<T: Real> Sample<T> {
             }
         }
         let plays = mechanism.plays.iter().filter_map(|&joint| play(mechanism, values, joint)).collect();
-        let drives = model
-            .drives
-            .iter()
-            .map(|drive| DriveMotion {
-                start: T::from_f64(values[drive.start]),
-                speed: T::from_f64(values[drive.speed]),
-            })
-            .collect();
+        let drives = Drives::broadcast(&Drives::new(model, values));
         Ok(Self {
             ideal: Geometry::new(model, &mechanism.ideal, values),
             real: Geometry::new(model, &mechanism.real, values),
@@ -109,6 +97,7 @@ impl<T: Real> Sample<T> {
             springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
             loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
             drives,
+            initial: initial_numbers(model, values),
         })
     }
 }

@@ -4,13 +4,14 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::drive::Drive;
 use super::keys::MODEL_KEYS;
 use super::load::Load;
 use super::parameter::Parameters;
 use super::problem::ModelProblem;
 use super::quantity::{Origin, Quantity, QuantityId, QuantityTable};
 use super::spring::Spring;
-use super::topology::{Body, BodyId, Contact, ContactId, Cycle, Drive, DriveId, Guess, Joint, JointId, Model, PointId};
+use super::topology::{Body, BodyId, Contact, ContactId, DriveId, Guess, Joint, JointId, Model, PointId};
 use crate::diagnostics::{Complaint, Complaints, Source, Span, nearest_name};
 use crate::document::{
     Entry, EntryPath, Reader, Table, Written, json_schema, parse_toml, read_source, source_from_bytes,
@@ -19,13 +20,6 @@ use crate::units::{Dimension, Expression, ExpressionProblem, Rule, parse_express
 
 /// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
 pub(super) const UNREAD: QuantityId = QuantityId(0);
-
-/// Turns run before recording, where the file does not say.
-const TRANSIENT_TURNS: f64 = 2.0;
-/// Turns recorded, where the file does not say.
-const RECORDED_TURNS: f64 = 1.0;
-/// Rows recorded in a turn, where the file does not say.
-const SAMPLES_PER_TURN: usize = 500;
 
 /// The JSON Schema of a model file, for editors.
 pub fn model_schema() -> serde_json::Value {
@@ -134,6 +128,7 @@ impl ModelReader {
             }
         }
         let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
+        let initial = root.get("initial").map(|entry| self.read_initial(&entry)).unwrap_or_default();
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         self.warn_of_unused();
@@ -149,6 +144,7 @@ impl ModelReader {
                 loads: self.loads,
                 drives: self.drives,
                 guesses,
+                initial,
                 cycle,
                 outputs,
                 warnings: self.warnings,
@@ -374,22 +370,5 @@ impl ModelReader {
             }
         }
         guesses
-    }
-
-    fn read_cycle(&mut self, entry: &Entry<'_>) -> Option<Cycle> {
-        let table = self.reader.table(entry, &super::keys::CYCLE_KEYS)?;
-        self.remember(entry);
-        let transient_turns = self.reader.number(&table, "transient_turns").unwrap_or(TRANSIENT_TURNS);
-        let recorded_turns = self.reader.number(&table, "recorded_turns").unwrap_or(RECORDED_TURNS);
-        let samples_per_turn =
-            self.reader.count(&table, "samples_per_turn").map_or(SAMPLES_PER_TURN, |count| count as usize);
-        let entry = table.get("drive")?;
-        let name = self.reader.text(&entry)?;
-        let drive = self.named(&entry, "drive", name, |file| &file.drive_names)?;
-        if !self.turns(self.drives[drive.0].joint) {
-            self.reader.complain(&ModelProblem::CycleNeedsTurns { drive: name.to_owned() }, entry.span);
-            return None;
-        }
-        Some(Cycle { drive, transient_turns, recorded_turns, samples_per_turn })
     }
 }

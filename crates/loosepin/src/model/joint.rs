@@ -1,10 +1,10 @@
-//! Joints and drives.
+//! Joints.
 
 use super::file::ModelReader;
-use super::keys::{DRIVE_KEYS, GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
-use super::problem::{HAS_PLAY, IS_RIGID, ModelProblem};
+use super::keys::{GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
+use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{BodyId, Clearance, Drive, DriveId, Joint, JointId, JointKind, PointId};
+use super::topology::{BodyId, Clearance, Joint, JointId, JointKind, PointId};
 use crate::contact::NormalDescription;
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Expression, Rule, run};
@@ -128,65 +128,6 @@ impl ModelReader {
         let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
         let angle_rad = self.quantity(table, "angle");
         Some(JointKind::Rigid { first: first?, second: second?, angle_rad: angle_rad? })
-    }
-
-    /// Reads the table of drives.
-    pub fn read_drives(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a drive") {
-            self.remember(&entry);
-            let drive = self.reader.table(&entry, &DRIVE_KEYS).and_then(|table| self.drive(&entry, &table));
-            let id = drive.map(|drive| {
-                self.drives.push(drive);
-                DriveId(self.drives.len() - 1)
-            });
-            self.drive_names.push((entry.name.to_owned(), id));
-        }
-    }
-
-    fn drive(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Drive> {
-        let joint_entry = table.get("joint")?;
-        let joint_name = self.reader.text(&joint_entry)?.to_owned();
-        let joint = self.named(&joint_entry, "joint", &joint_name, |file| &file.joint_names)?;
-        let words = entry.path.describe();
-        if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
-            let other = other.name.clone();
-            let problem = ModelProblem::DrivenTwice { entry: words, joint: joint_name, other };
-            self.reader.complain(&problem, joint_entry.span);
-            return None;
-        }
-        let (kind, speed_dimension, start_key, other_key) = match &self.joints[joint.0].kind {
-            JointKind::Revolute { clearance, .. } => {
-                let is_ideal = clearance.as_ref().is_none_or(|clearance| {
-                    self.quantities[clearance.radial_clearance_m].is_settable()
-                        && self.quantities.nominal_value(clearance.radial_clearance_m) == 0.0
-                });
-                if !is_ideal {
-                    let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why: HAS_PLAY };
-                    self.reader.complain(&problem, joint_entry.span);
-                    return None;
-                }
-                ("revolute", Dimension::ANGULAR_VELOCITY, "start_angle", "start_position")
-            }
-            JointKind::Prismatic { .. } => ("prismatic", Dimension::VELOCITY, "start_position", "start_angle"),
-            JointKind::Rigid { .. } => {
-                let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why: IS_RIGID };
-                self.reader.complain(&problem, joint_entry.span);
-                return None;
-            }
-        };
-        let speed = table.get("speed").and_then(|entry| self.quantity_of(&entry, speed_dimension, Rule::Finite));
-        if let Some(found) = table.get(other_key) {
-            let problem =
-                ModelProblem::WrongStart { entry: words, found: other_key, due: start_key, kind, joint: joint_name };
-            self.reader.complain(&problem, found.key_span);
-        }
-        let start = self.quantity(table, start_key);
-        Some(Drive { name: entry.name.to_owned(), joint, speed: speed?, start: start? })
-    }
-
-    /// Whether a joint has an angle, whose turns can be counted.
-    pub fn turns(&self, joint: JointId) -> bool {
-        matches!(self.joints[joint.0].kind, JointKind::Revolute { .. })
     }
 }
 

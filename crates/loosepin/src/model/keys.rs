@@ -1,5 +1,6 @@
 //! The keys of a model file.
 
+use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
 use crate::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
@@ -264,32 +265,6 @@ pub(super) static RIGID_KEYS: Keys = Keys::new(
 pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
     &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("rigid", &RIGID_KEYS)];
 
-pub(super) static DRIVE_KEYS: Keys = Keys::new(
-    "a joint moved at constant speed",
-    &[
-        required("joint", Kind::Reference("joint"), "\"main\"", "an ideal revolute or a prismatic joint"),
-        required(
-            "speed",
-            Kind::AnyOf(&[quantity(D::ANGULAR_VELOCITY, Rule::Finite), quantity(D::VELOCITY, Rule::Finite)]),
-            "\"5000 rpm\"",
-            "speed of the journal's body against the bearing's, or of the slider along the guide",
-        ),
-        optional(
-            "start_angle",
-            quantity(D::ANGLE, Rule::Finite),
-            "\"0 deg\"",
-            "angle of the journal's body from the bearing's at time zero",
-        ),
-        optional(
-            "start_position",
-            quantity(D::LENGTH, Rule::Finite),
-            "\"0 mm\"",
-            "position of the slider along the guide at time zero",
-        ),
-    ],
-)
-.with_exactly_one(&[&["start_angle", "start_position"]]);
-
 pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
     "how loops close that can close in two ways",
     &[required(
@@ -318,10 +293,65 @@ pub(crate) const CYCLE_NUMBERS: [Key; 3] = [
 pub(super) static CYCLE_KEYS: Keys = Keys::new(
     "what is run and recorded; every number can be overridden",
     &[
-        required("drive", Kind::Reference("drive"), "\"crank\"", "the revolute drive whose turns are counted"),
+        optional(
+            "drive",
+            Kind::Reference("drive"),
+            "\"crank\"",
+            "the drive whose turns (constant speed) or periods (any other motion) are counted",
+        ),
+        optional(
+            "duration",
+            quantity(D::TIME, Rule::Positive),
+            "\"0.2 s\"",
+            "the time that counts as a turn, in place of a drive; transient_turns is then 0 if left out",
+        ),
         CYCLE_NUMBERS[0],
         CYCLE_NUMBERS[1],
         CYCLE_NUMBERS[2],
+    ],
+)
+.with_exactly_one(&[&["drive", "duration"]]);
+
+pub(super) static INITIAL_BODY_KEYS: Keys = Keys::new(
+    "where a body is at time zero and how it moves, seen from the ground",
+    &[
+        optional("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "angle of its x axis"),
+        optional("angular_velocity", quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"", "rate of that"),
+        optional("position", Kind::Vector, "[\"10 mm\", \"0 mm\"]", "origin of its frame"),
+        optional("velocity", Kind::Vector, "[\"1 m/s\", \"0 m/s\"]", "velocity of that origin"),
+    ],
+);
+
+pub(super) static INITIAL_JOINT_KEYS: Keys = Keys::new(
+    "where a joint is at time zero and how it moves",
+    &[
+        optional(
+            "angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"30 deg\"",
+            "angle of the journal's body from the bearing's",
+        ),
+        optional("angular_velocity", quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"", "rate of that"),
+        optional("position", quantity(D::LENGTH, Rule::Finite), "\"5 mm\"", "position of the slider along the guide"),
+        optional("velocity", quantity(D::VELOCITY, Rule::Finite), "\"1 m/s\"", "rate of that"),
+    ],
+);
+
+pub(super) static INITIAL_KEYS: Keys = Keys::new(
+    "the state at time zero of a mechanism that its drives do not move alone",
+    &[
+        optional(
+            "body",
+            Kind::Tables { keys: &INITIAL_BODY_KEYS, except: &[] },
+            "",
+            "bodies, each under [initial.body.NAME]",
+        ),
+        optional(
+            "joint",
+            Kind::Tables { keys: &INITIAL_JOINT_KEYS, except: &[] },
+            "",
+            "joints, each under [initial.joint.NAME]",
+        ),
     ],
 );
 
@@ -391,7 +421,8 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
             "",
             "forces and torques from outside, each under [load.NAME]",
         ),
-        required("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),
         optional("output", Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "", "the outputs, in their order"),

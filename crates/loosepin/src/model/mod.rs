@@ -5,8 +5,12 @@
 
 mod body;
 mod contact;
+mod cycle;
+mod drive;
+mod drive_keys;
 mod file;
 mod function;
+mod initial;
 mod joint;
 mod keys;
 mod load;
@@ -21,9 +25,13 @@ mod spring;
 mod spring_keys;
 mod topology;
 
+pub(crate) use crate::document::describe_path;
 pub use crate::units::Rule;
+pub use cycle::{Cycle, CycleInput, CycleSpan};
+pub use drive::{Drive, DriveLaw};
 pub use file::model_schema;
 pub use function::Function;
+pub use initial::{InitialOf, InitialValue};
 pub(crate) use keys::CYCLE_NUMBERS;
 pub use load::{Course, Load, LoadKind};
 pub use problem::ModelProblem;
@@ -32,6 +40,6 @@ pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use spring::{Spring, SpringKind};
 pub use topology::{
-    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, Guess, Joint,
-    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, Joint, JointId, JointKind,
+    Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
 };

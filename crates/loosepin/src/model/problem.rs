@@ -194,6 +194,33 @@ pub enum ModelProblem {
         /// The drive.
         drive: String,
     },
+    /// A cycle over a motion that does not repeat itself.
+    #[error("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to count")]
+    CycleNeedsPeriod {
+        /// The drive.
+        drive: String,
+        /// The kind of its motion.
+        kind: &'static str,
+    },
+    /// A list that is too short.
+    #[error("{entry} has too few entries; must be at least {least}")]
+    TooFewPoints {
+        /// The list.
+        entry: String,
+        /// The least.
+        least: usize,
+    },
+    /// An initial state of the ground.
+    #[error("initial: the ground does not move; it has no initial state")]
+    InitialOfGround,
+    /// A coordinate that a joint does not have.
+    #[error("{entry}: '{key}' does not fit this kind of joint")]
+    WrongCoordinate {
+        /// The joint.
+        entry: String,
+        /// The key.
+        key: &'static str,
+    },
     /// A guess for the ground.
     #[error("assembly: the ground does not move; its angle cannot be guessed")]
     GuessOfGround,
@@ -235,9 +262,14 @@ impl Problem for ModelProblem {
             Self::DoesNotTurn { .. } | Self::LoadOnGround { .. } | Self::DoesNotMove { .. } => Code::UnknownReference,
             Self::NameTaken { .. } => Code::BadName,
             Self::InverseFunction { .. } | Self::ExponentOfFunction { .. } => Code::FunctionNotPossible,
-            Self::NotDrivable { .. } | Self::WrongStart { .. } | Self::CycleNeedsTurns { .. } => Code::DriveNotPossible,
+            Self::NotDrivable { .. }
+            | Self::WrongStart { .. }
+            | Self::CycleNeedsTurns { .. }
+            | Self::CycleNeedsPeriod { .. } => Code::DriveNotPossible,
+            Self::TooFewPoints { .. } => Code::BadCount,
+            Self::WrongCoordinate { .. } => Code::ConflictingKeys,
             Self::DrivenTwice { .. } => Code::DrivenTwice,
-            Self::GuessOfGround => Code::UnknownReference,
+            Self::GuessOfGround | Self::InitialOfGround => Code::UnknownReference,
             Self::WrongUnit { .. } => Code::WrongDimension,
             Self::Unused { .. } => Code::Unused,
         }
@@ -283,7 +315,13 @@ impl Problem for ModelProblem {
                 Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
             }
             Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
-            Self::CycleNeedsTurns { .. } => Some("name a drive of a revolute joint".to_owned()),
+            Self::CycleNeedsTurns { .. } => {
+                Some("name a drive of a revolute joint, or give duration in place of drive".to_owned())
+            }
+            Self::CycleNeedsPeriod { .. } => Some("give duration in place of drive".to_owned()),
+            Self::WrongCoordinate { .. } => Some(
+                "a revolute joint has angle and angular_velocity, a prismatic one position and velocity".to_owned(),
+            ),
             Self::Unused { .. } => Some("changing it has no effect on the results".to_owned()),
             _ => None,
         }

@@ -3,6 +3,9 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::cycle::Cycle;
+use super::drive::Drive;
+use super::initial::InitialValue;
 use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
@@ -58,6 +61,8 @@ pub struct Model {
     pub drives: Vec<Drive>,
     /// Hints for the assembly, at the start of the cycle.
     pub guesses: Vec<Guess>,
+    /// The initial state of what the drives do not move alone.
+    pub initial: Vec<InitialValue>,
     /// What is run and recorded.
     pub cycle: Cycle,
     /// Outputs in file order.
@@ -236,19 +241,6 @@ pub enum SlidingVelocity {
     Literal,
 }
 
-/// A prescribed motion at constant speed.
-#[derive(Debug, Clone)]
-pub struct Drive {
-    /// Name in the file.
-    pub name: String,
-    /// The driven joint, ideal revolute or prismatic.
-    pub joint: JointId,
-    /// Speed of the joint coordinate: rad/s (revolute: journal body's angle from the bearing body's) or m/s (prismatic).
-    pub speed: QuantityId,
-    /// Joint coordinate at time zero: rad or m.
-    pub start: QuantityId,
-}
-
 /// A hint for the assembly at the start of the cycle.
 #[derive(Debug, Clone)]
 pub struct Guess {
@@ -256,19 +248,6 @@ pub struct Guess {
     pub body: BodyId,
     /// Angle of its x axis from the ground's, rad.
     pub angle_rad: QuantityId,
-}
-
-/// What `simulate` runs and a study records.
-#[derive(Debug, Clone)]
-pub struct Cycle {
-    /// The drive whose turns are counted (a revolute one: a turn is 2π of its joint coordinate).
-    pub drive: DriveId,
-    /// Turns run before recording, >= 0.
-    pub transient_turns: f64,
-    /// Turns recorded, > 0.
-    pub recorded_turns: f64,
-    /// Rows of the history per recorded turn, >= 1.
-    pub samples_per_turn: usize,
 }
 
 /// An output column of a run.

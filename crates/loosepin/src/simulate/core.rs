@@ -48,6 +48,8 @@ pub struct Core<'a, T> {
     pub growth: T,
     /// Mechanical energy at the start of the run, J.
     energy_at_start_j: T,
+    /// Kinetic energy at the start of the run, J, where it is read.
+    kinetic_at_start_j: T,
     /// Largest residual and largest exchange of the energy account so far, J.
     largest_residual_j: T,
     largest_exchange_j: T,
@@ -68,7 +70,7 @@ impl<'a, T: Lanes> Core<'a, T> {
     ) -> Self {
         let equations = Equations::new(mechanism, sample, arms, readings, level);
         let layout = &equations.motion.layout;
-        let reads = ReadLayout::new(mechanism.plays.len(), readings.len());
+        let reads = ReadLayout::new(mechanism, readings.len());
         Self {
             stepper: Stepper::with_integrals(settings.method, layout.dimension, layout.length() - layout.dimension),
             layout: reads,
@@ -80,6 +82,7 @@ impl<'a, T: Lanes> Core<'a, T> {
             errors: T::zero(),
             growth: T::one(),
             energy_at_start_j: T::zero(),
+            kinetic_at_start_j: T::zero(),
             largest_residual_j: T::zero(),
             largest_exchange_j: T::zero(),
             records: vec![[T::zero(); 2]; mechanism.plays.len()],
@@ -187,6 +190,9 @@ impl<'a, T: Lanes> Core<'a, T> {
     /// Begins the energy account of a lane that was loaded and evaluated.
     pub fn open_account(&mut self, lane: usize) {
         self.energy_at_start_j.set_lane(lane, self.start[ReadLayout::ENERGY].lane(lane));
+        if let Some(place) = self.layout.kinetic() {
+            self.kinetic_at_start_j.set_lane(lane, self.start[place].lane(lane));
+        }
         self.largest_residual_j.set_lane(lane, 0.0);
         self.largest_exchange_j.set_lane(lane, 0.0);
     }
@@ -210,6 +216,9 @@ impl<'a, T: Lanes> Core<'a, T> {
                 let raise = |to: &mut T, value: T| *to = T::select(mask, to.max(value), *to);
                 raise(&mut self.largest_residual_j, residual_j);
                 raise(&mut self.largest_exchange_j, exchange_j);
+                if let Some(place) = self.layout.kinetic() {
+                    raise(&mut self.largest_exchange_j, (self.start[place] - self.kinetic_at_start_j).abs());
+                }
             },
         );
     }

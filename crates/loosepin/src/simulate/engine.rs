@@ -1,11 +1,12 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run, fastest_drive_rad_s};
+use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run};
 use super::column::{Arms, Reading};
 use super::failure::RunFailure;
 use super::gap::GapJet;
 use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
+use super::pace::fastest_drive_rad_s;
 use super::report::{Counters, RunReport};
 use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
@@ -16,7 +17,7 @@ use crate::native::Level;
 /// Runs one sample to the end of `window`, showing every step to `observer`.
 ///
 /// Starts from the ideal positions and velocities of the sample at time zero, journals centred. A mechanism without play
-/// follows its drives exactly: its loops are solved instead of integrated.
+/// whose drives move every freedom follows them exactly: its loops are solved instead of integrated.
 ///
 /// # Errors
 /// The one reason why the run failed.
@@ -116,18 +117,22 @@ fn run_kinematics(
 ) -> Result<RunReport, RunFailure> {
     let mut ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
     let mut motion = Motion::new(mechanism, sample);
-    let turn_s = std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample);
-    let span_s = window.end_s - window.start_s;
-    let steps = (span_s / (LARGEST_STEP_TURNS * turn_s)).ceil().clamp(1.0, 1e9) as u64;
+    let turn_s = std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s);
+    let ends_s = step_ends_s(sample, window, LARGEST_STEP_TURNS * turn_s);
+    let steps = ends_s.len() as u64;
     ideal.move_to(window.start_s)?;
     let mut account = KinematicAccount::is_needed(&motion).then(|| KinematicAccount::new(&mut motion, &ideal));
     let mut failure = None;
     let mut outputs = vec![[[0.0; 3]; 2]; readings.len()];
-    let at = |step: u64| window.start_s + span_s * step as f64 / steps as f64;
-    for step in 0..steps {
-        let (start_s, end_s) = (at(step), if step + 1 == steps { window.end_s } else { at(step + 1) });
+    let (mut start_s, has_pieces) = (window.start_s, sample.drives.has_pieces());
+    for (step, end_s) in ends_s.into_iter().enumerate() {
+        if has_pieces {
+            let middle_s = 0.5 * (start_s + end_s);
+            ideal.hold_pieces(Some(middle_s));
+            motion.dynamics.sample_mut().drives.take_pieces_at(middle_s);
+        }
         for (side, time_s) in [(0, start_s), (1, end_s)] {
-            if readings.is_empty() || (side == 0 && step > 0) {
+            if readings.is_empty() || (side == 0 && step > 0 && !has_pieces) {
                 outputs.iter_mut().for_each(|jets| jets[0] = jets[1]);
                 continue;
             }
@@ -154,7 +159,25 @@ fn run_kinematics(
             Some(account) => account.close_step(&mut motion, &mut ideal, start_s, end_s)?,
             None => ideal.move_to(end_s)?,
         }
+        start_s = end_s;
     }
     let energy = account.map(|account| account.total());
     Ok(RunReport { counters: Counters { steps, ..Counters::default() }, plays: Vec::new(), energy })
+}
+
+/// Ends of equal steps of at most `longest_s` over `window`, from one break of the drives to the next.
+fn step_ends_s(sample: &Sample<f64>, window: &Window, longest_s: f64) -> Vec<f64> {
+    /// Steps between two breaks, at most.
+    const MOST_STEPS: f64 = 1e9;
+    let mut ends_s = Vec::new();
+    let mut start_s = window.start_s;
+    while start_s < window.end_s {
+        let stop_s = sample.drives.next_break_s(start_s).min(window.end_s);
+        let span_s = stop_s - start_s;
+        let steps = (span_s / longest_s).ceil().clamp(1.0, MOST_STEPS) as u64;
+        ends_s.extend((1..steps).map(|step| start_s + span_s * step as f64 / steps as f64));
+        ends_s.push(stop_s);
+        start_s = stop_s;
+    }
+    ends_s
 }

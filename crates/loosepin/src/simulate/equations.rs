@@ -34,7 +34,7 @@ impl<'a, T: Lanes> Equations<'a, T> {
         level: Option<Level>,
     ) -> Self {
         let motion = Motion::new(mechanism, &Sample::broadcast(sample));
-        let layout = ReadLayout::new(mechanism.plays.len(), readings.len());
+        let layout = ReadLayout::new(mechanism, readings.len());
         Self {
             machine: level.and_then(|level| Machine::new(mechanism, sample, arms, readings, level)),
             projection: Projection::<T>::is_needed(mechanism).then(|| Projection::new(mechanism)),

@@ -17,7 +17,7 @@ use super::settings::{Settings, Window};
 use crate::dynamics::Dynamics;
 use crate::math::Vec2;
 use crate::mechanism::{Mechanism, Sample, SampleError, acceleration_at};
-use crate::model::{Cycle, JointKind, Values};
+use crate::model::{Cycle, CycleInput, CycleSpan, JointKind, Values};
 use crate::units::DisplayUnits;
 
 /// What is run and recorded.
@@ -39,24 +39,19 @@ impl Plan {
     /// # Errors
     /// The drive of the cycle stands still.
     pub fn window(&self, mechanism: &Mechanism, values: &Values) -> Result<Window, RunFailure> {
-        let turn_s = turn_s(mechanism, values, &self.cycle)?;
+        let turn_s = input(mechanism, values, self.cycle.span)?.turn_s();
         let start_s = self.cycle.transient_turns * turn_s;
         Ok(Window { start_s, end_s: start_s + self.cycle.recorded_turns * turn_s })
     }
 }
 
-/// Duration of a turn of the cycle's drive, s.
+/// The input of a cycle that counts by `span`, which has turns.
 ///
 /// # Errors
 /// The drive stands still.
-pub fn turn_s(mechanism: &Mechanism, values: &Values, cycle: &Cycle) -> Result<f64, RunFailure> {
-    let drive = &mechanism.model.drives[cycle.drive.0];
-    let speed_rad_s = values[drive.speed].abs();
-    if speed_rad_s > 0.0 {
-        Ok(std::f64::consts::TAU / speed_rad_s)
-    } else {
-        Err(RunFailure::StandsStill { drive: drive.name.clone() })
-    }
+pub fn input(mechanism: &Mechanism, values: &Values, span: CycleSpan) -> Result<CycleInput, RunFailure> {
+    let input = mechanism.model.input(span, values);
+    if input.speed_rad_s.abs() > 0.0 { Ok(input) } else { Err(RunFailure::StandsStill { drive: input.name }) }
 }
 
 /// Rows of a history, at most: a million rows of ten columns are 200 MB of text.
@@ -95,11 +90,14 @@ pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<S
     let window = plan.window(mechanism, values)?;
     let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
-    // A loop that cannot turn fully is better told now than where the dynamics run against it.
-    let turns = (plan.cycle.transient_turns + plan.cycle.recorded_turns).min(1.0);
-    IdealReference::new(&ideal, &ideal_sample)?.at(turns * turn_s(mechanism, values, &plan.cycle)?, false)?;
-    let reference = IdealReference::new(&ideal, &ideal_sample)?;
-    let mut recorder = Recorder::new(mechanism, values, reference, plan, &window);
+    let input = input(mechanism, values, plan.cycle.span)?;
+    if mechanism.is_driven() {
+        // A loop that cannot turn fully is better told now than where the dynamics run against it.
+        let turns = (plan.cycle.transient_turns + plan.cycle.recorded_turns).min(1.0);
+        IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?.at(turns * input.turn_s(), false)?;
+    }
+    let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
+    let mut recorder = Recorder::new(mechanism, values, reference, input, plan, &window);
     let report = run(mechanism, &sample, &window, &plan.settings, &mut recorder)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
@@ -120,8 +118,7 @@ struct Recorder<'a> {
     sample_times_s: Vec<f64>,
     next_sample: usize,
     window: Window,
-    drive_start_rad: f64,
-    drive_speed_rad_s: f64,
+    input: CycleInput,
     /// Values and ideal values by column.
     value_si: Vec<Vec<f64>>,
     ideal_si: Vec<Vec<f64>>,
@@ -147,6 +144,7 @@ impl<'a> Recorder<'a> {
         mechanism: &'a Mechanism,
         values: &'a Values,
         reference: IdealReference<'a>,
+        input: CycleInput,
         plan: &Plan,
         window: &Window,
     ) -> Self {
@@ -155,7 +153,6 @@ impl<'a> Recorder<'a> {
         let span_s = window.end_s - window.start_s;
         let at =
             |row: usize| if row == rows { window.end_s } else { window.start_s + span_s * row as f64 / rows as f64 };
-        let drive = &mechanism.model.drives[plan.cycle.drive.0];
         let plays = mechanism.plays.len();
         let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
         Self {
@@ -167,8 +164,7 @@ impl<'a> Recorder<'a> {
             sample_times_s: (0..=rows).map(at).collect(),
             next_sample: 0,
             window: *window,
-            drive_start_rad: values[drive.start],
-            drive_speed_rad_s: values[drive.speed],
+            input,
             value_si: vec![Vec::with_capacity(rows + 1); columns.len()],
             ideal_si: vec![Vec::with_capacity(rows + 1); columns.len()],
             extremes: vec![[Peak::none(); 2]; 2 * columns.len()],
@@ -199,7 +195,7 @@ impl<'a> Recorder<'a> {
     }
 
     fn drive_angle_rad(&self, time_s: f64) -> f64 {
-        self.drive_start_rad + self.drive_speed_rad_s * time_s
+        self.input.angle_rad(time_s)
     }
 
     /// Values of all columns, then of all deviations, at `time_s` within the step.
@@ -351,14 +347,13 @@ impl<'a> Recorder<'a> {
                 ideal_si: self.ideal_si[k].clone(),
             })
             .collect();
-        let drive = &self.mechanism.model.drives[plan.cycle.drive.0];
         let record = SimulationRecord {
             model: self.mechanism.model.name.clone(),
             version: crate::VERSION.to_owned(),
             overrides: plan.overrides.clone(),
             settings: SimulationSettings {
-                drive: drive.name.clone(),
-                drive_speed_rad_s: Some(self.drive_speed_rad_s),
+                drive: self.input.name.clone(),
+                drive_speed_rad_s: self.input.is_drive.then_some(self.input.speed_rad_s),
                 transient_turns: plan.cycle.transient_turns,
                 recorded_turns: plan.cycle.recorded_turns,
                 samples_per_turn: plan.cycle.samples_per_turn,
@@ -448,6 +443,7 @@ impl<'a> Recorder<'a> {
 
 impl Observer for Recorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
+        self.reference.hold_pieces(0.5 * (step.start_s + step.end_s));
         self.record_samples(step);
         self.note_extremes(step);
         self.note_peak_forces(step);

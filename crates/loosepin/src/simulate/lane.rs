@@ -1,6 +1,7 @@
 //! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
 
 use super::batch::DepthLimit;
+use super::column::Arms;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
 use super::settings::Window;
@@ -23,8 +24,8 @@ pub enum Event {
         /// Sliding velocity at the kink, m/s.
         level_m_s: f64,
     },
-    /// The end of the window, while the time is no longer the variable of integration.
-    End,
+    /// The time at which steps stop, while the time is no longer the variable of integration.
+    Stop,
 }
 
 /// A look for the place of an event: steps are taken again until one ends on it.
@@ -79,8 +80,12 @@ pub struct LaneRun<O> {
     pub last_event: Option<usize>,
     /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
     pub after_event: [f64; 2],
-    /// Whether the step at hand ends the run.
-    pub reaches_end: bool,
+    /// Where its points are in their bodies.
+    pub arms: Arms,
+    /// Steps end here at the latest, s: the end of the window, or where the pieces of a drive's motion meet.
+    pub stop_s: f64,
+    /// Whether the step at hand ends there.
+    pub reaches_stop: bool,
     /// Steps in turn during which time hardly went on.
     pub stalled: u32,
     /// Counts.
@@ -158,13 +163,13 @@ impl<O> LaneRun<O> {
             }
         }
         if step.is_root.contains(&true) {
-            let beyond = |jet: &GapJet| GapJet { jet: [jet.jet[0] - self.window.end_s, jet.jet[1], jet.jet[2]] };
+            let beyond = |jet: &GapJet| GapJet { jet: [jet.jet[0] - self.stop_s, jet.jet[1], jet.jet[2]] };
             let [start, end] = [beyond(&step.time[0]), beyond(&step.time[1])];
             if end.jet[0] > 0.0
                 && let Some(share) = first_crossing(&start, &end, step.step, Crossing::Onset)
                 && earliest.as_ref().is_none_or(|(_, first)| share < *first)
             {
-                earliest = Some((Event::End, share));
+                earliest = Some((Event::Stop, share));
             }
         }
         earliest
@@ -200,7 +205,7 @@ impl<O> LaneRun<O> {
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
         let may_hide = step.gaps.len() > 1
             || self.sample.plays[0].friction.acts()
-            || step.time[1].jet[0] > self.window.end_s
+            || step.time[1].jet[0] > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
         let other = other.filter(|(event, _)| *event != search.event);
@@ -234,9 +239,9 @@ impl<O> LaneRun<O> {
                     let sign = if start < level_m_s { 1.0 } else { -1.0 };
                     (sign * value, sign * slope, self.sample.plays[play].friction.kink_tolerance_m_s())
                 }
-                Event::End => {
+                Event::Stop => {
                     let [time_s, pace, _] = step.time[1].jet;
-                    (time_s - self.window.end_s, pace, 4.0 * f64::EPSILON * self.window.end_s)
+                    (time_s - self.stop_s, pace, 4.0 * f64::EPSILON * self.stop_s)
                 }
             };
             if value.abs() <= tolerance {
@@ -266,10 +271,10 @@ impl<O> LaneRun<O> {
         Decision::Retry(stop)
     }
 
-    /// The next step from the one that the error allows: the end of the window is met exactly, and a last crumb is joined to
-    /// the step before it. `pace` is dt/ds; where that is not one, the end is an event.
+    /// The next step from the one that the error allows: the time at which steps stop is met exactly, and a last crumb is joined
+    /// to the step before it. `pace` is dt/ds; where that is not one, the stop is an event.
     pub fn choose_step(&self, time_s: f64, pace: f64) -> f64 {
-        let left_s = self.window.end_s - time_s;
+        let left_s = self.stop_s - time_s;
         if self.root.is_some() {
             return if pace > 0.0 { self.next.min(self.longest_s / pace) } else { self.next };
         }

@@ -241,7 +241,7 @@ impl Tracing<'_, '_> {
             motion.derivative(Traced::zero(), &state, &mut slope);
             let mut outputs = outputs(SLOPE, &slope);
             if with_reads {
-                let layout = ReadLayout::new(self.mechanism.plays.len(), self.readings.len());
+                let layout = ReadLayout::new(self.mechanism, self.readings.len());
                 let mut reads = vec![Traced::zero(); layout.length()];
                 motion.read(self.readings, &arms, &mut reads);
                 outputs.extend(self::outputs(READS, &reads));

@@ -3,7 +3,7 @@
 use super::column::{Arms, Reading};
 use super::motion::Motion;
 use crate::math::Real;
-use crate::mechanism::acceleration_at;
+use crate::mechanism::{Mechanism, acceleration_at};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.
@@ -11,25 +11,33 @@ use crate::mechanism::acceleration_at;
 pub struct ReadLayout {
     plays: usize,
     outputs: usize,
+    /// Whether the kinetic energy is read as well: forces alone may exchange it with what springs and gravity hold, so that
+    /// their sum tells nothing of how much energy goes to and fro.
+    has_kinetic: bool,
 }
 
 impl ReadLayout {
-    /// For this many joints with play and followed outputs.
-    pub fn new(plays: usize, outputs: usize) -> Self {
-        Self { plays, outputs }
+    /// For the joints with play of `mechanism` and this many followed outputs.
+    pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
+        Self { plays: mechanism.plays.len(), outputs, has_kinetic: !mechanism.is_driven() }
     }
     /// Length of the row.
     pub fn length(&self) -> usize {
-        4 + 4 * self.plays + 3 * self.outputs
+        self.gap(self.plays) + 3 * self.outputs
     }
     /// The time, s.
     pub const TIME: usize = 0;
     /// Mechanical energy, J.
     pub const ENERGY: usize = 3;
+    /// Kinetic energy, J, where it is read.
+    #[inline(always)]
+    pub fn kinetic(&self) -> Option<usize> {
+        self.has_kinetic.then_some(Self::ENERGY + 1)
+    }
     /// For a joint with play g = |e|² - c², m², or the root of the penetration where that is an unknown, √m.
     #[inline(always)]
     pub fn gap(&self, play: usize) -> usize {
-        4 + 4 * play
+        4 + usize::from(self.has_kinetic) + 4 * play
     }
     /// Sliding velocity of a joint with play, m/s; zero where there is no friction.
     #[inline(always)]
@@ -39,7 +47,7 @@ impl ReadLayout {
     /// A followed output.
     #[inline(always)]
     pub fn output(&self, output: usize) -> usize {
-        4 + 4 * self.plays + 3 * output
+        self.gap(self.plays) + 3 * output
     }
 }
 
@@ -47,7 +55,7 @@ impl<T: Real> Motion<'_, T> {
     /// Reads times, gaps, outputs and energy off the state that was evaluated last.
     #[inline(always)]
     pub fn read(&self, readings: &[Reading], arms: &Arms<T>, row: &mut [T]) {
-        let layout = ReadLayout::new(self.states.len(), readings.len());
+        let layout = ReadLayout::new(self.dynamics.mechanism(), readings.len());
         let [pace, change] = self.pace();
         let dynamics = &self.dynamics;
         // d/ds = w d/dt and d²/ds² = w² d²/dt² + w' d/dt.
@@ -56,12 +64,14 @@ impl<T: Real> Motion<'_, T> {
         };
         let (half, two) = (T::from_f64(0.5), T::from_f64(2.0));
         row[..3].copy_from_slice(&[self.time_s, pace, change]);
-        row[ReadLayout::ENERGY] = dynamics
-            .energy_in(
-                #[inline(always)]
-                |play| self.states[play].contact,
-            )
-            .total_j();
+        let energy = dynamics.energy_in(
+            #[inline(always)]
+            |play| self.states[play].contact,
+        );
+        row[ReadLayout::ENERGY] = energy.total_j();
+        if let Some(place) = layout.kinetic() {
+            row[place] = energy.kinetic_j;
+        }
         for play in 0..self.states.len() {
             let (motion, force) = &dynamics.plays()[play];
             let [i, j] = dynamics.play_slots()[play];

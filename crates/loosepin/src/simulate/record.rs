@@ -88,7 +88,7 @@ pub struct Override {
 /// How a run was made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SimulationSettings {
-    /// Name of the drive whose angle is the input.
+    /// Name of the drive whose angle is the input; `cycle` where it is the phase of the cycle.
     pub drive: String,
     /// Speed of the drive where it is constant.
     #[serde(with = "extended")]

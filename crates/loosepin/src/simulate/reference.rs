@@ -1,26 +1,54 @@
 //! The ideal mechanism beside a run: what every deviation is measured against.
 
 use super::column::{Arms, Reading};
+use super::failure::RunFailure;
+use super::free_motion::FreeMotion;
 use super::motion::Motion;
+use super::settings::Settings;
 use crate::dynamics::Dynamics;
 use crate::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
 
 /// The motion of a mechanism with every clearance at zero, to be asked at any time.
+///
+/// Where the drives move every freedom its loops are solved; otherwise it is a dynamic run of its own with the same drives,
+/// forces and initial state.
 pub struct IdealReference<'a> {
-    ideal: IdealMotion<'a>,
+    source: Source<'a>,
     motion: Motion<'a, f64>,
+    held_s: Option<f64>,
+}
+
+/// Where positions and velocities come from.
+enum Source<'a> {
+    Solved(Box<IdealMotion<'a>>),
+    Integrated(FreeMotion),
 }
 
 impl<'a> IdealReference<'a> {
-    /// From [`Mechanism::without_play`] and [`Sample::without_play`].
+    /// From [`Mechanism::without_play`] and [`Sample::without_play`], to be asked up to `end_s`.
     ///
     /// # Errors
-    /// The loops cannot close at time zero.
-    pub fn new(mechanism: &'a Mechanism, sample: &Sample<f64>) -> Result<Self, SampleError> {
-        Ok(Self {
-            ideal: IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?,
-            motion: Motion::new(mechanism, sample),
-        })
+    /// The loops cannot close at time zero; the run of a mechanism that its drives do not move alone failed.
+    pub fn new(
+        mechanism: &'a Mechanism,
+        sample: &Sample<f64>,
+        end_s: f64,
+        settings: &Settings,
+    ) -> Result<Self, RunFailure> {
+        let source = if mechanism.is_driven() {
+            Source::Solved(Box::new(IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?))
+        } else {
+            Source::Integrated(FreeMotion::new(mechanism, sample, end_s, settings)?)
+        };
+        Ok(Self { source, motion: Motion::new(mechanism, sample), held_s: None })
+    }
+
+    /// Uses the pieces that the motions of drives have at `time_s`: see [`IdealMotion::hold_pieces`].
+    pub fn hold_pieces(&mut self, time_s: f64) {
+        self.held_s = Some(time_s);
+        if let Source::Solved(ideal) = &mut self.source {
+            ideal.hold_pieces(self.held_s);
+        }
     }
 
     /// Positions and velocities at `time_s`, and forces and accelerations where asked for.
@@ -28,35 +56,44 @@ impl<'a> IdealReference<'a> {
     /// # Errors
     /// The loops cannot close there.
     pub fn at(&mut self, time_s: f64, with_forces: bool) -> Result<&Dynamics<'a, f64>, SampleError> {
-        if self.ideal.time_s() != time_s {
-            self.ideal.move_to(time_s)?;
-        }
-        let (coordinates, rates) = self.ideal.real_state();
         let n = self.motion.freedoms();
-        if with_forces {
-            let states = &self.motion.states;
-            self.motion.dynamics.evaluate(time_s, &coordinates[..n], &rates[..n], states);
-        } else {
-            self.motion.dynamics.set_state(time_s, &coordinates[..n], &rates[..n]);
+        let dynamics = &mut self.motion.dynamics;
+        dynamics.sample_mut().drives.take_pieces_at(self.held_s.unwrap_or(time_s));
+        let mut set = |coordinates: &[f64], rates: &[f64]| {
+            if with_forces {
+                dynamics.evaluate(time_s, &coordinates[..n], &rates[..n], &self.motion.states);
+            } else {
+                dynamics.set_state(time_s, &coordinates[..n], &rates[..n]);
+            }
+        };
+        match &mut self.source {
+            Source::Solved(ideal) => {
+                if ideal.time_s() != time_s {
+                    ideal.move_to(time_s)?;
+                }
+                let (coordinates, rates) = ideal.real_state();
+                set(coordinates, rates);
+            }
+            Source::Integrated(motion) => {
+                let (coordinates, rates) = motion.state(time_s);
+                set(&coordinates, &rates);
+            }
         }
         Ok(&self.motion.dynamics)
     }
 
-    /// Value and first two time derivatives of a position or angle at `time_s`, without forces.
+    /// Value and first two time derivatives of a position or angle at `time_s`.
     ///
     /// # Errors
     /// The loops cannot close there.
     pub fn jet(&mut self, reading: &Reading, arms: &Arms, time_s: f64) -> Result<[f64; 3], SampleError> {
-        if self.ideal.time_s() != time_s {
-            self.ideal.move_to(time_s)?;
+        let Source::Solved(ideal) = &mut self.source else {
+            return Ok(reading.jet(arms, self.at(time_s, true)?));
+        };
+        if ideal.time_s() != time_s {
+            ideal.move_to(time_s)?;
         }
-        let ideal = &self.ideal;
-        Ok(reading
-            .position_jet(arms, self.motion.dynamics.mechanism(), ideal.kinematics(), |slot| ideal.acceleration(slot)))
-    }
-
-    /// The solved loop equations behind it.
-    pub fn ideal(&self) -> &IdealMotion<'a> {
-        &self.ideal
+        let mechanism = self.motion.dynamics.mechanism();
+        Ok(reading.position_jet(arms, mechanism, ideal.kinematics(), |slot| ideal.acceleration(slot)))
     }
 }

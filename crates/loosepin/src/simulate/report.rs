@@ -45,7 +45,8 @@ pub struct EnergyAccount {
     pub damping_loss_j: f64,
     /// Largest |energy + losses - supplied - energy at the start| over all steps.
     pub largest_residual_j: f64,
-    /// Largest of: work of drives and loads, change of mechanical energy, losses.
+    /// Largest of: work of drives and loads, change of mechanical energy, losses; and change of kinetic energy where the drives
+    /// do not move the mechanism alone.
     pub largest_exchange_j: f64,
 }
 

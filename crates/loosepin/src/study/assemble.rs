@@ -160,8 +160,7 @@ fn narrow(end: &mut BoundEnd, limit_si: f64) {
 
 /// Angle that the drive turned through before the recorded part in whole turns, rad: poses are shown without it.
 pub(super) fn recorded_offset_rad(study: &Study, response: &StudyResponse) -> f64 {
-    let drive = &study.model.drives[study.cycle.drive.0];
-    let sign = response.nominal[drive.speed].signum();
+    let sign = study.model.input(study.cycle.span, &response.nominal).speed_rad_s.signum();
     sign * std::f64::consts::TAU * study.cycle.transient_turns.floor()
 }
 

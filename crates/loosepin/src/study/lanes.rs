@@ -37,10 +37,10 @@ impl StudyResponse {
     fn prepare(&self, index: usize, random: &[f64], epistemic: &[f64]) -> Result<Run<StudyRun<'_>>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
         let sample = Sample::new(&self.mechanism, &values)?;
-        let drive = &self.mechanism.model.drives[self.mechanism.model.cycle.drive.0];
-        let window = window(values[self.drive_speed], &drive.name, self.transient_turns, self.recorded_turns)?;
+        let input = self.mechanism.model.input(self.span, &values);
+        let window = window(&input, self.transient_turns, self.recorded_turns)?;
         let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
-        let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play())?;
+        let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.settings)?;
         let arms = Arms::new(&self.mechanism, &values);
         let curve = if self.shared.needs_own_ideal {
             Some(IdealCurve::new(
@@ -56,7 +56,8 @@ impl StudyResponse {
             None
         };
         let nominal = if self.needs_nominal_reference {
-            Some(IdealReference::new(&self.ideal, &self.nominal_ideal)?)
+            let end_s = self.nominal_window.end_s;
+            Some(IdealReference::new(&self.ideal, &self.nominal_ideal, end_s, &self.settings)?)
         } else {
             None
         };

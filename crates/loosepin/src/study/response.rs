@@ -6,7 +6,7 @@ use super::ideal_curve::IdealCurve;
 use super::recorder::Shared;
 use crate::bounds::{Failure, Response};
 use crate::mechanism::{Mechanism, MechanismError, Sample};
-use crate::model::{QuantityError, QuantityId, Values};
+use crate::model::{CycleInput, CycleSpan, DriveLaw, QuantityError, QuantityId, Values};
 use crate::simulate::{Arms, IdealReference, RunFailure, Settings, Window};
 
 /// Poses of a curve, at most: every one has bounds of its own.
@@ -160,7 +160,7 @@ pub struct StudyResponse {
     pub(super) restitutions: Vec<Option<QuantityId>>,
     pub(super) transient_turns: f64,
     pub(super) recorded_turns: f64,
-    pub(super) drive_speed: QuantityId,
+    pub(super) span: CycleSpan,
     pub(super) settings: Settings,
     pub(super) needs_nominal_reference: bool,
 }
@@ -183,17 +183,17 @@ impl StudyResponse {
         }
         let nominal = study.model.quantities.evaluate(&middle)?;
         let mechanism = Mechanism::new(&study.model, &nominal)?;
-        let drive = &study.model.drives[study.cycle.drive.0];
-        let plan = ColumnPlan::new(study, &mechanism, nominal[drive.start], nominal[drive.speed].signum());
-        let nominal_window =
-            window(nominal[drive.speed], &drive.name, study.cycle.transient_turns, study.cycle.recorded_turns)?;
+        let nominal_input = study.model.input(study.cycle.span, &nominal);
+        let plan = ColumnPlan::new(study, &mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
+        let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();
         let nominal_ideal = Sample::new(&mechanism, &nominal).map_err(RunFailure::from)?.without_play();
         let mut is_used = vec![false; plan.outputs.len()];
         for column in &plan.columns {
             is_used[column.output] = true;
         }
-        let shared = share_nominal(plan, is_used, &ideal, &nominal, &nominal_ideal, &nominal_window, study)?;
+        let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
+        let shared = share_nominal(plan, is_used, &ideal, &nominal, &nominal_ideal, &nominal_window, &settings, study)?;
         let joint_name = |joint: &crate::model::JointId| study.model.joints[joint.0].name.clone();
         let restitutions = mechanism
             .plays
@@ -216,8 +216,8 @@ impl StudyResponse {
             restitutions,
             transient_turns: study.cycle.transient_turns,
             recorded_turns: study.cycle.recorded_turns,
-            drive_speed: drive.speed,
-            settings: Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() },
+            span: study.cycle.span,
+            settings,
             needs_nominal_reference,
             mechanism,
             shared,
@@ -265,7 +265,8 @@ impl Response for StudyResponse {
 
 /// The drive that the cycle counts must start where it always starts, and turn one way.
 fn check_drive(study: &Study) -> Result<(), PrepareError> {
-    let drive = &study.model.drives[study.cycle.drive.0];
+    let CycleSpan::Turns(drive) = study.cycle.span else { return Ok(()) };
+    let DriveLaw::Constant { speed, start } = study.model.drives[drive.0].law else { return Ok(()) };
     let random = study.random.iter().map(|input| {
         let range = [1e-9, 1.0 - 1e-9].map(|probability| input.variable.quantile(probability));
         (&input.path, input.quantity, range)
@@ -276,10 +277,10 @@ fn check_drive(study: &Study) -> Result<(), PrepareError> {
         .map(|input| (&input.path, input.quantity, [input.interval.lower(), input.interval.upper()]));
     for (path, quantity, [lower, upper]) in random.chain(epistemic) {
         let roots = |id: QuantityId| id == quantity || study.model.roots(id).contains(&quantity);
-        if roots(drive.start) {
+        if roots(start) {
             return Err(PrepareError::UncertainStart { path: path.clone() });
         }
-        if quantity == drive.speed && lower <= 0.0 && upper >= 0.0 {
+        if quantity == speed && lower <= 0.0 && upper >= 0.0 {
             return Err(PrepareError::SpeedThroughZero { path: path.clone() });
         }
     }
@@ -287,20 +288,16 @@ fn check_drive(study: &Study) -> Result<(), PrepareError> {
 }
 
 /// The recorded part of a run.
-pub(super) fn window(
-    drive_speed_rad_s: f64,
-    drive: &str,
-    transient_turns: f64,
-    recorded_turns: f64,
-) -> Result<Window, RunFailure> {
-    if !(drive_speed_rad_s.abs() > 0.0) {
-        return Err(RunFailure::StandsStill { drive: drive.to_owned() });
+pub(super) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f64) -> Result<Window, RunFailure> {
+    if !(input.speed_rad_s.abs() > 0.0) {
+        return Err(RunFailure::StandsStill { drive: input.name.clone() });
     }
-    let turn_s = std::f64::consts::TAU / drive_speed_rad_s.abs();
+    let turn_s = input.turn_s();
     let start_s = transient_turns * turn_s;
     Ok(Window { start_s, end_s: start_s + recorded_turns * turn_s })
 }
 
+#[allow(clippy::too_many_arguments, reason = "all of it is made once, in one place")]
 /// The nominal ideal motion: a table over the recorded part, and its exact values at the poses.
 fn share_nominal(
     plan: ColumnPlan,
@@ -309,12 +306,13 @@ fn share_nominal(
     nominal: &Values,
     nominal_ideal: &Sample<f64>,
     nominal_window: &Window,
+    settings: &Settings,
     study: &Study,
 ) -> Result<Shared, RunFailure> {
     let arms = Arms::new(ideal, nominal);
     let span_s = nominal_window.end_s - nominal_window.start_s;
     let turns = study.cycle.recorded_turns;
-    let mut reference = IdealReference::new(ideal, nominal_ideal)?;
+    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     let nominal_curve =
         IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, turns)?;
     let mut pose_order: Vec<(f64, usize)> = plan
@@ -328,7 +326,7 @@ fn share_nominal(
         .collect();
     pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
-    let mut reference = IdealReference::new(ideal, nominal_ideal)?;
+    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     for &(at, index) in &pose_order {
         let reading = plan.outputs[plan.columns[index].output].reading;
         let time_s = nominal_window.start_s + at * span_s / turns;

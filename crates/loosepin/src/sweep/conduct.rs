@@ -9,7 +9,7 @@ use crate::mechanism::{Mechanism, Sample};
 use crate::model::{QuantityId, SetValues, SettingRange};
 use crate::simulate::record::Override;
 use crate::simulate::{
-    Arms, Column, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Window, columns, conduct, turn_s,
+    Arms, Column, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Window, columns, conduct, input,
 };
 use crate::units::{DisplayUnits, SiUnit};
 use rayon::prelude::*;
@@ -116,15 +116,15 @@ pub fn sweep(
     }
     let model = &mechanism.model;
     let quantity = &model.quantities[plan.range.id];
-    let drive = &model.drives[model.cycle.drive.0];
+    let cycle = model.cycle_input(&set.values);
     Ok(SweepRecord {
         model: model.name.clone(),
         version: crate::VERSION.to_owned(),
         overrides: plan.overrides.clone(),
         path: quantity.path.clone(),
         unit: SiUnit::of_dimension(quantity.dimension),
-        drive: drive.name.clone(),
-        section_angle_rad: set.values[drive.start],
+        drive: cycle.name,
+        section_angle_rad: cycle.start_rad,
         transient_turns: plan.transient_turns,
         recorded_turns: plan.recorded_turns,
         tolerance_m: plan.settings.tolerance_m,
@@ -167,11 +167,12 @@ impl SweepRuns<'_> {
         let model = &self.mechanism.model;
         let values = model.quantities.evaluate(&settings).map_err(|error| RunFailure::Sample(error.into()))?;
         let sample = Sample::new(self.mechanism, &values)?;
-        let turn_s = turn_s(self.mechanism, &values, &model.cycle)?;
+        let turn_s = input(self.mechanism, &values, model.cycle.span)?.turn_s();
         let start_s = f64::from(self.plan.transient_turns) * turn_s;
         let window = Window { start_s, end_s: start_s + f64::from(self.plan.recorded_turns) * turn_s };
         let turns = Turns { window, turn_s, count: self.plan.recorded_turns as usize };
-        let ideal = IdealReference::new(&self.ideal, &sample.clone().without_play())?;
+        let ideal =
+            IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.plan.settings)?;
         let arms = Arms::new(self.mechanism, &values);
         let clearances_m = sample.plays.iter().map(|play| play.clearance_m).collect();
         let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, clearances_m);

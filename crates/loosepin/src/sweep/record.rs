@@ -17,7 +17,7 @@ pub struct SweepRecord {
     pub path: String,
     /// Its unit.
     pub unit: SiUnit,
-    /// Name of the drive whose turns are counted.
+    /// Name of the drive whose turns are counted, or `cycle`.
     pub drive: String,
     /// Angle of the drive at which the motion is looked at once a turn, rad.
     pub section_angle_rad: f64,

@@ -128,7 +128,7 @@ fn identity_ideal_accelerations_close_the_loops_to_second_order() {
     for case in case_names() {
         let built = build_case(&case);
         let sample = built.sample();
-        let turn_s = std::f64::consts::TAU / sample.drives[0].speed.abs();
+        let turn_s = built.input().turn_s();
         let motion = ideal_at(&built, &sample, 0.137 * turn_s);
         let tree = &built.mechanism.ideal;
         let free = tree.free;

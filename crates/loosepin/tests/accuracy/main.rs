@@ -9,7 +9,7 @@ mod singular;
 mod worst_case;
 
 use loosepin::mechanism::{IdealMotion, Mechanism, Sample};
-use loosepin::model::{Model, QuantityId, Values};
+use loosepin::model::{CycleInput, Model, QuantityId, Values};
 use std::path::{Path, PathBuf};
 
 /// A compiled mechanism with its values.
@@ -21,6 +21,9 @@ pub(crate) struct Built {
 impl Built {
     pub(crate) fn sample(&self) -> Sample<f64> {
         Sample::new(&self.mechanism, &self.values).expect("the values fit the mechanism")
+    }
+    pub(crate) fn input(&self) -> CycleInput {
+        self.mechanism.model.cycle_input(&self.values)
     }
     pub(crate) fn quantity(&self, path: &str) -> QuantityId {
         self.mechanism.model.quantities.id(path).unwrap_or_else(|| panic!("no quantity {path}"))

@@ -17,7 +17,7 @@ fn identity_power_balance_of_all_cases() {
         let mechanism = &built.mechanism;
         let sample = built.sample();
         let dual_sample = Sample::<Dual<f64>>::new(mechanism, &built.values).expect("the values fit");
-        let turn_s = std::f64::consts::TAU / sample.drives[mechanism.model.cycle.drive.0].speed.abs();
+        let turn_s = built.input().turn_s();
         for trial in 0..6 {
             let time_s = turn_s * (0.11 + 0.13 * f64::from(trial));
             let ideal = ideal_at(&built, &sample, time_s);

@@ -18,8 +18,8 @@ const RELATIVE: f64 = 1e-11;
 const DIFFERENCE: f64 = 1e-7;
 
 pub(crate) fn plan(built: &Built, positions: usize) -> MotionPlan {
-    let drive = built.mechanism.model.cycle.drive;
-    MotionPlan { drive, positions, scatter: Vec::new(), overrides: Vec::new() }
+    let span = built.mechanism.model.cycle.span;
+    MotionPlan { span, positions, scatter: Vec::new(), overrides: Vec::new() }
 }
 
 pub(crate) fn motion_of(built: &Built, positions: usize) -> MotionRecord {
@@ -66,7 +66,7 @@ fn published_extremes_of_the_ideal_slider_acceleration() {
     let mechanism = &built.mechanism;
     let output = &position_outputs(mechanism)[0];
     let acceleration = |angle_rad: f64| {
-        let motion = ideal_at(&built, &sample, angle_rad / sample.drives[0].speed);
+        let motion = ideal_at(&built, &sample, angle_rad / built.input().speed_rad_s);
         let arm = |point| point_m(&mechanism.model, &built.values, point);
         let change = |slot| motion.acceleration(slot);
         output.reading.rates(&mechanism.ideal, motion.kinematics(), change, &arm)[1]
@@ -119,7 +119,7 @@ fn identity_velocities_and_accelerations_are_differences_of_positions() {
         let built = build_case(&case);
         let sample = built.sample();
         let mechanism = &built.mechanism;
-        let speed = sample.drives[mechanism.model.cycle.drive.0].speed.abs();
+        let speed = built.input().speed_rad_s.abs();
         let (time_s, step_s) = (1.234 / speed, 2e-4 / speed);
         let states = [-1.0, 0.0, 1.0].map(|k| ideal_at(&built, &sample, time_s + k * step_s));
         let arm = |point| point_m(&mechanism.model, &built.values, point);
@@ -142,7 +142,7 @@ fn identity_gradients_are_differences_of_the_closed_loops() {
     for case in case_names() {
         let built = build_case(&case);
         let sample = built.sample();
-        let turn_s = std::f64::consts::TAU / sample.drives[built.mechanism.model.cycle.drive.0].speed.abs();
+        let turn_s = built.input().turn_s();
         let state = ideal_at(&built, &sample, 0.31 * turn_s);
         let readings: Vec<PositionReading> =
             position_outputs(&built.mechanism).iter().map(|output| output.reading).collect();
@@ -177,9 +177,9 @@ fn outputs_with(model: &Model, set: &[(QuantityId, f64)], angle_rad: f64) -> Vec
     let values = model.quantities.evaluate(set).expect("a small step keeps the rules");
     let mechanism = loosepin::mechanism::Mechanism::new(model, &values).expect("a small step closes");
     let sample = Sample::<f64>::new(&mechanism, &values).expect("the values fit");
-    let drive = &sample.drives[model.cycle.drive.0];
+    let input = model.cycle_input(&values);
     let mut motion = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("the start closes");
-    motion.move_to((angle_rad - drive.start) / drive.speed).expect("the loops close");
+    motion.move_to((angle_rad - input.start_rad) / input.speed_rad_s).expect("the loops close");
     let arm = |point| point_m(model, &values, point);
     position_outputs(&mechanism)
         .iter()
@@ -194,9 +194,9 @@ fn identity_dimension_derivatives_are_differences_of_solved_mechanisms() {
         let built = build_case(case);
         let model = &built.mechanism.model;
         let sample = built.sample();
-        let drive = sample.drives[model.cycle.drive.0];
-        let angle_rad = drive.start + 0.77;
-        let time_s = 0.77 / drive.speed;
+        let input = built.input();
+        let angle_rad = input.start_rad + 0.77;
+        let time_s = 0.77 / input.speed_rad_s;
         let state = ideal_at(&built, &sample, time_s);
         let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
         loops.set_position(state.coordinates());
@@ -212,7 +212,7 @@ fn identity_dimension_derivatives_are_differences_of_solved_mechanisms() {
                 &built.mechanism,
                 &built.values,
                 &direction,
-                model.cycle.drive,
+                model.cycle.span,
                 time_s,
                 &readings,
             )
@@ -276,7 +276,7 @@ fn analytic_expressions_are_followed_and_edges_of_rules_respected() {
 #[test]
 fn identity_a_drive_that_turns_backwards_is_recorded_by_increasing_angle() {
     let forwards = build_case("slider_crank_5000");
-    let speed = forwards.values[forwards.mechanism.model.drives[0].speed];
+    let speed = forwards.input().speed_rad_s;
     let backwards = build_case_with("slider_crank_5000", &[("drive.crank.speed", -speed)]);
     let [ahead, back] = [&forwards, &backwards].map(|built| motion_of(built, 72));
     assert!(back.drive_angle_rad.windows(2).all(|pair| pair[0] < pair[1]));

@@ -56,7 +56,7 @@ fn identity_a_run_is_the_ideal_mechanism_with_the_eccentricities_of_the_run() {
     {
         let built = build_case(case);
         let sample = built.sample();
-        let turn_s = std::f64::consts::TAU / sample.drives[0].speed.abs();
+        let turn_s = built.input().turn_s();
         let window = Window { start_s: 0.0, end_s: turn_s };
         let mut twin = Twin {
             built: &built,
@@ -210,7 +210,7 @@ fn identity_loops_of_ideal_joints_do_not_drift_over_ten_cycles() {
         let built = build_case(case);
         assert!(built.mechanism.real.constraint_rows() > 0, "{case} has a loop of ideal joints");
         let sample = built.sample();
-        let turn_s = std::f64::consts::TAU / sample.drives[0].speed.abs();
+        let turn_s = built.input().turn_s();
         let window = Window { start_s: 0.0, end_s: turns * turn_s };
         let mut drift = Drift::default();
         run(&built.mechanism, &sample, &window, &Settings::for_study(), &mut drift).expect("the run is sound");
@@ -320,7 +320,7 @@ fn identity_redundant_loops_hold_through_every_place_where_one_of_them_is_singul
     let built = crate::build_text(PLATE_ON_THREE_CRANKS);
     assert_eq!(built.mechanism.redundant.iter().map(|(_, count)| count).sum::<usize>(), 1);
     let sample = built.sample();
-    let turn_s = std::f64::consts::TAU / sample.drives[0].speed.abs();
+    let turn_s = built.input().turn_s();
     let window = Window { start_s: 0.0, end_s: 2.0 * turn_s };
     let mut drift = Drift::default();
     run(&built.mechanism, &sample, &window, &Settings::for_study(), &mut drift).expect("the run is sound");

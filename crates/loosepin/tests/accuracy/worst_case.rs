@@ -77,7 +77,7 @@ fn analytic_exact_worst_case_of_the_slider_crank() {
     let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
     for step in 0..24 {
         let angle = 0.05 + 0.26 * f64::from(step);
-        let state = ideal_at(&built, &sample, angle / sample.drives[0].speed);
+        let state = ideal_at(&built, &sample, angle / built.input().speed_rad_s);
         loops.set_position(state.coordinates());
         let exact = exact_worst_case(&mut loops, reading, &[5e-4], &starts_on_rims(&[5e-4])).expect("it is regular");
         let centred = slider_m(angle, 0.0, 0.0);
@@ -96,7 +96,7 @@ fn published_first_order_is_exceeded_by_0_17_micrometres_at_60_degrees() {
     let built = build_case("slider_crank_5000");
     let sample = built.sample();
     let reading = position_outputs(&built.mechanism)[0].reading;
-    let state = ideal_at(&built, &sample, 60f64.to_radians() / sample.drives[0].speed);
+    let state = ideal_at(&built, &sample, 60f64.to_radians() / built.input().speed_rad_s);
     let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
     loops.set_position(state.coordinates());
     let gradient = eccentricity_gradients(&mut loops, &[reading]).expect("it is regular")[0][0];
@@ -140,7 +140,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_directions() {
         let built = build_case(case);
         let sample = built.sample();
         let radii_m: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
-        let turn_s = std::f64::consts::TAU / sample.drives[0].speed.abs();
+        let turn_s = built.input().turn_s();
         for share in [0.07, 0.41, 0.83] {
             let state = ideal_at(&built, &sample, share * turn_s);
             let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
@@ -166,7 +166,7 @@ fn text_of_a_dead_point_within_the_clearances() {
     // At 89.9° the rod, 0.1 mm longer than the crank, stands almost across the guide: 0.5 mm of play lets it pass.
     let built = build_case_with("slider_crank_5000", &[("parameter.rod_length", 0.0501)]);
     let sample = built.sample();
-    let state = ideal_at(&built, &sample, 89.9_f64.to_radians() / sample.drives[0].speed);
+    let state = ideal_at(&built, &sample, 89.9_f64.to_radians() / built.input().speed_rad_s);
     let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
     loops.set_position(state.coordinates());
     let before = loops.coordinates().to_vec();

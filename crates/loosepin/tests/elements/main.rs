@@ -1,5 +1,7 @@
-//! Springs, dampers and loads against closed forms and against the energy account.
+//! Springs, dampers, loads, motions of drives and initial states against closed forms and against the energy account.
 
+mod drives;
+mod initial;
 mod loads;
 mod springs;
 
@@ -48,6 +50,11 @@ pub(crate) fn report(built: &Built, end_s: f64) -> RunReport {
 
 /// A crank of 50 mm that is driven at `speed`, with `elements` added.
 pub(crate) fn crank(speed: &str, elements: &str) -> Built {
+    crank_with_drive(&format!("speed = \"{speed}\"\nstart_angle = \"20 deg\""), "drive = \"crank\"", elements)
+}
+
+/// The same crank with any motion and any cycle.
+pub(crate) fn crank_with_drive(motion: &str, cycle: &str, elements: &str) -> Built {
     build(&format!(
         r#"
 name = "crank"
@@ -66,10 +73,9 @@ journal = "crank.main"
 {elements}
 [drive.crank]
 joint = "main"
-speed = "{speed}"
-start_angle = "20 deg"
+{motion}
 [cycle]
-drive = "crank"
+{cycle}
 "#
     ))
 }

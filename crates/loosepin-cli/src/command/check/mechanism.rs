@@ -3,8 +3,10 @@
 use std::fmt::Write;
 
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
-use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{BodyId, Clearance, Contact, DriveId, Friction, Joint, JointId, JointKind, Model, PointId};
+use loosepin::mechanism::{Drives, Mechanism, Sample};
+use loosepin::model::{
+    BodyId, Clearance, Contact, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PointId,
+};
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
 use loosepin::units::{Dimension, format_number, format_value};
@@ -98,8 +100,31 @@ fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
         JointKind::Prismatic { .. } => (Dimension::VELOCITY, Dimension::LENGTH),
         _ => (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE),
     };
-    let speed = format_value(values[drive.speed], speed);
-    format!(", driven by '{}' at {speed} from {}", drive.name, format_value(values[drive.start], start))
+    let value = |id, dimension| format_value(values[id], dimension);
+    let law = match &drive.law {
+        DriveLaw::Constant { speed: id, start: from } => {
+            format!("at {} from {}", value(*id, speed), value(*from, start))
+        }
+        DriveLaw::Polynomial { coefficients } => format!("by a polynomial of degree {}", coefficients.len() - 1),
+        DriveLaw::Harmonic { mean, amplitude, frequency, .. } => format!(
+            "up and down by {} about {} at {}",
+            value(*amplitude, start),
+            value(*mean, start),
+            value(*frequency, Dimension::FREQUENCY)
+        ),
+        DriveLaw::Cycloidal { from, to, duration_s, dwell_s } => format!(
+            "from {} to {} within {} after a rest of {}",
+            value(*from, start),
+            value(*to, start),
+            value(*duration_s, Dimension::TIME),
+            value(*dwell_s, Dimension::TIME)
+        ),
+        DriveLaw::Table { points, is_periodic } => {
+            format!("by a table of {} points, {}", points.len(), if *is_periodic { "again and again" } else { "once" })
+        }
+        DriveLaw::Function(_) => "by an expression over time".to_owned(),
+    };
+    format!(", driven by '{}' {law}", drive.name)
 }
 
 fn play_lines(
@@ -217,9 +242,10 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     let _ = writeln!(text, "{loop_words}");
     let _ = writeln!(
         text,
-        "{} with every clearance at zero, {}: the motion is determined",
+        "{} with every clearance at zero, {}: {}",
         counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
-        counted(model.drives.len(), "drive", "drives")
+        if model.drives.is_empty() { "no drive".to_owned() } else { counted(model.drives.len(), "drive", "drives") },
+        if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
     let loose = mechanism.dynamic_freedoms;
     if !mechanism.plays.is_empty() {
@@ -241,9 +267,10 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
 
 fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: &Trial) {
     let model = &mechanism.model;
-    let drives: Vec<String> =
-        (0..model.drives.len()).map(|index| start_of_drive(model, DriveId(index), values)).collect();
-    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&drives));
+    let drives = (0..model.drives.len()).map(|index| start_of_drive(mechanism, DriveId(index), values));
+    let given = (!mechanism.is_driven()).then(|| "as given under [initial]".to_owned());
+    let starts: Vec<String> = drives.chain(given).collect();
+    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&starts));
     let width = model.bodies[1..].iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
     for (body, start) in model.bodies.iter().zip(&tried.start).skip(1) {
         let points: Vec<String> = body
@@ -267,13 +294,18 @@ fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: 
     }
 }
 
-fn start_of_drive(model: &Model, drive: DriveId, values: &Values) -> String {
-    let drive = &model.drives[drive.0];
-    let start = match model.joints[drive.joint.0].kind {
-        JointKind::Prismatic { .. } => format_value(values[drive.start], Dimension::LENGTH),
-        _ => format_value(values[drive.start], Dimension::ANGLE),
+fn start_of_drive(mechanism: &Mechanism, id: DriveId, values: &Values) -> String {
+    let model = &mechanism.model;
+    let drive = &model.drives[id.0];
+    let start = match drive.law {
+        DriveLaw::Constant { start, .. } => values[start],
+        _ => Drives::new(model, values).at(model, id, 0.0)[0],
     };
-    format!("'{}' at {start}", drive.name)
+    let dimension = match model.joints[drive.joint.0].kind {
+        JointKind::Prismatic { .. } => Dimension::LENGTH,
+        _ => Dimension::ANGLE,
+    };
+    format!("'{}' at {}", drive.name, format_value(start, dimension))
 }
 
 /// The guess that picks another assembly: the angles of all bodies that stand differently in it.
@@ -290,23 +322,35 @@ fn guess_words(model: &Model, other_rad: &[f64], tried: &Trial) -> String {
 fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
     let model = &mechanism.model;
     let cycle = &model.cycle;
-    let turns = |turns: f64, what: &str| {
-        format!("{} {}{what}", format_number(turns), if turns == 1.0 { "turn" } else { "turns" })
+    let (one, many) = match cycle.span {
+        CycleSpan::Turns(_) => ("turn", "turns"),
+        CycleSpan::Periods(_) => ("period", "periods"),
+        CycleSpan::Duration(_) => ("span", "spans"),
     };
+    let turns =
+        |turns: f64, what: &str| format!("{} {}{what}", format_number(turns), if turns == 1.0 { one } else { many });
     let _ = writeln!(
         text,
         "\nA run: {} to settle, {} of {} each, {}",
         turns(cycle.transient_turns, ""),
         turns(cycle.recorded_turns, " recorded"),
         format_value(tried.turn_s, Dimension::TIME),
-        counted(cycle.samples_per_turn, "row a turn", "rows a turn")
+        counted(cycle.samples_per_turn, &format!("row a {one}"), &format!("rows a {one}"))
     );
     let columns = columns(mechanism);
     let width = columns.iter().map(|column| column.name.chars().count()).max().unwrap_or(0);
     for column in &columns {
         let _ = writeln!(text, "  {:width$}  {}", column.name, column.words);
     }
-    let _ = writeln!(text, "The loops close all the way round, and the first steps of the run succeed.");
+    let _ = writeln!(
+        text,
+        "{}",
+        if mechanism.is_driven() {
+            "The loops close all the way round, and the first steps of the run succeed."
+        } else {
+            "The first steps of the run succeed."
+        }
+    );
 }
 
 /// An angle in degrees to a hundredth, within half a turn of zero.

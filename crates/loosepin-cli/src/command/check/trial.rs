@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, Values};
-use loosepin::simulate::{IdealReference, RunFailure, Settings, Window, run, turn_s};
+use loosepin::model::{DriveId, JointKind, Values};
+use loosepin::simulate::{IdealReference, RunFailure, Settings, Window, input, run};
 use loosepin::simulate::{Observer, Step};
 
 /// Positions of a turn in which the ideal mechanism is closed.
@@ -36,45 +36,48 @@ pub struct BodyStart {
     pub points_m: Vec<[f64; 2]>,
 }
 
-/// Closes the ideal mechanism all around its cycle, and runs the first stretch of the real one.
+/// Closes the ideal mechanism all around its cycle where drives move it, and runs the first stretch of the real one.
 ///
 /// # Errors
 /// The first position that does not close, or why the run failed.
 pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailure> {
     let cycle = &mechanism.model.cycle;
-    let turn_s = turn_s(mechanism, values, cycle)?;
+    let turn_s = input(mechanism, values, cycle.span)?.turn_s();
     let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
-    let mut motion = IdealReference::new(&ideal, &ideal_sample)?;
+    let settings = Settings { largest_evaluations: TRIAL_EVALUATIONS, ..Settings::for_simulation() };
+    let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
+    let mut motion = IdealReference::new(&ideal, &ideal_sample, window.end_s, &settings)?;
     let start = body_starts(mechanism, values, motion.at(0.0, false)?);
-    let turns = (cycle.transient_turns + cycle.recorded_turns)
-        .min(MOST_TURNS)
-        .min(MOST_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, values));
+    let turns = if mechanism.is_driven() {
+        (cycle.transient_turns + cycle.recorded_turns)
+            .min(MOST_TURNS)
+            .min(MOST_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, &sample, turn_s))
+    } else {
+        0.0
+    };
     let positions = (turns * POSITIONS_PER_TURN as f64).ceil() as usize;
     for position in 1..=positions {
         motion.at(turns * turn_s * position as f64 / positions as f64, false)?;
     }
-    let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
-    let settings = Settings { largest_evaluations: TRIAL_EVALUATIONS, ..Settings::for_simulation() };
     match run(mechanism, &sample, &window, &settings, &mut Unobserved) {
         Ok(_) | Err(RunFailure::TooManyEvaluations { .. }) => Ok(Trial { start, turn_s }),
         Err(failure) => Err(failure),
     }
 }
 
-/// Speed of the fastest drive over that of the drive that counts turns, >= 1. Lengths count as angles over the size of the
-/// mechanism.
-fn speed_ratio(mechanism: &Mechanism, values: &Values) -> f64 {
+/// Turns of the fastest drive in one turn of the cycle, >= 1. Lengths count as angles over the size of the mechanism; a motion
+/// that is not at constant speed has as many as the cycle.
+fn speed_ratio(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> f64 {
     let model = &mechanism.model;
-    let rate = |drive: &loosepin::model::Drive| {
-        let speed = values[drive.speed].abs();
-        match model.joints[drive.joint.0].kind {
+    let rates = model.drives.iter().enumerate().filter_map(|(index, drive)| {
+        let speed = sample.drives.constant_speed(DriveId(index))?.abs();
+        Some(match model.joints[drive.joint.0].kind {
             JointKind::Prismatic { .. } => speed / mechanism.size_m,
             _ => speed,
-        }
-    };
-    let fastest = model.drives.iter().map(rate).fold(0.0, f64::max);
-    fastest / rate(&model.drives[model.cycle.drive.0])
+        })
+    });
+    (rates.fold(0.0, f64::max) * turn_s / TAU).max(1.0)
 }
 
 fn body_starts(

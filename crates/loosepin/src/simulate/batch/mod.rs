@@ -11,8 +11,7 @@ pub use depth::DepthLimit;
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
 use crate::math::Lanes;
-use crate::mechanism::{IdealMotion, Mechanism, Sample};
-use crate::model::JointKind;
+use crate::mechanism::{Mechanism, Sample};
 use crate::native::Level;
 use crate::simulate::column::{Arms, Reading};
 use crate::simulate::core::{Attempt, Core};
@@ -21,6 +20,7 @@ use crate::simulate::gap::{ContactStep, GapJet};
 use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::simulate::motion::Motion;
 use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
+use crate::simulate::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::simulate::projection::Projection;
 use crate::simulate::reads::ReadLayout;
 use crate::simulate::report::{Counters, PlaySummary, RunReport};
@@ -79,17 +79,6 @@ pub(super) struct Batch<'a, T, O> {
     is_root: Vec<bool>,
 }
 
-/// Rate of the fastest drive, rad/s; driven lengths count as angles over the size of the mechanism.
-pub(super) fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>) -> f64 {
-    let rates = mechanism.model.drives.iter().zip(&sample.drives).map(|(drive, motion)| {
-        match mechanism.model.joints[drive.joint.0].kind {
-            JointKind::Prismatic { .. } => motion.speed.abs() / mechanism.size_m,
-            _ => motion.speed.abs(),
-        }
-    });
-    rates.fold(0.0, f64::max)
-}
-
 impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     /// Runs everything in `queue`.
     pub fn conduct(
@@ -140,25 +129,30 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     /// Starts `run` in `lane` at its ideal position and velocities, journals centred.
     fn start(&mut self, lane: usize, run: Run<O>, queue: &mut dyn Queue<Observer = O>) {
         let Run { sample, arms, window, observer } = run;
-        let ideal = match IdealMotion::new(self.mechanism, &sample.ideal, &sample.drives) {
-            Ok(ideal) => ideal,
+        let (coordinates, rates) = match self.mechanism.start(&sample) {
+            Ok(start) => start,
             Err(error) => return queue.finished(observer, Err(error.into())),
         };
         let n = self.mechanism.real.free;
-        let (coordinates, rates) = self.mechanism.real_coordinates(ideal.kinematics(), &sample.real);
         let state = &mut self.view_state;
         state.fill(0.0);
         state[..n].copy_from_slice(&coordinates[..n]);
         state[n..2 * n].copy_from_slice(&rates[..n]);
-        let rate_1_s = fastest_drive_rad_s(self.mechanism, &sample);
+        let mut rate_1_s = fastest_drive_rad_s(self.mechanism, &sample, window.end_s);
         self.started += 1;
         self.viewed = self.started;
         self.view.dynamics.sample_mut().clone_from(&sample);
         self.view.set_state(0.0, state);
+        if !self.mechanism.is_driven() {
+            self.view.states.fill(PlayState::flight());
+            self.view.evaluate(0.0, state);
+            rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
+        }
         let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
+        let stop_s = sample.drives.next_break_s(0.0).min(window.end_s);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: sample.plays.iter().map(DepthLimit::new).collect(),
@@ -172,7 +166,9 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             was_rejected: false,
             last_event: None,
             after_event: [0.0; 2],
-            reaches_end: false,
+            arms,
+            stop_s,
+            reaches_stop: false,
             stalled: 0,
             counters: Counters::default(),
             plays: vec![PlaySummary::default(); self.mechanism.plays.len()],
@@ -217,8 +213,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                 continue;
             }
             let decision = if matches!(run.phase, Phase::Stepping) {
-                let passes_end = self.core.equations.reads[ReadLayout::TIME].lane(lane) > run.window.end_s;
-                if attempt.eventful & bit != 0 || passes_end { self.decide(lane) } else { Decision::Accept(None) }
+                let passes_stop = self.core.equations.reads[ReadLayout::TIME].lane(lane) > run.stop_s;
+                if attempt.eventful & bit != 0 || passes_stop { self.decide(lane) } else { Decision::Accept(None) }
             } else {
                 self.decide(lane)
             };
@@ -314,8 +310,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let start_s = self.core.start[ReadLayout::TIME].lane(lane);
         self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
-        run.reaches_end = event == Some(Event::End) || (event.is_none() && step == run.window.end_s - start_s);
-        let end_s = if run.reaches_end { run.window.end_s } else { end_s };
+        run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
+        let end_s = if run.reaches_stop { run.stop_s } else { end_s };
         // With a root a step may be too short for the time to show it.
         if end_s <= run.window.start_s || end_s <= start_s {
             return Ok(());
@@ -372,12 +368,15 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         run.counters.steps += 1;
         let was_searching = !matches!(run.phase, Phase::Stepping);
         run.phase = Phase::Stepping;
-        if run.reaches_end {
+        if run.reaches_stop && run.stop_s == run.window.end_s {
             return self.succeed(lane, queue);
         }
         if run.counters.evaluations > self.settings.largest_evaluations {
             let limit = self.settings.largest_evaluations;
             return self.finish(lane, Err(RunFailure::TooManyEvaluations { time_s, limit }), queue);
+        }
+        if run.reaches_stop {
+            return self.stop(lane, queue);
         }
         match event {
             None => {

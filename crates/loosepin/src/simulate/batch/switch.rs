@@ -43,11 +43,31 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         }
     }
 
-    /// Lets a contact begin or end at the start of the step, or ends the run.
+    /// Ends the run at the end of its window, or takes the next pieces of the drives' motions.
+    pub(super) fn stop(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
+        let Some(run) = &mut self.runs[lane] else { return };
+        let time_s = run.stop_s;
+        if time_s == run.window.end_s {
+            return self.succeed(lane, queue);
+        }
+        run.phase = Phase::Stepping;
+        run.stop_s = run.sample.drives.next_break_s(time_s).min(run.window.end_s);
+        let place = self.core.equations.motion.layout.time();
+        self.core.stepper.start_mut()[place].set_lane(lane, time_s);
+        if run.sample.drives.take_pieces_at(time_s) {
+            self.core.equations.load(lane, &run.sample, &run.arms);
+            // Whoever looks inside a step must see the new pieces.
+            self.viewed = 0;
+        }
+        self.restarts |= 1 << lane;
+        self.choose_step(lane);
+    }
+
+    /// Lets a contact begin or end at the start of the step, or stops.
     pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Queue<Observer = O>) {
         let (play, crossing) = match event {
             Event::Contact { play, crossing } => (play, crossing),
-            Event::End => return self.succeed(lane, queue),
+            Event::Stop => return self.stop(lane, queue),
             Event::Kink { .. } => {
                 // The force goes on evenly here: the step before was only not to reach across.
                 if let Some(run) = &mut self.runs[lane] {

@@ -69,11 +69,11 @@ fn distribution_words(distribution: &Distribution, dimension: Dimension) -> Stri
 /// What every run ran through.
 pub fn cycle(material: &Material<'_>) -> CycleDescription {
     let study = material.study;
-    let drive = &study.model.drives[study.cycle.drive.0];
+    let input = study.model.input(study.cycle.span, &material.response.nominal);
     let settings = material.response.settings();
     CycleDescription {
-        drive: drive.name.clone(),
-        drive_speed_rad_s: Some(material.response.nominal[drive.speed]),
+        drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
+        drive: input.name,
         transient_turns: study.cycle.transient_turns,
         recorded_turns: study.cycle.recorded_turns,
         tolerance_m: settings.tolerance_m,

@@ -131,8 +131,7 @@ impl StudyReader {
         if !entry.is_table() {
             return self.reader.wrong_type(entry, "a table such as { crank = [\"60 deg\"] }");
         }
-        let drive = self.model.cycle.drive;
-        let due = self.model.drives[drive.0].name.clone();
+        let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
         let mut angles_rad = Vec::new();
         for entry in self.reader.any_keys(entry) {
             if entry.name != due {
@@ -154,7 +153,7 @@ impl StudyReader {
             }
             return None;
         }
-        Some(Where::Poses { drive, angles_rad })
+        Some(Where::Poses { angles_rad })
     }
 
     fn statistics(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<Statistic>> {

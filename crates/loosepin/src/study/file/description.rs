@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::bounds::Statistic;
 use crate::diagnostics::{Complaint, Source};
-use crate::model::{Cycle, DriveId, Model, QuantityId};
+use crate::model::{Cycle, Model, QuantityId};
 use crate::uncertainty::{Interval, RandomVariable};
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -106,11 +106,9 @@ pub enum Reduction {
 pub enum Where {
     /// Everywhere: the curve over the cycle.
     Cycle,
-    /// At angles of the drive that the cycle counts.
+    /// At angles of the cycle's input.
     Poses {
-        /// The drive.
-        drive: DriveId,
-        /// Its angles, rad, in file order.
+        /// The angles, rad, in file order.
         angles_rad: Vec<f64>,
     },
     /// One number of the whole curve.

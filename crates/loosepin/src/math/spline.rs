@@ -1,0 +1,149 @@
+//! Cubic splines: smooth curves through points.
+
+use super::Real;
+
+/// The second derivatives at the nodes of the cubic spline through `points` (argument and value, arguments increasing, at
+/// least three) whose slope is zero at both ends.
+///
+/// Between nodes i and i + 1, h apart, the spline's second derivative goes evenly from M_i to M_(i+1); that its slope does not
+/// jump gives h_(i-1) M_(i-1) + 2 (h_(i-1) + h_i) M_i + h_i M_(i+1) = 6 (s_i - s_(i-1)), s the slopes of the chords.
+pub fn clamped_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
+    let last = points.len() - 1;
+    let (two, six) = (T::from_f64(2.0), T::from_f64(6.0));
+    let (h, s) = chords(points);
+    let mut lower = vec![T::zero(); last + 1];
+    let mut diagonal = vec![T::zero(); last + 1];
+    let mut upper = vec![T::zero(); last + 1];
+    let mut right = vec![T::zero(); last + 1];
+    (diagonal[0], upper[0], right[0]) = (two * h[0], h[0], six * s[0]);
+    (diagonal[last], lower[last], right[last]) = (two * h[last - 1], h[last - 1], -(six * s[last - 1]));
+    for i in 1..last {
+        (lower[i], diagonal[i], upper[i]) = (h[i - 1], two * (h[i - 1] + h[i]), h[i]);
+        right[i] = six * (s[i] - s[i - 1]);
+    }
+    tridiagonal(&lower, &diagonal, &upper, right)
+}
+
+/// The same for a spline that goes on with the same course after its last point, from there: slope and second derivative at
+/// both ends agree.
+pub fn periodic_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
+    let count = points.len() - 1;
+    let (two, six) = (T::from_f64(2.0), T::from_f64(6.0));
+    let (h, s) = chords(points);
+    let before = |i: usize| (i + count - 1) % count;
+    let mut lower: Vec<T> = (0..count).map(|i| h[before(i)]).collect();
+    let mut diagonal: Vec<T> = (0..count).map(|i| two * (h[before(i)] + h[i])).collect();
+    let mut upper = h.clone();
+    let right: Vec<T> = (0..count).map(|i| six * (s[i] - s[before(i)])).collect();
+    // The corners, as a product u vᵀ beside a tridiagonal matrix (Sherman and Morrison).
+    let corner = lower[0];
+    let gamma = -diagonal[0];
+    diagonal[0] -= gamma;
+    diagonal[count - 1] -= corner * corner / gamma;
+    (lower[0], upper[count - 1]) = (T::zero(), T::zero());
+    let mut u = vec![T::zero(); count];
+    u[0] = gamma;
+    u[count - 1] += corner;
+    let plain = tridiagonal(&lower, &diagonal, &upper, right);
+    let shift = tridiagonal(&lower, &diagonal, &upper, u);
+    let along = |x: &[T]| x[0] + x[count - 1] * (corner / gamma);
+    let factor = along(&plain) / (T::one() + along(&shift));
+    let mut moments: Vec<T> = plain.iter().zip(&shift).map(|(a, b)| *a - factor * *b).collect();
+    moments.push(moments[0]);
+    moments
+}
+
+/// Coefficients of the cubic c0 + c1 u + c2 u² + c3 u³ between two points, u from the first, with the second derivatives
+/// there.
+pub fn cubic_piece<T: Real>([x0, y0]: [T; 2], [x1, y1]: [T; 2], [m0, m1]: [T; 2]) -> [T; 4] {
+    let h = x1 - x0;
+    let six = T::from_f64(6.0);
+    [y0, (y1 - y0) / h - h * (m0 + m0 + m1) / six, T::from_f64(0.5) * m0, (m1 - m0) / (six * h)]
+}
+
+/// Widths of the intervals and slopes of the chords.
+fn chords<T: Real>(points: &[[T; 2]]) -> (Vec<T>, Vec<T>) {
+    points
+        .windows(2)
+        .map(|pair| (pair[1][0] - pair[0][0], (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0])))
+        .unzip()
+}
+
+/// Solves a tridiagonal system by elimination without pivots: spline matrices are dominated by their diagonal.
+fn tridiagonal<T: Real>(lower: &[T], diagonal: &[T], upper: &[T], mut right: Vec<T>) -> Vec<T> {
+    let n = right.len();
+    let mut pivots = diagonal.to_vec();
+    for i in 1..n {
+        let factor = lower[i] / pivots[i - 1];
+        pivots[i] -= factor * upper[i - 1];
+        let before = right[i - 1];
+        right[i] -= factor * before;
+    }
+    for i in (0..n).rev() {
+        let beyond = if i + 1 < n { upper[i] * right[i + 1] } else { T::zero() };
+        right[i] = (right[i] - beyond) / pivots[i];
+    }
+    right
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest jump of value, slope and second derivative between neighbouring pieces.
+    fn jumps(points: &[[f64; 2]], moments: &[f64]) -> f64 {
+        let piece = |i: usize| cubic_piece(points[i], points[i + 1], [moments[i], moments[i + 1]]);
+        let mut largest = 0.0_f64;
+        for i in 0..points.len() - 2 {
+            let (h, c, next) = (points[i + 1][0] - points[i][0], piece(i), piece(i + 1));
+            let end = [
+                c[0] + h * (c[1] + h * (c[2] + h * c[3])),
+                c[1] + h * (2.0 * c[2] + h * 3.0 * c[3]),
+                2.0 * c[2] + 6.0 * h * c[3],
+            ];
+            let start = [next[0], next[1], 2.0 * next[2]];
+            largest = end.iter().zip(start).fold(largest, |l, (a, b)| l.max((a - b).abs()));
+        }
+        largest
+    }
+
+    const POINTS: [[f64; 2]; 5] = [[0.3, 1.1], [0.5, 1.7], [1.2, 0.4], [1.9, 0.6], [2.3, 2.9]];
+
+    #[test]
+    fn identity_pieces_fit_together() {
+        for (name, moments) in [("clamped", clamped_spline(&POINTS)), ("periodic", periodic_spline(&POINTS))] {
+            // Round-off of moments up to a hundred.
+            assert!(jumps(&POINTS, &moments) < 1e-12, "{name}: {}", jumps(&POINTS, &moments));
+        }
+        let moments = clamped_spline(&POINTS);
+        let first = cubic_piece(POINTS[0], POINTS[1], [moments[0], moments[1]]);
+        assert!(first[1].abs() < 1e-13, "it starts at rest: {}", first[1]);
+        let (last, h) = (cubic_piece(POINTS[3], POINTS[4], [moments[3], moments[4]]), 0.4);
+        assert!((last[1] + h * (2.0 * last[2] + h * 3.0 * last[3])).abs() < 1e-12, "it ends at rest");
+        let moments = periodic_spline(&POINTS);
+        let first = cubic_piece(POINTS[0], POINTS[1], [moments[0], moments[1]]);
+        let last = cubic_piece(POINTS[3], POINTS[4], [moments[3], moments[4]]);
+        assert!((last[1] + h * (2.0 * last[2] + h * 3.0 * last[3]) - first[1]).abs() < 1e-12, "it goes on as it began");
+        assert_eq!(moments[0], moments[4]);
+    }
+
+    #[test]
+    fn analytic_error_falls_with_the_fourth_power_of_the_distance() {
+        let error = |count: usize| {
+            let tau = std::f64::consts::TAU;
+            let points: Vec<[f64; 2]> =
+                (0..=count).map(|k| tau * k as f64 / count as f64).map(|x| [x, 0.7 * x + x.sin()]).collect();
+            let moments = periodic_spline(&points);
+            (0..count)
+                .map(|i| {
+                    let c = cubic_piece(points[i], points[i + 1], [moments[i], moments[i + 1]]);
+                    let u = 0.5 * (points[i + 1][0] - points[i][0]);
+                    let x = points[i][0] + u;
+                    (c[0] + u * (c[1] + u * (c[2] + u * c[3])) - 0.7 * x - x.sin()).abs()
+                })
+                .fold(0.0, f64::max)
+        };
+        // Half a power is left for higher terms.
+        assert!((error(12) / error(24)).log2() > 3.5);
+    }
+}

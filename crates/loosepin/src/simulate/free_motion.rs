@@ -1,0 +1,68 @@
+//! The ideal motion of a mechanism that its drives do not move alone: a run of its own, kept to be read at any time.
+
+use super::engine::run;
+use super::failure::RunFailure;
+use super::observer::{Observer, Step};
+use super::settings::{Settings, Window};
+use crate::math::Quintic;
+use crate::mechanism::{Mechanism, Sample};
+
+/// A step: its start, its end, and value, rate and acceleration of every free coordinate at both.
+struct Piece {
+    start_s: f64,
+    end_s: f64,
+    jets: Vec<[[f64; 3]; 2]>,
+}
+
+/// The motion from time zero on, as polynomials of degree five over the steps of the run.
+pub struct FreeMotion {
+    pieces: Vec<Piece>,
+}
+
+impl FreeMotion {
+    /// Runs `mechanism`, which has no play, to `end_s`.
+    ///
+    /// # Errors
+    /// The one reason why the run failed.
+    pub fn new(
+        mechanism: &Mechanism,
+        sample: &Sample<f64>,
+        end_s: f64,
+        settings: &Settings,
+    ) -> Result<Self, RunFailure> {
+        let mut motion = Self { pieces: Vec::new() };
+        run(mechanism, sample, &Window { start_s: 0.0, end_s }, settings, &mut motion)?;
+        Ok(motion)
+    }
+
+    /// Free coordinates and rates at `time_s`.
+    pub fn state(&self, time_s: f64) -> (Vec<f64>, Vec<f64>) {
+        let index = self.pieces.partition_point(|piece| piece.end_s < time_s).min(self.pieces.len().saturating_sub(1));
+        let Some(piece) = self.pieces.get(index) else { return (Vec::new(), Vec::new()) };
+        let h = piece.end_s - piece.start_s;
+        let share = ((time_s - piece.start_s) / h).clamp(0.0, 1.0);
+        piece
+            .jets
+            .iter()
+            .map(|[start, end]| {
+                let quintic = Quintic::new(*start, *end, h);
+                (quintic.value(share), quintic.slope(share) / h)
+            })
+            .unzip()
+    }
+}
+
+impl Observer for FreeMotion {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        let mut jets = Vec::new();
+        for (side, time_s) in [(0, step.start_s), (1, step.end_s)] {
+            let dynamics = step.evaluate(time_s);
+            let (coordinates, rates) = dynamics.free_state();
+            jets.resize(coordinates.len(), [[0.0; 3]; 2]);
+            for (k, jet) in jets.iter_mut().enumerate() {
+                jet[side] = [coordinates[k], rates[k], dynamics.accelerations()[k]];
+            }
+        }
+        self.pieces.push(Piece { start_s: step.start_s, end_s: step.end_s, jets });
+    }
+}

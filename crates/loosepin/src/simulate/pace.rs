@@ -1,0 +1,34 @@
+//! How fast a mechanism moves, before it has moved: the scale of steps and of the errors of velocities.
+
+use super::motion::Motion;
+use crate::mechanism::{Mechanism, Sample};
+use crate::model::{DriveId, JointKind};
+
+/// Rate of the fastest drive between time zero and `end_s`, rad/s; driven lengths count as angles over the size of the
+/// mechanism.
+pub fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>, end_s: f64) -> f64 {
+    let model = &mechanism.model;
+    let rates = model.drives.iter().enumerate().map(|(index, drive)| {
+        let scale = match model.joints[drive.joint.0].kind {
+            JointKind::Prismatic { .. } => mechanism.size_m,
+            _ => 1.0,
+        };
+        sample.drives.pace_1_s(model, DriveId(index), end_s, scale)
+    });
+    let fastest = rates.fold(0.0, f64::max);
+    let is_constant = (0..model.drives.len()).all(|index| sample.drives.constant_speed(DriveId(index)).is_some());
+    // A motion that only stands still, or no drive: nothing is slower than the run is long.
+    if is_constant && fastest > 0.0 { fastest } else { fastest.max(std::f64::consts::TAU / end_s) }
+}
+
+/// What the evaluated start of `motion` says about the rates to come, rad/s: angular velocities, and the roots of angular
+/// accelerations; lengths over the size of the mechanism.
+pub fn pace_of_start_rad_s(motion: &Motion<'_, f64>) -> f64 {
+    let mechanism = motion.dynamics.mechanism();
+    let paces = (1..=mechanism.real.links.len()).map(|slot| {
+        let (twist, change) = (&motion.dynamics.kinematics.twists[slot], motion.dynamics.acceleration(slot));
+        let rate = twist.angular.abs().max(twist.linear.length() / mechanism.size_m);
+        rate.max(change.angular.abs().max(change.linear.length() / mechanism.size_m).sqrt())
+    });
+    paces.fold(0.0, f64::max)
+}
