@@ -198,31 +198,6 @@ fn identity_a_double_four_bar_starts_as_given_and_keeps_its_energy() {
     assert!(account.largest_residual_j < 1e-9, "{account:?}");
 }
 
-/// The benchmark of IFToMM: the tip of the first bar after ten seconds, in which the bars lie in one line again and again. There the
-/// loops let the mechanism go on in more than one way; its inertia decides.
-#[test]
-fn peer_the_double_four_bar_after_ten_seconds() {
-    /// From an independent program, ten digits.
-    const TIP_M: [f64; 2] = [0.3284581115, 0.9445185382];
-    const TOLERANCE_M: f64 = 1e-7;
-    /// Residual of the energy account over the 4.5 m of height and 5 kg that the bars exchange: 1e-9 of their largest change.
-    const ENERGY_J: f64 = 5e-8;
-    let text = bars("[initial.body.left]\nangle = \"90 deg\"\nangular_velocity = \"-1 rad/s\"\n");
-    let built = build(&text.replace("duration = \"0.3 s\"", "duration = \"10 s\"\nsamples_per_turn = 1000"));
-    let simulation = simulated(&built);
-    let record = &simulation.record;
-    for (output, expected_m) in record.outputs.iter().zip(TIP_M) {
-        let found_m = output.value_si[1000];
-        assert!((found_m - expected_m).abs() < TOLERANCE_M, "{}: {found_m}, not {expected_m}", output.name);
-    }
-    // The first bar turns through and comes up on the other side: it passes the line more than once.
-    let crossings = record.outputs[1].value_si.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
-    assert!(crossings >= 4, "{crossings}");
-    let account = simulation.report.energy.expect("it is integrated");
-    println!("{account:?} {:?}", simulation.report.counters);
-    assert!(account.largest_residual_j < ENERGY_J, "{account:?}");
-}
-
 /// A pendulum hung with play: its ideal reference is its own run without play.
 #[test]
 fn identity_the_reference_of_an_undriven_mechanism_is_its_own_run_without_play() {
@@ -314,7 +289,7 @@ fn starts_that_do_not_fit_are_refused() {
         failure.expect_err("it is refused").to_string(),
         "initial: body 'middle': angular velocity is 19.09859 rpm; the links and what else is given make it 9.549297 rpm"
     );
-    let driven = "[drive.left]\njoint = \"a\"\nspeed = \"1 rad/s\"\nstart_angle = \"80 deg\"\n[initial.body.left]\nangle = \"90 deg\"\n";
+    let driven = "[drive.left]\njoint = \"a\"\nspeed = \"1 rad/s\"\nstart_angle = \"80 deg\"\n[initial.body.left]\nangle = \"80 deg\"\n";
     assert_eq!(
         refused(driven),
         "the drives determine the motion; the initial state under [initial] has nothing to say"

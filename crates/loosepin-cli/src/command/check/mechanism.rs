@@ -247,7 +247,7 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
         if model.drives.is_empty() { "no drive".to_owned() } else { counted(model.drives.len(), "drive", "drives") },
         if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
-    let loose = mechanism.dynamic_freedoms;
+    let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom;
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }
