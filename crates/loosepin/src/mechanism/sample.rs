@@ -1,5 +1,6 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
+use super::contact_place::{ContactPlace, PlayShape};
 use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
 use super::{Mechanism, tree::points_of};
@@ -26,8 +27,8 @@ pub struct PlayGeometry<T> {
     pub bearing_arm_m: Vec2<T>,
     /// Centre of the journal (pin) in its body's frame, m.
     pub journal_arm_m: Vec2<T>,
-    /// Radius R_i of the bearing, m.
-    pub bearing_radius_m: T,
+    /// What plays in what.
+    pub shape: PlayShape<T>,
     /// Radial clearance c, m.
     pub clearance_m: T,
     /// Normal force.
@@ -53,6 +54,8 @@ pub struct Sample<T> {
     pub real: Geometry<T>,
     /// Joints with play, in the order of [`Mechanism::plays`].
     pub plays: Vec<PlayGeometry<T>>,
+    /// Their contacts, in the order of [`Mechanism::contacts`].
+    pub contacts: Vec<ContactPlace>,
     /// Drives, in the order of the model.
     pub drives: Vec<DriveMotion<T>>,
 }
@@ -100,6 +103,7 @@ impl<T: Real> Sample<T> {
             ideal: Geometry::new(model, &mechanism.ideal, values),
             real: Geometry::new(model, &mechanism.real, values),
             plays,
+            contacts: mechanism.contacts.clone(),
             drives,
         })
     }
@@ -108,7 +112,13 @@ impl<T: Real> Sample<T> {
 impl<T: Real> Sample<T> {
     /// The same sample of [`Mechanism::without_play`].
     pub fn without_play(self) -> Self {
-        Self { real: self.ideal.clone(), plays: Vec::new(), ..self }
+        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), ..self }
+    }
+
+    /// The numbers of the joint that the contact `contact` belongs to.
+    #[inline(always)]
+    pub fn play_of(&self, contact: usize) -> &PlayGeometry<T> {
+        &self.plays[self.contacts[contact].play]
     }
 }
 
@@ -128,7 +138,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     Some(PlayGeometry {
         bearing_arm_m: point_m(model, values, bearing),
         journal_arm_m: point_m(model, values, journal),
-        bearing_radius_m: T::from_f64(bearing_radius_m),
+        shape: PlayShape::Pin { bearing_radius_m: T::from_f64(bearing_radius_m) },
         clearance_m: T::from_f64(clearance_m),
         normal: NormalLaw::broadcast(&normal),
         friction: FrictionLaw::broadcast(&friction),
