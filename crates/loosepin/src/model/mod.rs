@@ -6,6 +6,7 @@
 mod body;
 mod contact;
 mod file;
+mod guide;
 mod joint;
 mod keys;
 mod output;
@@ -24,6 +25,6 @@ pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, V
 pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use topology::{
-    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, Guess, Joint,
-    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, Cycle, Drive, DriveId, Friction, Guess,
+    GuideClearance, Joint, JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
 };
