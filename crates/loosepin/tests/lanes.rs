@@ -3,7 +3,7 @@
 use loosepin::contact::{FRICTION_LAWS, NormalDescription};
 use loosepin::math::Vectors;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, Model};
+use loosepin::model::Model;
 use loosepin::native::OperationCounts;
 use loosepin::simulate::{
     Arms, Counters, EquationPrograms, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation,
@@ -89,8 +89,7 @@ impl Queue for Waiting<'_> {
         let factor = 0.9 + 0.2 * index as f64 / RUNS as f64;
         let mut set = Vec::new();
         for play in &self.case.mechanism.plays {
-            if let JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints[play.0].kind {
-                let id = clearance.radial_clearance_m;
+            if let Some((id, _)) = model.joints[play.0].kind.play() {
                 set.push((id, factor * model.quantities.nominal()[id]));
             }
         }
@@ -117,8 +116,9 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
     waiting.seen
 }
 
-/// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone.
-const CASES: [(&str, f64); 8] = [
+/// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone, a slider with
+/// play in its guide.
+const CASES: [(&str, f64); 9] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -127,6 +127,7 @@ const CASES: [(&str, f64); 8] = [
     ("four_bar_linear_contact", 0.05),
     ("slider_crank_given_stiffness", 0.1),
     ("four_bar_floating_coupler", 0.03),
+    ("slider_crank_guide", 0.15),
 ];
 
 #[test]
