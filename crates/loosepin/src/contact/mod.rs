@@ -51,7 +51,7 @@ mod threlfall;
 mod zhiying_qishao;
 
 pub use film::{
-    FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure, OcvirkFilm,
+    FILM_LAWS, Film, FilmBearing, FiniteLengthFilm, film_law, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure, OcvirkFilm,
     OcvirkPrintedFilm, PinkusSternlichtFilm,
 };
 pub use friction::{

@@ -1,6 +1,6 @@
 //! Motion and forces in a revolute joint with clearance ([SC16] eqs. 1-9; method, section 2).
 
-use crate::contact::{NormalContact, PlayState};
+use crate::contact::{Film, NormalContact, PlayState};
 use crate::math::{Real, Vec2};
 use crate::mechanism::{Kinematics, PlayGeometry};
 use crate::model::SlidingVelocity;
@@ -172,6 +172,34 @@ impl<T: Real> PlayMotion<T> {
             result.moment_on_bearing_n_m = -(bearing_arm_m * friction_n);
             result.friction_loss_w = -(friction_n * material_m_s);
         }
+        if let Some(film) = &play.film {
+            self.add_film(film, play.clearance_m, &mut result);
+        }
         result
+    }
+
+    /// Adds the force and the moments of a film of oil. What it loses counts as friction.
+    #[inline(always)]
+    fn add_film(&self, film: &Film<T>, clearance_m: T, to: &mut PlayForce<T>) {
+        /// Below this, m, the journal is centred and n has any direction.
+        const CENTRED_M: f64 = 1e-150;
+        let length_m = self.eccentricity_m.length();
+        let is_centred = length_m.less_than(T::from_f64(CENTRED_M));
+        let inverse_1_m = T::one() / length_m.max(T::from_f64(CENTRED_M));
+        let normal = Vec2::new(
+            T::select(is_centred, T::one(), self.eccentricity_m.x * inverse_1_m),
+            T::select(is_centred, T::zero(), self.eccentricity_m.y * inverse_1_m),
+        );
+        let tangent = normal.turned();
+        let [spin_i, spin_j] = self.spins_rad_s;
+        // q = ė - ½(ω_i + ω_j) k × e.
+        let mean_spin = T::from_f64(0.5) * (spin_i + spin_j);
+        let velocity_m_s = self.eccentricity_rate_m_s.plus(self.eccentricity_m.turned(), -mean_spin);
+        let along = [velocity_m_s.dot(normal), velocity_m_s.dot(tangent)];
+        let load = film.load(clearance_m, length_m, along, self.spins_rad_s);
+        to.on_journal_n += normal * load.force.radial_n + tangent * load.force.tangential_n;
+        to.moment_on_bearing_n_m += load.moments_n_m[0];
+        to.moment_on_journal_n_m += load.moments_n_m[1];
+        to.friction_loss_w += load.loss_w;
     }
 }

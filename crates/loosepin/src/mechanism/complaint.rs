@@ -64,6 +64,7 @@ impl Problem for SampleError {
             Self::Quantity(error) => error.code(),
             Self::ClearanceChangesTopology { .. } => Code::ClearanceTouchesZero,
             Self::ClearanceOutsideFit { .. } => Code::ClearanceOutsideFit,
+            Self::RoughnessFillsClearance { .. } => Code::RoughnessFillsClearance,
             Self::CannotClose { .. } => Code::CannotClose,
             Self::Singular { .. } => Code::SingularPosition,
         }
@@ -76,6 +77,7 @@ impl Problem for SampleError {
                 Some("with and without play are two mechanisms; run them one by one".to_owned())
             }
             Self::ClearanceOutsideFit { .. } => Some("take another law for this clearance".to_owned()),
+            Self::RoughnessFillsClearance { .. } => Some("roughness is the thinnest film: some micrometres".to_owned()),
             Self::CannotClose { .. } => {
                 Some("the lengths do not allow the whole turn; check them, or drive another joint".to_owned())
             }
@@ -89,9 +91,9 @@ impl SampleError {
     pub fn complaint(&self, model: &Model) -> Complaint {
         let path = match self {
             Self::Quantity(error) => return Complaint::error(error, model.place(error.path())),
-            Self::ClearanceChangesTopology { joint, .. } | Self::ClearanceOutsideFit { joint, .. } => {
-                format!("joint.{joint}.radial_clearance")
-            }
+            Self::ClearanceChangesTopology { joint, .. }
+            | Self::ClearanceOutsideFit { joint, .. }
+            | Self::RoughnessFillsClearance { joint, .. } => format!("joint.{joint}.radial_clearance"),
             Self::CannotClose { joint, .. } => format!("joint.{joint}"),
             Self::Singular { .. } => format!("drive.{}", model.drives[model.cycle.drive.0].name),
         };

@@ -114,6 +114,20 @@ pub enum SampleError {
         /// Smallest and largest clearance of the fit, m.
         fitted_m: [f64; 2],
     },
+    /// A clearance that has no room for a film of oil.
+    #[error(
+        "joint '{joint}' has a film with a roughness of {} in a radial clearance of {}; must be below it",
+        format_value(*roughness_m, Dimension::LENGTH),
+        format_value(*clearance_m, Dimension::LENGTH)
+    )]
+    RoughnessFillsClearance {
+        /// The joint.
+        joint: String,
+        /// The roughness in this sample, m.
+        roughness_m: f64,
+        /// The clearance in this sample, m.
+        clearance_m: f64,
+    },
     /// The loops cannot be closed at this instant.
     #[error(
         "the links cannot close at {}: joint '{joint}' stays {} open",

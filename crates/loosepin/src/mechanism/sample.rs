@@ -4,7 +4,7 @@ use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
 use super::{Mechanism, tree::points_of};
 use crate::contact::{
-    FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact, compliance_1_pa,
+    Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact, compliance_1_pa,
     cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s, restitution_of_damping_ratio,
 };
 use crate::math::{Real, Vec2};
@@ -34,6 +34,8 @@ pub struct PlayGeometry<T> {
     pub normal: NormalLaw<T>,
     /// Friction.
     pub friction: FrictionLaw<T>,
+    /// Film of oil, if any.
+    pub film: Option<Film<T>>,
     /// Reading of eq. (7).
     pub sliding_velocity: SlidingVelocity,
     /// Floor v_min of the impact speed, m/s.
@@ -62,7 +64,8 @@ impl<T: Real> Sample<T> {
     ///
     /// # Errors
     /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
-    /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance.
+    /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance,
+    /// [`SampleError::RoughnessFillsClearance`] where no film has room.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
         let model = &mechanism.model;
         for (index, joint) in model.joints.iter().enumerate() {
@@ -76,7 +79,15 @@ impl<T: Real> Sample<T> {
                         compiled_with_play,
                     });
                 }
-                let law = model.contacts[clearance.contact.0].law;
+                let contact = &model.contacts[clearance.contact.0];
+                if let Some(film) = &contact.film
+                    && clearance_m > 0.0
+                    && values[film.roughness_m] >= clearance_m
+                {
+                    let (joint, roughness_m) = (joint.name.clone(), values[film.roughness_m]);
+                    return Err(SampleError::RoughnessFillsClearance { joint, roughness_m, clearance_m });
+                }
+                let law = contact.law;
                 if let NormalDescription::Line(law) = law
                     && let Some(fitted_m) = law.fitted_clearances_m()
                     && clearance_m > 0.0
@@ -132,11 +143,25 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         clearance_m: T::from_f64(clearance_m),
         normal: NormalLaw::broadcast(&normal),
         friction: FrictionLaw::broadcast(&friction),
+        film: film(contact, clearance, values).as_ref().map(Film::broadcast),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
         delivered_restitution: delivered(&normal, contact, values),
     })
+}
+
+/// The film of oil with its numbers.
+fn film(contact: &Contact, clearance: &Clearance, values: &Values) -> Option<Film<f64>> {
+    let (film, length) = contact.film.as_ref().zip(clearance.bearing_length_m)?;
+    let bearing = FilmBearing {
+        viscosity_pa_s: values[film.viscosity_pa_s],
+        radius_m: values[clearance.bearing_radius_m],
+        length_m: values[length],
+        clearance_m: values[clearance.radial_clearance_m],
+        roughness_m: values[film.roughness_m],
+    };
+    Some(Film::new(film.law, &bearing))
 }
 
 /// The normal force law with its numbers: stiffness for this clearance, or as given, and energy loss.

@@ -1,11 +1,11 @@
 //! Contacts between pin and hole.
 
 use super::file::{ModelReader, UNREAD};
-use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
+use super::keys::{CONTACT_KEYS, FILM_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
-use crate::contact::{FRICTION_LAWS, FrictionDescription, NormalDescription, POINT_LAWS, PointLaw};
+use super::topology::{Contact, ContactId, Friction, Lubrication, SlidingVelocity, Stiffness};
+use crate::contact::{FILM_LAWS, FRICTION_LAWS, FilmDescription, FrictionDescription, NormalDescription, POINT_LAWS, PointLaw};
 use crate::contact::{friction_law, point_law};
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Rule};
@@ -56,6 +56,7 @@ impl ModelReader {
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
         let friction = table.get("friction").and_then(|entry| self.friction(&entry));
+        let film = table.get("film").map(|entry| self.film(&entry));
         Some(Contact {
             name: name.to_owned(),
             law: law?,
@@ -66,6 +67,7 @@ impl ModelReader {
             minimum_impact_speed_m_s: minimum_impact_speed_m_s?,
             density_kg_m3,
             friction,
+            film: film.map_or(Some(None), |film| film.map(Some))?,
         })
     }
 
@@ -254,5 +256,17 @@ impl ModelReader {
         }
         let numbers = numbers.into_iter().collect::<Option<Vec<QuantityId>>>()?;
         Some(Friction { law, numbers, sliding_velocity: sliding_velocity? })
+    }
+
+    fn film(&mut self, entry: &Entry<'_>) -> Option<Lubrication> {
+        let table = self.reader.table(entry, &FILM_KEYS)?;
+        let law = table.get("law").and_then(|entry| {
+            let choices: Vec<(&'static str, &'static FilmDescription)> =
+                FILM_LAWS.iter().map(|law| (law.name, law)).collect();
+            self.reader.choice(&entry, &choices)
+        });
+        let viscosity_pa_s = self.quantity(&table, "viscosity");
+        let roughness_m = self.quantity(&table, "roughness");
+        Some(Lubrication { law: law?, viscosity_pa_s: viscosity_pa_s?, roughness_m: roughness_m? })
     }
 }

@@ -1,6 +1,6 @@
 //! The keys of a model file.
 
-use crate::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -38,6 +38,29 @@ fn damping_names() -> Vec<&'static str> {
 fn friction_law_names() -> Vec<&'static str> {
     FRICTION_LAWS.iter().map(|law| law.name).collect()
 }
+
+fn film_law_names() -> Vec<&'static str> {
+    FILM_LAWS.iter().map(|law| law.name).collect()
+}
+
+pub(super) static FILM_KEYS: Keys = Keys::new(
+    "a film of oil between pin and hole",
+    &[
+        required("law", Kind::ChoiceOf(film_law_names), "\"ocvirk\"", "the film"),
+        required(
+            "viscosity",
+            quantity(D::VISCOSITY, Rule::Positive),
+            "\"0.04 Pa s\"",
+            "dynamic viscosity of the oil",
+        ),
+        required(
+            "roughness",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"2 um\"",
+            "thickness of the film below which it no longer stiffens; over as much beyond the clearance it fades",
+        ),
+    ],
+);
 
 pub(super) static FRICTION_KEYS: Keys = Keys::new(
     "friction between pin and hole",
@@ -183,6 +206,12 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
             "density, to say which impacts are too fast for the law",
         ),
         optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
+        optional(
+            "film",
+            Kind::Table(&FILM_KEYS),
+            "{ law = \"ocvirk\", viscosity = \"0.04 Pa s\", roughness = \"2 um\" }",
+            "film of oil, for joints with a bearing length; none if left out",
+        ),
     ],
 );
 
@@ -203,7 +232,7 @@ pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
             "bearing_length",
             quantity(D::LENGTH, Rule::Positive),
             "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws",
+            "length of the bearing along its axis, for line-contact laws and films of oil",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
     ],

@@ -205,7 +205,7 @@ impl Problem for ModelProblem {
                 Some("give youngs_modulus and poisson_ratio, or stiffness and exponent".to_owned())
             }
             Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"bearing_length") => {
-                Some("the contact has a line-contact law, whose force is proportional to the length".to_owned())
+                Some("the contact has a line-contact law or a film of oil, whose force depends on the length".to_owned())
             }
             Self::NeedsKeys { key: "radial_clearance", .. } => {
                 Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())

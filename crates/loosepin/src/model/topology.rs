@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::quantity::{QuantityId, QuantityTable};
-use crate::contact::{FrictionDescription, NormalDescription, PointLaw};
+use crate::contact::{FilmDescription, FrictionDescription, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
 
@@ -184,6 +184,19 @@ pub struct Contact {
     pub density_kg_m3: Option<QuantityId>,
     /// Friction, if any.
     pub friction: Option<Friction>,
+    /// Film of oil, if any.
+    pub film: Option<Lubrication>,
+}
+
+/// A film of oil between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Lubrication {
+    /// The film.
+    pub law: &'static FilmDescription,
+    /// Viscosity of the oil, Pa s, > 0.
+    pub viscosity_pa_s: QuantityId,
+    /// The thinnest film, m, > 0.
+    pub roughness_m: QuantityId,
 }
 
 /// Where the contact stiffness comes from.

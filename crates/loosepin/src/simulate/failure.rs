@@ -91,7 +91,7 @@ pub enum RunFailure {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 12] = [
+const CODES: [&str; 13] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -104,6 +104,7 @@ const CODES: [&str; 12] = [
     "pin_leaves_bearing",
     "beyond_contact_law",
     "clearance_outside_fit",
+    "roughness_fills_clearance",
 ];
 
 impl RunFailure {
@@ -127,6 +128,7 @@ impl RunFailure {
             Self::LeavesBearing { .. } => 9,
             Self::BeyondLaw { .. } => 10,
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
+            Self::Sample(SampleError::RoughnessFillsClearance { .. }) => 12,
         }
     }
 

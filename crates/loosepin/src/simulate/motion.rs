@@ -1,7 +1,7 @@
 //! The state vector of a run, or of one run a lane, and its derivative.
 //!
 //! One integrates over s with dt/ds = w. Mostly w = 1 and s is the time. During a contact whose law is K δ^1.5 without
-//! friction, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
+//! friction and film, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
 //! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One joint at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
@@ -39,7 +39,7 @@ impl Layout {
                 dimension - 1
             })
         };
-        let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
+        let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts() && play.film.is_none();
         let roots = sample.plays.iter().map(|play| place_if(has_root(play))).collect();
         let bristles = sample.plays.iter().map(|play| place_if(play.friction.has_bristle())).collect();
         Self { freedoms, roots, bristles, dimension }
@@ -212,7 +212,7 @@ pub fn tolerances<T: Real>(
             tolerances[*place] = local_rad * play.friction.largest_deflection_m();
         }
     }
-    if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
+    if sample.plays.iter().any(|play| play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset()) {
         tolerances.extend([local_rad * energy_j; ACCOUNT]);
     }
     tolerances

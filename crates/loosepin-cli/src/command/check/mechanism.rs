@@ -137,6 +137,14 @@ fn play_lines(
         Some(friction) => friction_words(model, friction, values),
     };
     lines.push(format!("{stiffness}{friction}"));
+    if let Some(film) = &contact.film {
+        lines.push(format!(
+            "film of oil by {}: viscosity {}, roughness {}",
+            film.law.name,
+            format_value(values[film.viscosity_pa_s], Dimension::VISCOSITY),
+            length(film.roughness_m)
+        ));
+    }
     if let Some(limit_m_s) =
         numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
     {

@@ -3,6 +3,8 @@
 //! One film a file: a struct over [`Real`] that implements [`FilmPressure`], its `DESCRIPTION`, and one line in the list at the end
 //! of this file. [`Film`] adds what all of them share: the moments, the cap of the eccentricity, and the fading in dry contact.
 
+mod finite_length;
+mod finite_length_table;
 mod motion;
 mod ocvirk;
 mod ocvirk_printed;
@@ -10,6 +12,7 @@ mod pinkus_sternlicht;
 #[cfg(test)]
 mod tests;
 
+pub use finite_length::FiniteLengthFilm;
 pub use motion::{FilmForce, FilmMotion};
 pub use ocvirk::OcvirkFilm;
 pub use ocvirk_printed::OcvirkPrintedFilm;
@@ -169,6 +172,11 @@ impl<T: Real> Film<T> {
     }
 }
 
+/// The film called `name` in model files.
+pub fn film_law(name: &str) -> Option<&'static FilmDescription> {
+    FILM_LAWS.iter().find(|law| law.name == name)
+}
+
 /// The enum of all films, what it hands on to them, and the table of their descriptions.
 macro_rules! film_laws {
     ($($variant:ident($film:ident)),* $(,)?) => {
@@ -210,4 +218,5 @@ film_laws! {
     Ocvirk(OcvirkFilm),
     OcvirkPrinted(OcvirkPrintedFilm),
     PinkusSternlicht(PinkusSternlichtFilm),
+    FiniteLength(FiniteLengthFilm),
 }
