@@ -32,12 +32,17 @@ fn describe(keys: &[&str]) -> String {
     match keys {
         [] => String::new(),
         ["assembly", "guess", body] => format!("assembly: guess of '{body}'"),
-        [kind @ ("parameter" | "body" | "contact" | "joint" | "drive" | "output" | "random" | "epistemic"), name] => {
-            format!("{kind} '{name}'")
-        }
-        [kind @ ("body" | "contact" | "joint" | "drive" | "output" | "random" | "epistemic"), name, rest @ ..] => {
-            format!("{kind} '{name}': {}", plain_words(rest))
-        }
+        [
+            kind @ ("parameter" | "body" | "contact" | "joint" | "drive" | "output" | "random" | "epistemic"
+            | "expected" | "history"),
+            name,
+        ] => format!("{kind} '{name}'"),
+        [
+            kind
+            @ ("body" | "contact" | "joint" | "drive" | "output" | "random" | "epistemic" | "expected" | "history"),
+            name,
+            rest @ ..,
+        ] => format!("{kind} '{name}': {}", plain_words(rest)),
         [kind @ ("ask" | "require"), number] => format!("[[{kind}]] {number}"),
         [kind @ ("ask" | "require"), number, rest @ ..] => format!("[[{kind}]] {number}: {}", plain_words(rest)),
         [kind @ ("sampling" | "cycle"), rest @ ..] if !rest.is_empty() => format!("{kind}: {}", plain_words(rest)),
