@@ -2,8 +2,7 @@
 
 use super::line::{LineLaw, LinePair};
 use super::liu::{liu_energy, liu_stiffness_n_m};
-use super::normal::{NormalContact, NormalForce, NormalLaw, largest_with_loss_n, with_loss};
-use super::state::PlayState;
+use super::normal::{NormalContact, NormalLaw};
 use crate::math::Real;
 
 /// Bai and Zhao's hybrid law 2013: F = K_n δ, K_n = (π E* L/8) √(2δ(3c + 2δ)²/(c + δ)³), for every δ; energy loss by Zhiying and
@@ -52,6 +51,13 @@ impl<T: Real> BaiZhaoContact<T> {
             damping_factor: T::from_f64(from.damping_factor),
         }
     }
+}
+
+impl<T: Real> NormalContact<T> for BaiZhaoContact<T> {
+    #[inline(always)]
+    fn elastic_n(&self, penetration_m: T) -> T {
+        self.elastic_at_root_n(penetration_m.max(T::zero()).sqrt())
+    }
 
     /// F_el with δ = u², N.
     #[inline(always)]
@@ -60,12 +66,10 @@ impl<T: Real> BaiZhaoContact<T> {
         let slope = (self.clearance_m + distance_m + distance_m) / (distance_m * distance_m.sqrt());
         T::from_f64(0.5) * self.stiffness_n_m * (root * root * root) * slope
     }
-}
 
-impl<T: Real> NormalContact<T> for BaiZhaoContact<T> {
     #[inline(always)]
-    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        self.force_at_root(penetration_m.max(T::zero()).sqrt(), rate_m_s, state)
+    fn damping_factor(&self) -> T {
+        self.damping_factor
     }
 
     /// With F = δ F'_Liu: δ F_Liu minus the energy of Liu's law.
@@ -80,18 +84,6 @@ impl<T: Real> NormalContact<T> for BaiZhaoContact<T> {
     #[inline(always)]
     fn is_smooth_in_root(&self) -> bool {
         true
-    }
-
-    #[inline(always)]
-    fn force_at_root(&self, root: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        let elastic_n = self.elastic_at_root_n(root);
-        with_loss(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
-    }
-
-    #[inline(always)]
-    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
-        let elastic_n = self.elastic_at_root_n(penetration_m.max(T::zero()).sqrt());
-        largest_with_loss_n(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
     }
 
     fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {

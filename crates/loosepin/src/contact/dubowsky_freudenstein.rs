@@ -23,11 +23,7 @@ impl LineLaw for DubowskyFreudenstein {
         // L³c/(F R_i R_j h) = L²c/(R_i R_j s)
         let radii_m2 = pair.bearing_radius_m * pair.journal_radius_m();
         let scale_m = std::f64::consts::E * pair.length_m * pair.length_m * pair.clearance_m / radii_m2;
-        NormalLaw::Logarithmic(LogarithmicContact {
-            stiffness_n_m: pair.length_m / pair.h_1_pa(),
-            scale_m,
-            damping_factor,
-        })
+        LogarithmicContact::law(pair, scale_m, damping_factor)
     }
 }
 

@@ -20,11 +20,7 @@ impl LineLaw for Esdu78035 {
     fn contact(&self, pair: &LinePair, damping_factor: f64) -> NormalLaw<f64> {
         // ln(4c/s) + 1 = ln(4ce/s)
         let scale_m = 4.0 * pair.clearance_m * std::f64::consts::E;
-        NormalLaw::Logarithmic(LogarithmicContact {
-            stiffness_n_m: pair.length_m / pair.h_1_pa(),
-            scale_m,
-            damping_factor,
-        })
+        LogarithmicContact::law(pair, scale_m, damping_factor)
     }
 }
 

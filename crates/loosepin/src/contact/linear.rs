@@ -66,6 +66,17 @@ impl<T: Real> LinearContact<T> {
 
 impl<T: Real> NormalContact<T> for LinearContact<T> {
     #[inline(always)]
+    fn elastic_n(&self, penetration_m: T) -> T {
+        self.stiffness_n_m * penetration_m.max(T::zero())
+    }
+
+    /// The loss is D δ̇.
+    #[inline(always)]
+    fn damping_factor(&self) -> T {
+        T::zero()
+    }
+
+    #[inline(always)]
     fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
         let elastic_n = self.stiffness_n_m * penetration_m;
         // Not the sign of δ but the state of the contact tells whether there is a damper: where contact begins, δ is zero.
@@ -81,8 +92,7 @@ impl<T: Real> NormalContact<T> for LinearContact<T> {
 
     #[inline(always)]
     fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
-        let elastic_n = self.stiffness_n_m * penetration_m.max(T::zero());
-        self.damping_n_s_m(state).mul_add(rate_m_s.max(T::zero()), elastic_n)
+        self.damping_n_s_m(state).mul_add(rate_m_s.max(T::zero()), self.elastic_n(penetration_m))
     }
 
     #[inline(always)]

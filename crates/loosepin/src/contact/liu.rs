@@ -1,8 +1,7 @@
 //! Liu, Zhang and Yang 2006.
 
 use super::line::{LineLaw, LinePair};
-use super::normal::{NormalContact, NormalForce, NormalLaw, largest_with_loss_n, with_loss};
-use super::state::PlayState;
+use super::normal::{NormalContact, NormalLaw};
 use crate::math::{Real, logarithm_above_one};
 
 /// Liu, Zhang, Yang and co-workers 2006: F = ½ π E* L δ √(δ/(2(c + δ))), for every δ.
@@ -50,18 +49,23 @@ impl<T: Real> LiuContact<T> {
             damping_factor: T::from_f64(from.damping_factor),
         }
     }
+}
+
+impl<T: Real> NormalContact<T> for LiuContact<T> {
+    #[inline(always)]
+    fn elastic_n(&self, penetration_m: T) -> T {
+        self.elastic_at_root_n(penetration_m.max(T::zero()).sqrt())
+    }
 
     /// F_el with δ = u²: K u³/√(c + u²), N.
     #[inline(always)]
     fn elastic_at_root_n(&self, root: T) -> T {
         self.stiffness_n_m * (root * root * root) / root.mul_add(root, self.clearance_m).sqrt()
     }
-}
 
-impl<T: Real> NormalContact<T> for LiuContact<T> {
     #[inline(always)]
-    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        self.force_at_root(penetration_m.max(T::zero()).sqrt(), rate_m_s, state)
+    fn damping_factor(&self) -> T {
+        self.damping_factor
     }
 
     /// K c² G(δ/c), G as in `liu_energy`.
@@ -75,18 +79,6 @@ impl<T: Real> NormalContact<T> for LiuContact<T> {
     #[inline(always)]
     fn is_smooth_in_root(&self) -> bool {
         true
-    }
-
-    #[inline(always)]
-    fn force_at_root(&self, root: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        let elastic_n = self.elastic_at_root_n(root);
-        with_loss(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
-    }
-
-    #[inline(always)]
-    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
-        let elastic_n = self.elastic_at_root_n(penetration_m.max(T::zero()).sqrt());
-        largest_with_loss_n(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
     }
 
     fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {

@@ -1,7 +1,7 @@
 //! The normal force that the logarithmic line-contact laws share.
 
-use super::normal::{NormalContact, NormalForce, largest_with_loss_n, with_loss};
-use super::state::PlayState;
+use super::line::LinePair;
+use super::normal::{NormalContact, NormalLaw};
 use crate::math::{Real, logarithm_above_one, natural_logarithm};
 
 /// The force F that δ = s ln(a/s), s = F h/L, gives for a penetration δ, times (1 + χ δ̇/v0), cut at zero.
@@ -16,6 +16,13 @@ pub struct LogarithmicContact<T> {
     pub scale_m: T,
     /// Factor χ of the energy loss.
     pub damping_factor: T,
+}
+
+impl LogarithmicContact<f64> {
+    /// The law with the length a for a pair: L/h from the pair.
+    pub fn law(pair: &LinePair, scale_m: f64, damping_factor: f64) -> NormalLaw<f64> {
+        NormalLaw::Logarithmic(Self { stiffness_n_m: pair.length_m / pair.h_1_pa(), scale_m, damping_factor })
+    }
 }
 
 impl<T: Real> LogarithmicContact<T> {
@@ -33,19 +40,18 @@ impl<T: Real> LogarithmicContact<T> {
     fn share(&self, depth_m: T) -> T {
         T::one() / inverse_logarithmic(depth_m / self.scale_m)
     }
+}
 
+impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
     #[inline(always)]
     fn elastic_n(&self, penetration_m: T) -> T {
         let depth_m = penetration_m.max(T::zero());
         self.stiffness_n_m * depth_m * self.share(depth_m)
     }
-}
 
-impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
     #[inline(always)]
-    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        let elastic_n = self.elastic_n(penetration_m);
-        with_loss(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
+    fn damping_factor(&self) -> T {
+        self.damping_factor
     }
 
     /// ∫ F dδ = F δ - ∫ δ dF = (L/h)(s δ - s²/2 ln(a/s) - s²/4) = F (δ/2 - s/4).
@@ -55,12 +61,6 @@ impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
         let share = self.share(depth_m);
         let force_n = self.stiffness_n_m * depth_m * share;
         force_n * depth_m * (T::from_f64(0.5) - T::from_f64(0.25) * share)
-    }
-
-    #[inline(always)]
-    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
-        let elastic_n = self.elastic_n(penetration_m);
-        largest_with_loss_n(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
     }
 
     #[inline(always)]

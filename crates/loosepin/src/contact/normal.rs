@@ -20,10 +20,27 @@ pub struct NormalForce<T> {
 
 /// The numbers of a normal force law and its equations: what the equations of motion evaluate.
 ///
-/// The contact loses the power (F_N - F_el) δ̇, also while F_N is cut at zero.
+/// The contact loses the power (F_N - F_el) δ̇, also while F_N is cut at zero. Most laws are an elastic force and a factor:
+/// `F_N = F_el(δ) (1 + χ δ̇/v0)`, cut at zero; they give F_el and χ. A law with another loss gives the forces themselves.
 pub trait NormalContact<T: Real> {
+    /// F_el at penetration δ, m, N: zero where δ is negative.
+    fn elastic_n(&self, penetration_m: T) -> T;
+
+    /// F_el at the root u = √δ of the penetration, √m. A negative root, just beyond the end of contact, continues the force
+    /// smoothly where the law has a root.
+    #[inline(always)]
+    fn elastic_at_root_n(&self, root: T) -> T {
+        self.elastic_n(root * root)
+    }
+
+    /// χ; zero where the loss has another form.
+    fn damping_factor(&self) -> T;
+
     /// The force at penetration δ, m, and penetration rate δ̇, m/s. In flight and for a negative δ it is zero.
-    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T>;
+    #[inline(always)]
+    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
+        with_loss(self.elastic_n(penetration_m), self.damping_factor(), rate_m_s, state.inverse_impact_speed_s_m)
+    }
 
     /// The elastic energy stored at penetration δ: ∫ F_el dδ, J.
     fn stored_energy_j(&self, penetration_m: T) -> T;
@@ -33,15 +50,18 @@ pub trait NormalContact<T: Real> {
         false
     }
 
-    /// The force at the root u = √δ of the penetration, √m. A negative root, just beyond the end of contact, continues the
-    /// force smoothly where the law has a root.
+    /// The force at the root u = √δ of the penetration, √m, for a law that is smooth in it.
     #[inline(always)]
     fn force_at_root(&self, root: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        self.force(root * root, rate_m_s, state)
+        with_loss(self.elastic_at_root_n(root), self.damping_factor(), rate_m_s, state.inverse_impact_speed_s_m)
     }
 
     /// An upper limit of the force up to a penetration, at rates up to the larger of `rate_m_s` and v0, N.
-    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T;
+    #[inline(always)]
+    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
+        let fastest = (rate_m_s * state.inverse_impact_speed_s_m).max(T::one());
+        self.elastic_n(penetration_m) * self.damping_factor().mul_add(fastest, T::one())
+    }
 
     /// The penetration beyond which the law says nothing, m, if there is one. A run that goes beyond fails; until that is seen
     /// the force is continued somehow.
@@ -70,26 +90,9 @@ pub trait NormalContact<T: Real> {
 
 /// `F_N = F_el (1 + χ δ̇/v0)`, the factor cut at zero: the loss that most laws share.
 #[inline(always)]
-pub(super) fn with_loss<T: Real>(
-    elastic_n: T,
-    damping_factor: T,
-    rate_m_s: T,
-    inverse_impact_speed_s_m: T,
-) -> NormalForce<T> {
+fn with_loss<T: Real>(elastic_n: T, damping_factor: T, rate_m_s: T, inverse_impact_speed_s_m: T) -> NormalForce<T> {
     let factor = (damping_factor * rate_m_s).mul_add(inverse_impact_speed_s_m, T::one());
     NormalForce { total_n: elastic_n * factor.max(T::zero()), elastic_n }
-}
-
-/// The largest force of [`with_loss`] at rates up to the larger of `rate_m_s` and v0.
-#[inline(always)]
-pub(super) fn largest_with_loss_n<T: Real>(
-    elastic_n: T,
-    damping_factor: T,
-    rate_m_s: T,
-    inverse_impact_speed_s_m: T,
-) -> T {
-    let fastest = (rate_m_s * inverse_impact_speed_s_m).max(T::one());
-    elastic_n * damping_factor.mul_add(fastest, T::one())
 }
 
 /// The enum of all laws, and what it hands on to them.
@@ -112,6 +115,24 @@ macro_rules! normal_laws {
         }
 
         impl<T: Real> NormalContact<T> for NormalLaw<T> {
+            #[inline(always)]
+            fn elastic_n(&self, penetration_m: T) -> T {
+                match self {
+                    $(Self::$variant(contact) => contact.elastic_n(penetration_m)),*
+                }
+            }
+            #[inline(always)]
+            fn elastic_at_root_n(&self, root: T) -> T {
+                match self {
+                    $(Self::$variant(contact) => contact.elastic_at_root_n(root)),*
+                }
+            }
+            #[inline(always)]
+            fn damping_factor(&self) -> T {
+                match self {
+                    $(Self::$variant(contact) => contact.damping_factor()),*
+                }
+            }
             #[inline(always)]
             fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
                 match self {

@@ -1,8 +1,7 @@
 //! Pereira, Ramalho and Ambrósio 2011.
 
 use super::line::{LineLaw, LinePair};
-use super::normal::{NormalContact, NormalForce, NormalLaw, largest_with_loss_n, with_loss};
-use super::state::PlayState;
+use super::normal::{NormalContact, NormalLaw};
 use crate::math::{Real, exponential, natural_logarithm};
 
 /// Pereira, Ramalho and Ambrósio 2011, for a pin inside of a hole: F = ((0.965 c + 0.0965) L E*/c) δⁿ with c, L, δ in mm, E* in
@@ -63,7 +62,9 @@ impl<T: Real> PereiraContact<T> {
             damping_factor: T::from_f64(from.damping_factor),
         }
     }
+}
 
+impl<T: Real> NormalContact<T> for PereiraContact<T> {
     /// F_el, N; zero without penetration.
     #[inline(always)]
     fn elastic_n(&self, penetration_m: T) -> T {
@@ -71,25 +72,16 @@ impl<T: Real> PereiraContact<T> {
         let power = exponential(self.exponent * natural_logarithm(depth_mm));
         T::select(T::zero().less_than(depth_mm), self.force_at_1_mm_n * power, T::zero())
     }
-}
 
-impl<T: Real> NormalContact<T> for PereiraContact<T> {
     #[inline(always)]
-    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        let elastic_n = self.elastic_n(penetration_m);
-        with_loss(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
+    fn damping_factor(&self) -> T {
+        self.damping_factor
     }
 
     /// F_el δ/(n + 1).
     #[inline(always)]
     fn stored_energy_j(&self, penetration_m: T) -> T {
         self.elastic_n(penetration_m) * penetration_m / (self.exponent + T::one())
-    }
-
-    #[inline(always)]
-    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
-        let elastic_n = self.elastic_n(penetration_m);
-        largest_with_loss_n(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
     }
 
     #[inline(always)]

@@ -1,7 +1,6 @@
 //! The normal force that every point-contact law shares.
 
-use super::normal::{NormalContact, NormalForce, largest_with_loss_n, with_loss};
-use super::state::PlayState;
+use super::normal::NormalContact;
 use crate::math::Real;
 
 /// `F_N = K δⁿ (1 + χ δ̇/v0)`, cut at zero (method, section 2.1).
@@ -26,19 +25,18 @@ impl<T: Real> PointContact<T> {
             damping_factor: T::from_f64(from.damping_factor),
         }
     }
+}
 
+impl<T: Real> NormalContact<T> for PointContact<T> {
     /// F_el = K δⁿ, N.
     #[inline(always)]
     fn elastic_n(&self, penetration_m: T) -> T {
         self.stiffness_n_m_n * penetration_m.max(T::zero()).powf(self.exponent)
     }
-}
 
-impl<T: Real> NormalContact<T> for PointContact<T> {
     #[inline(always)]
-    fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        let elastic_n = self.elastic_n(penetration_m);
-        with_loss(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
+    fn damping_factor(&self) -> T {
+        self.damping_factor
     }
 
     /// K δ^(n+1)/(n+1).
@@ -55,15 +53,8 @@ impl<T: Real> NormalContact<T> for PointContact<T> {
     }
 
     #[inline(always)]
-    fn force_at_root(&self, root: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
-        let elastic_n = self.stiffness_n_m_n * (root * root * root);
-        with_loss(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
-    }
-
-    #[inline(always)]
-    fn largest_force_n(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> T {
-        let elastic_n = self.elastic_n(penetration_m);
-        largest_with_loss_n(elastic_n, self.damping_factor, rate_m_s, state.inverse_impact_speed_s_m)
+    fn elastic_at_root_n(&self, root: T) -> T {
+        self.stiffness_n_m_n * (root * root * root)
     }
 
     fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
@@ -75,6 +66,7 @@ impl<T: Real> NormalContact<T> for PointContact<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::PlayState;
 
     /// In contact since an impact at 1/2 m/s.
     const TOUCH: PlayState<f64> =

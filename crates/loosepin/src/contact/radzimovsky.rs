@@ -27,11 +27,7 @@ impl LineLaw for Radzimovsky {
         // 16 R_i R_j/b² = 16 c E*/(2.2568² f) = 16 c/(2.2568² π s)
         let width = WIDTH * WIDTH * std::f64::consts::PI;
         let scale_m = 16.0 * pair.clearance_m * libm::exp(2.0 / 3.0) / width;
-        NormalLaw::Logarithmic(LogarithmicContact {
-            stiffness_n_m: pair.length_m / pair.h_1_pa(),
-            scale_m,
-            damping_factor,
-        })
+        LogarithmicContact::law(pair, scale_m, damping_factor)
     }
 }
 

@@ -144,8 +144,7 @@ fn normal(contact: &Contact, clearance: &Clearance, values: &Values) -> NormalLa
     let bearing_radius_m = values[clearance.bearing_radius_m];
     let clearance_m = values[clearance.radial_clearance_m];
     match (&contact.stiffness, contact.law) {
-        (Stiffness::Linear { stiffness_n_m }, law) => {
-            let NormalDescription::Linear(law) = law else { unreachable!("only linear laws have a linear stiffness") };
+        (Stiffness::Linear { law, stiffness_n_m }, _) => {
             let damping_ratio = restitution.and_then(|restitution| law.damping_ratio(restitution));
             NormalLaw::Linear(LinearContact {
                 stiffness_n_m: values[*stiffness_n_m],

@@ -5,7 +5,7 @@ use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
 use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
-use crate::contact::{FRICTION_LAWS, FrictionDescription, NormalDescription, POINT_LAWS, PointLaw};
+use crate::contact::{FRICTION_LAWS, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw};
 use crate::contact::{friction_law, point_law};
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Rule};
@@ -48,7 +48,7 @@ impl ModelReader {
             None
         };
         let stiffness = match law {
-            Some(NormalDescription::Linear(_)) => self.linear_stiffness(table),
+            Some(NormalDescription::Linear(law)) => self.linear_stiffness(table, law),
             Some(NormalDescription::Line(_)) => self.material_stiffness(table),
             _ => self.stiffness(table),
         };
@@ -117,11 +117,11 @@ impl ModelReader {
     }
 
     /// K of a linear law.
-    fn linear_stiffness(&mut self, table: &Table<'_>) -> Option<Stiffness> {
+    fn linear_stiffness(&mut self, table: &Table<'_>, law: &'static dyn LinearLaw) -> Option<Stiffness> {
         self.reader.demand(table, "stiffness").then_some(())?;
         let stiffness_n_m =
             self.quantity_of(&table.get("stiffness")?, Dimension::contact_stiffness(1.0), Rule::Positive)?;
-        Some(Stiffness::Linear { stiffness_n_m })
+        Some(Stiffness::Linear { law, stiffness_n_m })
     }
 
     /// The materials of a line contact.

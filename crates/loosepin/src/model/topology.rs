@@ -9,7 +9,7 @@ use super::initial::InitialValue;
 use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
-use crate::contact::{FrictionDescription, NormalDescription, PointLaw};
+use crate::contact::{FrictionDescription, LinearLaw, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
 
@@ -216,6 +216,8 @@ pub enum Stiffness {
     },
     /// K of a linear law as given.
     Linear {
+        /// The law, which tells where the damping comes from.
+        law: &'static dyn LinearLaw,
         /// K, N/m, > 0.
         stiffness_n_m: QuantityId,
     },
