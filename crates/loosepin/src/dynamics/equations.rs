@@ -68,8 +68,6 @@ pub struct Dynamics<'a, T> {
     centre_partials: Vec<Vec2<T>>,
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
-    /// M⁻¹ Jᵀ, one row of n for each constraint.
-    pub(super) mobility_rows: Vec<T>,
     /// J M⁻¹ Jᵀ.
     pub(super) gram: GramSystem<T>,
 }
@@ -131,8 +129,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             centre_partials: vec![Vec2::zero(); z],
             jacobian: vec![T::zero(); rows * z],
             constraint_biases: vec![T::zero(); rows],
-            mobility_rows: vec![T::zero(); rows * n],
-            gram: GramSystem::new(rows, mechanism.rows_may_repeat),
+            gram: GramSystem::new(rows, n, mechanism.rows_may_repeat),
         }
     }
 
@@ -286,32 +283,15 @@ impl<'a, T: Real> Dynamics<'a, T> {
         constraints::biases(tree, &self.sample.real, &self.kinematics, &mut self.constraint_biases);
         for row in 0..rows {
             let gradient = &self.jacobian[row * columns..row * columns + n];
-            let mobility = &mut self.mobility_rows[row * n..(row + 1) * n];
-            mobility.copy_from_slice(gradient);
-            solve_ldl(&self.mass, n, mobility);
             let mut defect = -self.constraint_biases[row];
             for (slope, acceleration) in gradient.iter().zip(&self.accelerations) {
                 defect = (-*slope).mul_add(*acceleration, defect);
             }
             self.multipliers[row] = defect;
         }
-        for row in 0..rows {
-            let gradient = &self.jacobian[row * columns..row * columns + n];
-            for s in 0..rows {
-                let mut sum = T::zero();
-                for (slope, mobility) in gradient.iter().zip(&self.mobility_rows[s * n..(s + 1) * n]) {
-                    sum = slope.mul_add(*mobility, sum);
-                }
-                self.gram.matrix[row * rows + s] = sum;
-            }
-        }
-        self.gram.factor();
+        self.gram.set(&self.jacobian, columns, &self.mass, n);
         self.gram.solve(&mut self.multipliers);
-        for row in 0..rows {
-            for (k, acceleration) in self.accelerations.iter_mut().enumerate() {
-                *acceleration = self.mobility_rows[row * n + k].mul_add(self.multipliers[row], *acceleration);
-            }
-        }
+        self.gram.add_answer(&self.multipliers, &mut self.accelerations);
     }
 
     /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.

@@ -37,9 +37,9 @@ impl<T: Real> Dynamics<'_, T> {
         let mut answer = push[..n].to_vec();
         solve_ldl(&self.mass, n, &mut answer);
         let mut inverse_mass_1_kg = along(&push[..n], &answer);
-        // The rows of `mobility_rows` are M⁻¹ Jᵀ, so that J M⁻¹ g needs no Jacobian.
-        let rows = tree.constraint_rows();
-        let defects: Vec<T> = (0..rows).map(|r| along(&self.mobility_rows[r * n..(r + 1) * n], &push[..n])).collect();
+        // The rows of the mobilities are M⁻¹ Jᵀ, so that J M⁻¹ g needs no Jacobian.
+        let mobility = |row: usize| &self.gram.mobilities()[row * n..(row + 1) * n];
+        let defects: Vec<T> = (0..tree.constraint_rows()).map(|row| along(mobility(row), &push[..n])).collect();
         let mut multipliers = defects.clone();
         self.gram.clone().solve(&mut multipliers);
         inverse_mass_1_kg -= along(&defects, &multipliers);

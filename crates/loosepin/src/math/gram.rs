@@ -15,7 +15,9 @@ const PASSES: usize = 3;
 #[derive(Debug, Clone)]
 pub struct GramSystem<T> {
     /// G, row-major; [`Self::factor`] may destroy it.
-    pub matrix: Vec<T>,
+    matrix: Vec<T>,
+    /// M⁻¹ Jᵀ, one row of n for each constraint.
+    mobilities: Vec<T>,
     order: usize,
     /// Whether rows may repeat each other.
     may_repeat: bool,
@@ -25,10 +27,11 @@ pub struct GramSystem<T> {
 }
 
 impl<T: Real> GramSystem<T> {
-    /// Room for `order` unknowns; `may_repeat` tells that rows may repeat each other.
-    pub fn new(order: usize, may_repeat: bool) -> Self {
+    /// Room for `order` constraints over `coordinates`; `may_repeat` tells that rows may repeat each other.
+    pub fn new(order: usize, coordinates: usize, may_repeat: bool) -> Self {
         Self {
             matrix: vec![T::zero(); order * order],
+            mobilities: vec![T::zero(); order * coordinates],
             order,
             may_repeat,
             factors: vec![T::zero(); order * order],
@@ -37,9 +40,47 @@ impl<T: Real> GramSystem<T> {
         }
     }
 
+    /// Takes the first n columns of `jacobian`, whose rows have `columns` entries, and the factors of the n × n matrix M.
+    #[inline(always)]
+    pub fn set(&mut self, jacobian: &[T], columns: usize, mass: &[T], n: usize) {
+        for row in 0..self.order {
+            let mobility = &mut self.mobilities[row * n..(row + 1) * n];
+            mobility.copy_from_slice(&jacobian[row * columns..row * columns + n]);
+            solve_ldl(mass, n, mobility);
+        }
+        for row in 0..self.order {
+            let gradient = &jacobian[row * columns..row * columns + n];
+            for other in 0..self.order {
+                let mut sum = T::zero();
+                for (slope, mobility) in gradient.iter().zip(&self.mobilities[other * n..(other + 1) * n]) {
+                    sum = slope.mul_add(*mobility, sum);
+                }
+                self.matrix[row * self.order + other] = sum;
+            }
+        }
+        self.factor();
+    }
+
+    /// M⁻¹ Jᵀ, one row of n for each constraint.
+    #[inline(always)]
+    pub fn mobilities(&self) -> &[T] {
+        &self.mobilities
+    }
+
+    /// Adds M⁻¹ Jᵀ λ to `change`.
+    #[inline(always)]
+    pub fn add_answer(&self, multipliers: &[T], change: &mut [T]) {
+        let n = change.len();
+        for (row, multiplier) in multipliers.iter().enumerate() {
+            for (mobility, change) in self.mobilities[row * n..(row + 1) * n].iter().zip(change.iter_mut()) {
+                *change = mobility.mul_add(*multiplier, *change);
+            }
+        }
+    }
+
     /// Prepares for [`Self::solve`] with the matrix as it is now.
     #[inline(always)]
-    pub fn factor(&mut self) {
+    fn factor(&mut self) {
         let n = self.order;
         if !self.may_repeat {
             return factor_ldl(&mut self.matrix, n);
@@ -54,7 +95,7 @@ impl<T: Real> GramSystem<T> {
         factor_ldl(&mut self.factors, n);
     }
 
-    /// Replaces `right` by λ, with the matrix that was factored last.
+    /// Replaces `right` by λ, with the matrix that was set last.
     #[inline(always)]
     pub fn solve(&mut self, right: &mut [T]) {
         let n = self.order;
@@ -92,10 +133,10 @@ mod tests {
 
     /// The x = Jᵀ λ that `rows` demand of a target.
     fn solution(rows: &[[f64; 3]], target: &[f64; 3]) -> [f64; 3] {
-        let mut system = GramSystem::new(rows.len(), true);
-        system.matrix = rows.iter().flat_map(|a| rows.iter().map(move |b| dot(a, b))).collect();
+        let mut system = GramSystem::new(rows.len(), 3, true);
         let mut multipliers: Vec<f64> = rows.iter().map(|row| dot(row, target)).collect();
-        system.factor();
+        let jacobian: Vec<f64> = rows.concat();
+        system.set(&jacobian, 3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], 3);
         system.solve(&mut multipliers);
         std::array::from_fn(|k| rows.iter().zip(&multipliers).map(|(row, m)| row[k] * m).sum())
     }

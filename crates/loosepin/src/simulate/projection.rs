@@ -1,7 +1,7 @@
 //! Holding the loops of ideal joints after every step.
 
 use super::motion::Motion;
-use crate::math::{GramSystem, Real, solve_ldl};
+use crate::math::{GramSystem, Real};
 use crate::mechanism::Mechanism;
 
 /// Newton steps on the positions; the first leaves the square of an error that is tiny already.
@@ -16,8 +16,6 @@ pub struct Projection<T> {
     jacobian: Vec<T>,
     /// Defects of all rows, then their multipliers.
     defects: Vec<T>,
-    /// M⁻¹ Jᵀ, one row of n for each constraint.
-    mobilities: Vec<T>,
     gram: GramSystem<T>,
     correction: Vec<T>,
 }
@@ -32,8 +30,7 @@ impl<T: Real> Projection<T> {
             residuals: vec![T::zero(); rows],
             jacobian: vec![T::zero(); rows * tree.coordinates()],
             defects: vec![T::zero(); rows],
-            mobilities: vec![T::zero(); rows * tree.free],
-            gram: GramSystem::new(rows, mechanism.rows_may_repeat),
+            gram: GramSystem::new(rows, tree.free, mechanism.rows_may_repeat),
             correction: vec![T::zero(); tree.free],
         }
     }
@@ -75,32 +72,10 @@ impl<T: Real> Projection<T> {
     /// M⁻¹Jᵀ(J M⁻¹ Jᵀ)⁻¹ · defects.
     #[inline(always)]
     fn smallest_change(&mut self, motion: &Motion<'_, T>) {
-        let n = motion.freedoms();
-        let mass = &self.mass;
         let columns = motion.dynamics.mechanism().real.coordinates();
-        let rows = self.defects.len();
-        for row in 0..rows {
-            let mobility = &mut self.mobilities[row * n..(row + 1) * n];
-            mobility.copy_from_slice(&self.jacobian[row * columns..row * columns + n]);
-            solve_ldl(mass, n, mobility);
-        }
-        for row in 0..rows {
-            let gradient = &self.jacobian[row * columns..row * columns + n];
-            for s in 0..rows {
-                let mut sum = T::zero();
-                for (slope, mobility) in gradient.iter().zip(&self.mobilities[s * n..(s + 1) * n]) {
-                    sum = slope.mul_add(*mobility, sum);
-                }
-                self.gram.matrix[row * rows + s] = sum;
-            }
-        }
-        self.gram.factor();
+        self.gram.set(&self.jacobian, columns, &self.mass, motion.freedoms());
         self.gram.solve(&mut self.defects);
         self.correction.fill(T::zero());
-        for row in 0..rows {
-            for k in 0..n {
-                self.correction[k] = self.mobilities[row * n + k].mul_add(self.defects[row], self.correction[k]);
-            }
-        }
+        self.gram.add_answer(&self.defects, &mut self.correction);
     }
 }
