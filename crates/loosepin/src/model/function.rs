@@ -102,17 +102,7 @@ impl Function {
         let mut function = Self { steps: Vec::new(), parameters: Vec::new(), dimension };
         let mut stack: Vec<usize> = Vec::new();
         for op in ops {
-            let second = match op {
-                Op::Add
-                | Op::Subtract
-                | Op::Multiply
-                | Op::Divide
-                | Op::Power
-                | Op::Minimum
-                | Op::Maximum
-                | Op::ArcTangent2 => stack.pop(),
-                _ => None,
-            };
+            let second = if op.takes_two() { stack.pop() } else { None };
             let first = if matches!(op, Op::Number(_) | Op::Load(_)) { None } else { stack.pop() };
             let result = function.operation(*op, first.unwrap_or(0), second, variables)?;
             stack.push(result);

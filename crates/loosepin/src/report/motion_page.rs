@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use super::page::{Page, Section, facts};
+use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::percent_of;
 use crate::accuracy::record::{MotionRecord, OutputMotion};
@@ -37,11 +37,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
             }
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
-        answer: html! {
-            @for (index, sentence) in headline_sentences(record, &writer).iter().enumerate() {
-                @if index == 0 { p.headline { (sentence) } } @else { p { (sentence) } }
-            }
-        },
+        answer: sentences(&headline_sentences(record, &writer)),
         sections,
         version: record.version.clone(),
     }

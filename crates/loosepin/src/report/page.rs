@@ -99,6 +99,15 @@ impl Page {
     }
 }
 
+/// Sentences, the first one as the headline.
+pub(super) fn sentences(sentences: &[String]) -> Markup {
+    html! {
+        @for (index, sentence) in sentences.iter().enumerate() {
+            @if index == 0 { p.headline { (sentence) } } @else { p { (sentence) } }
+        }
+    }
+}
+
 /// A name and what it stands for, one per line.
 pub(super) fn facts(rows: &[(String, Markup)]) -> Markup {
     html! {

@@ -6,7 +6,7 @@ use super::answer::turns;
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use super::page::{Page, Section, facts};
+use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed};
@@ -74,9 +74,7 @@ fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
             p.verdict.not-met { "The run failed" }
             p { (words) ". What follows is the part before." }
         }
-        @for (index, sentence) in headline_sentences(record, writer).iter().enumerate() {
-            @if index == 0 { p.headline { (sentence) } } @else { p { (sentence) } }
-        }
+        (sentences(&headline_sentences(record, writer)))
     }
 }
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
 use super::number::{NumberWriter, Rounding};
-use super::page::{Page, Section, facts};
+use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::section_figure::section_figure;
 use super::wording::counted;
@@ -28,11 +28,7 @@ pub fn sweep_page(record: &SweepRecord) -> String {
             (record.path) " from " (end(record, 0, &writer)) " to " (end(record, record.points.len() - 1, &writer))
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
-        answer: html! {
-            @for (index, sentence) in headline_sentences(record, &writer).iter().enumerate() {
-                @if index == 0 { p.headline { (sentence) } } @else { p { (sentence) } }
-            }
-        },
+        answer: sentences(&headline_sentences(record, &writer)),
         sections,
         version: record.version.clone(),
     }

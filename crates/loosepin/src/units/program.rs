@@ -55,6 +55,24 @@ pub enum Op {
     Absolute,
 }
 
+impl Op {
+    /// Whether it takes two operands from the stack.
+    #[inline(always)]
+    pub fn takes_two(&self) -> bool {
+        matches!(
+            self,
+            Self::Add
+                | Self::Subtract
+                | Self::Multiply
+                | Self::Divide
+                | Self::Power
+                | Self::Minimum
+                | Self::Maximum
+                | Self::ArcTangent2
+        )
+    }
+}
+
 /// A parsed expression: its operations, what it measures and the slots it reads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression {
@@ -93,14 +111,7 @@ pub fn run(ops: &[Op], values: &mut [f64]) -> f64 {
                 top -= 1;
                 values[slot] = stack[top];
             }
-            Op::Add
-            | Op::Subtract
-            | Op::Multiply
-            | Op::Divide
-            | Op::Power
-            | Op::Minimum
-            | Op::Maximum
-            | Op::ArcTangent2 => {
+            _ if op.takes_two() => {
                 top -= 1;
                 stack[top - 1] = of_two(*op, stack[top - 1], stack[top]);
             }
