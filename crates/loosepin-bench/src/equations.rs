@@ -3,7 +3,7 @@
 
 use crate::batch::Case;
 use loosepin::contact::PlayState;
-use loosepin::dynamics::{DepthRoot, Dynamics, PlayUnknowns};
+use loosepin::dynamics::{ContactUnknowns, DepthRoot, Dynamics};
 use loosepin::integrate::{Stepper, System, Tableau};
 use loosepin::math::{Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
@@ -52,20 +52,20 @@ pub fn parts(case: &Case) -> Vec<Part> {
         let mut dynamics = Dynamics::new(mechanism, &traced);
         let n = mechanism.real.free;
         let state: Vec<Traced> = (0..dimension(case)).map(|k| input(STATE, k)).collect();
-        let plays = 0..mechanism.plays.len();
-        let contact = |play: usize, k: usize| input(CONTACTS, PER_CONTACT * play + k);
-        let states: Vec<_> = plays
+        let contacts = 0..mechanism.contacts.len();
+        let number = |contact: usize, k: usize| input(CONTACTS, PER_CONTACT * contact + k);
+        let states: Vec<_> = contacts
             .clone()
-            .map(|play| PlayState {
-                contact: contact(play, 0),
-                inverse_impact_speed_s_m: contact(play, 1),
-                effective_mass_kg: contact(play, 2),
+            .map(|contact| PlayState {
+                contact: number(contact, 0),
+                inverse_impact_speed_s_m: number(contact, 1),
+                effective_mass_kg: number(contact, 2),
             })
             .collect();
-        let unknowns: Vec<_> = plays
-            .map(|play| {
-                let root = DepthRoot { is_unknown: contact(play, 3), root: state[2 * n + 1 + play] };
-                PlayUnknowns { root: Some(root), bristle_m: None }
+        let unknowns: Vec<_> = contacts
+            .map(|contact| {
+                let root = DepthRoot { is_unknown: number(contact, 3), root: state[2 * n + 1 + contact] };
+                ContactUnknowns { root: Some(root), bristle_m: None }
             })
             .collect();
         dynamics.evaluate_with_unknowns(state[2 * n], &state[..n], &state[n..2 * n], &states, &unknowns);
@@ -75,9 +75,9 @@ pub fn parts(case: &Case) -> Vec<Part> {
         let moves = dynamics
             .plays()
             .iter()
-            .flat_map(|(motion, _)| [motion.eccentricity_m, motion.eccentricity_rate_m_s].into_iter().flat_map(vector));
+            .flat_map(|motion| [motion.eccentricity_m, motion.eccentricity_rate_m_s].into_iter().flat_map(vector));
         let moves: Vec<_> = sines.iter().copied().chain(moves).collect();
-        let forces = dynamics.plays().iter().flat_map(|(_, force)| vector(force.on_journal_n));
+        let forces = dynamics.contacts().iter().flat_map(|force| vector(force.on_journal_n));
         let forces: Vec<_> = moves.iter().copied().chain(forces).collect();
         let accelerations: Vec<_> = forces.iter().chain(dynamics.accelerations()).copied().collect();
         [
@@ -121,7 +121,7 @@ pub fn blocks(case: &Case, lanes: usize) -> [Vec<f64>; 3] {
         let lane = |value: f64, lane: usize| value * (1.0 + 1e-4 * lane as f64);
         values.iter().flat_map(|&value| (0..lanes).map(move |k| lane(value, k))).collect()
     };
-    let contacts = (0..PER_CONTACT * mechanism.plays.len() * lanes)
+    let contacts = (0..PER_CONTACT * mechanism.contacts.len() * lanes)
         .map(|place| match (place / lanes % PER_CONTACT, place % 2) {
             (1 | 2, _) => 0.5,
             (_, parity) => parity as f64,
@@ -166,9 +166,9 @@ pub fn step(case: &Case, tableau: &'static Tableau) -> Program {
     Program::new(&graph, &outputs).expect("each output has its own slot")
 }
 
-/// Coordinates, rates, the time, and a root for each joint with play.
+/// Coordinates, rates, the time, and a root for each contact.
 fn dimension(case: &Case) -> usize {
-    2 * case.mechanism.real.free + 1 + case.mechanism.plays.len()
+    2 * case.mechanism.real.free + 1 + case.mechanism.contacts.len()
 }
 
 fn nominal(case: &Case) -> (Sample<f64>, Arms) {

@@ -91,7 +91,7 @@ fn identity_effective_mass_is_the_answer_to_a_contact_force() {
             let mut states = vec![PlayState::flight(); mechanism.plays.len()];
             let mut along_normal = |states: &[PlayState<f64>]| {
                 dynamics.evaluate(0.0, &coordinates[..n], &rates[..n], states);
-                let (motion, force) = &dynamics.plays()[play];
+                let (motion, force) = (&dynamics.plays()[play], &dynamics.contacts()[play]);
                 let [bearing, journal] = dynamics.play_slots()[play];
                 let twists = &dynamics.kinematics.twists;
                 let difference =

@@ -23,14 +23,14 @@ impl<T: Real> MechanicalEnergy<T> {
 }
 
 impl<T: Real> Dynamics<'_, T> {
-    /// The mechanical energy at the last state that was set. `in_contact` tells which joints with play hold energy.
+    /// The mechanical energy at the last state that was set. `in_contact` tells which contacts hold energy.
     pub fn energy(&self, in_contact: impl Fn(usize) -> bool) -> MechanicalEnergy<T> {
-        self.energy_in(|play| if in_contact(play) { T::one() } else { T::zero() })
+        self.energy_in(|contact| if in_contact(contact) { T::one() } else { T::zero() })
     }
 
-    /// The mechanical energy at the last state that was set; `contact` is one for joints in contact, zero for others.
+    /// The mechanical energy at the last state that was set; `closed` is one for contacts that are closed, zero for others.
     #[inline(always)]
-    pub fn energy_in(&self, contact: impl Fn(usize) -> T) -> MechanicalEnergy<T> {
+    pub fn energy_in(&self, closed: impl Fn(usize) -> T) -> MechanicalEnergy<T> {
         let half = T::from_f64(0.5);
         let mut energy = MechanicalEnergy { kinetic_j: T::zero(), potential_j: T::zero(), stored_j: T::zero() };
         for (index, numbers) in self.sample.real.links.iter().enumerate() {
@@ -43,8 +43,9 @@ impl<T: Real> Dynamics<'_, T> {
                 half * (numbers.mass_kg * velocity.length_squared() + numbers.inertia_kg_m2 * twist.angular.squared());
             energy.potential_j -= numbers.mass_kg * self.sample.real.gravity_m_s2.dot(pose.position_m + arm);
         }
-        for (index, ((motion, _), play)) in self.plays.iter().zip(&self.sample.plays).enumerate() {
-            let penetration_m = motion.penetration_m(play.clearance_m) * contact(index);
+        for (contact, at) in self.sample.contacts.iter().enumerate() {
+            let play = &self.sample.plays[at.play];
+            let penetration_m = self.plays[at.play].penetration_at_m(play, at.place) * closed(contact);
             energy.stored_j += play.normal.stored_energy_j(penetration_m);
         }
         for index in 0..self.spring_slots.len() {

@@ -1,7 +1,8 @@
 //! Mass matrix, forces and accelerations.
 
+use super::contact::{ContactForce, ContactUnknowns, GapMotion};
 use super::load::LoadForce;
-use super::play::{PlayForce, PlayMotion, PlayUnknowns};
+use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
@@ -39,7 +40,9 @@ pub struct Dynamics<'a, T> {
     driven_accelerations: Vec<T>,
     /// Slots of bearing body and journal body of each joint with play.
     pub(super) play_slots: Vec<[usize; 2]>,
-    pub(super) plays: Vec<(PlayMotion<T>, PlayForce<T>)>,
+    pub(super) plays: Vec<PlayMotion<T>>,
+    /// Forces of all contacts.
+    pub(super) contacts: Vec<ContactForce<T>>,
     /// Slots of first and second body of each spring.
     pub(super) spring_slots: Vec<[usize; 2]>,
     /// Power that the dampers turned into heat at the last evaluation, W.
@@ -84,13 +87,15 @@ impl<'a, T: Real> Dynamics<'a, T> {
             .iter()
             .map(|joint| points_of(&mechanism.model.joints[joint.0].kind).map(|point| tree.slot_of_body[point.body.0]))
             .collect();
-        let plays = play_slots
+        let plays: Vec<_> = play_slots
             .iter()
             .zip(&sample.plays)
-            .map(|(&slots, play)| {
-                let motion = PlayMotion::between(&kinematics, slots, play);
-                (motion, motion.force(play, &PlayState::flight()))
-            })
+            .map(|(&slots, play)| PlayMotion::between(&kinematics, slots, play))
+            .collect();
+        let contacts = sample
+            .contacts
+            .iter()
+            .map(|at| plays[at.play].force(&sample.plays[at.play], at.place, &PlayState::flight()))
             .collect();
         let springs = mechanism.model.springs.iter();
         let loads = mechanism.model.loads.iter().map(|load| LoadForce {
@@ -114,6 +119,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             driven_accelerations: vec![T::zero(); tree.drives.len()],
             play_slots,
             plays,
+            contacts,
             spring_slots: springs.map(|spring| spring.kind.bodies().map(|body| tree.slot_of_body[body.0])).collect(),
             damping_loss_w: T::zero(),
             loads,
@@ -155,7 +161,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);
         self.kinematics.set_velocities(tree, &self.rates);
         for ((slots, play), entry) in self.play_slots.iter().zip(&self.sample.plays).zip(&mut self.plays) {
-            entry.0 = PlayMotion::between(&self.kinematics, *slots, play);
+            *entry = PlayMotion::between(&self.kinematics, *slots, play);
         }
     }
 
@@ -165,7 +171,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
 
     /// Evaluates the equations of motion with roots of penetrations and deflections of bristles as unknowns: an entry for each
-    /// joint with play, or none at all.
+    /// contact, or none at all.
     #[inline(always)]
     pub fn evaluate_with_unknowns(
         &mut self,
@@ -173,7 +179,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         free_coordinates: &[T],
         free_rates: &[T],
         states: &[PlayState<T>],
-        unknowns: &[PlayUnknowns<T>],
+        unknowns: &[ContactUnknowns<T>],
     ) {
         T::vectorize(
             #[inline(always)]
@@ -191,12 +197,13 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Biases of the accelerations, and forces in the joints with play.
     #[inline(always)]
-    fn set_forces(&mut self, states: &[PlayState<T>], unknowns: &[PlayUnknowns<T>]) {
+    fn set_forces(&mut self, states: &[PlayState<T>], unknowns: &[ContactUnknowns<T>]) {
         let tree = &self.mechanism.real;
         self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
-        for (index, (entry, play)) in self.plays.iter_mut().zip(&self.sample.plays).enumerate() {
-            let unknowns = unknowns.get(index).copied().unwrap_or(PlayUnknowns::none());
-            entry.1 = entry.0.force_with_unknowns(play, &states[index], &unknowns);
+        for (index, (force, at)) in self.contacts.iter_mut().zip(&self.sample.contacts).enumerate() {
+            let unknowns = unknowns.get(index).copied().unwrap_or(ContactUnknowns::none());
+            let (motion, play) = (&self.plays[at.play], &self.sample.plays[at.play]);
+            *force = motion.force_with_unknowns(play, at.place, &states[index], &unknowns);
         }
     }
 
@@ -246,8 +253,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Adds the forces of the joints with play.
     #[inline(always)]
     fn add_plays(&mut self) {
-        for index in 0..self.plays.len() {
-            let ((motion, force), [slot_i, slot_j]) = (self.plays[index], self.play_slots[index]);
+        for index in 0..self.contacts.len() {
+            let (force, at) = (self.contacts[index], self.sample.contacts[index]);
+            let (motion, [slot_i, slot_j]) = (self.plays[at.play], self.play_slots[at.play]);
             self.add_force(slot_i, motion.bearing_arm_m, -force.on_journal_n, force.moment_on_bearing_n_m);
             self.add_force(slot_j, motion.journal_arm_m, force.on_journal_n, force.moment_on_journal_n_m);
         }
@@ -304,7 +312,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             friction_loss_w: T::zero(),
             damping_loss_w: self.damping_loss_w,
         };
-        for (_, force) in &self.plays {
+        for force in &self.contacts {
             powers.contact_loss_w += force.contact_loss_w;
             powers.friction_loss_w += force.friction_loss_w;
         }
@@ -352,17 +360,33 @@ impl<'a, T: Real> Dynamics<'a, T> {
     pub fn accelerations(&self) -> &[T] {
         &self.accelerations
     }
-    /// Force in the joint with play `play` at the state set last, in the contact state `state`.
-    pub fn play_force(&self, play: usize, state: &PlayState<T>) -> PlayForce<T> {
-        self.plays[play].0.force(&self.sample.plays[play], state)
+    /// Force of the contact `contact` at the state set last, in the contact state `state`.
+    pub fn contact_force(&self, contact: usize, state: &PlayState<T>) -> ContactForce<T> {
+        let at = self.sample.contacts[contact];
+        self.plays[at.play].force(&self.sample.plays[at.play], at.place, state)
+    }
+    /// The gap function of the contact `contact` and its derivatives at the last evaluation.
+    #[inline(always)]
+    pub fn gap(&self, contact: usize) -> GapMotion<T> {
+        let at = self.sample.contacts[contact];
+        let motion = &self.plays[at.play];
+        let [i, j] = self.play_slots[at.play];
+        let twists = &self.kinematics.twists;
+        let acceleration = acceleration_at(&self.acceleration(j), &twists[j], motion.journal_arm_m)
+            - acceleration_at(&self.acceleration(i), &twists[i], motion.bearing_arm_m);
+        motion.gap(&self.sample.plays[at.play], at.place, acceleration)
     }
     /// Slots of bearing body and journal body of the joints with play.
     pub fn play_slots(&self) -> &[[usize; 2]] {
         &self.play_slots
     }
-    /// Motion and force of the joints with play at the last evaluation.
-    pub fn plays(&self) -> &[(PlayMotion<T>, PlayForce<T>)] {
+    /// Motion of the joints with play at the state set last.
+    pub fn plays(&self) -> &[PlayMotion<T>] {
         &self.plays
+    }
+    /// Forces of the contacts at the last evaluation.
+    pub fn contacts(&self) -> &[ContactForce<T>] {
+        &self.contacts
     }
     /// Acceleration of the frame in `slot` at the last evaluation.
     #[inline(always)]

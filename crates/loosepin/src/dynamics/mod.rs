@@ -3,18 +3,21 @@
 //! Kane's method in tree coordinates q: the mass matrix M and the generalised forces h come from the partial velocities
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
+mod contact;
 mod energy;
 mod equations;
 mod linear_spring;
 mod load;
+mod pin;
 mod play;
 mod reactions;
 mod spring;
 mod torsional_spring;
 
 pub use crate::contact::PlayState;
+pub use contact::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion};
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
 pub use load::LoadForce;
-pub use play::{DepthRoot, PlayForce, PlayMotion, PlayUnknowns};
+pub use play::PlayMotion;
 pub use spring::SpringForce;

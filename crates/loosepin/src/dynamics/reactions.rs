@@ -1,26 +1,28 @@
 //! Forces in the joints, ideal ones included.
 
+use super::contact::ContactMotion;
 use super::equations::Dynamics;
 use crate::math::{Real, Vec2, solve_ldl};
 use crate::mechanism::{Attachment, CutKind, acceleration_at, turned_by};
 use crate::model::JointId;
 
 impl<T: Real> Dynamics<'_, T> {
-    /// The mechanism's inverse mass along the normal of the joint with play `play` at the last evaluation, 1/kg: by how much a
+    /// The mechanism's inverse mass along the normal of the contact `contact` at the last evaluation, 1/kg: by how much a
     /// normal force of one newton changes the rate of the penetration's rate, n·(a_j - a_i), all else being equal.
     ///
     /// gᵀ M⁻¹ g with the generalised force g of the pair of unit forces; what the loops of ideal joints forbid is taken out:
     /// minus (J M⁻¹ g)ᵀ (J M⁻¹ Jᵀ)⁻¹ (J M⁻¹ g).
-    pub fn inverse_mass_along_normal_1_kg(&self, play: usize) -> T {
+    pub fn inverse_mass_along_normal_1_kg(&self, contact: usize) -> T {
         let tree = &self.mechanism.real;
         let n = tree.free;
-        let motion = &self.plays[play].0;
-        let length_m = motion.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE));
-        let normal = motion.eccentricity_m * (T::one() / length_m);
-        let [bearing, journal] = self.play_slots[play];
+        let at = self.sample.contacts[contact];
+        let motion = &self.plays[at.play];
+        let ContactMotion { normal, reaches_m, .. } = motion.contact(&self.sample.plays[at.play], at.place);
+        let [bearing, journal] = self.play_slots[at.play];
+        let bearing = (bearing, motion.bearing_arm_m + reaches_m[0], -normal);
+        let journal = (journal, motion.journal_arm_m + reaches_m[1], normal);
         let mut push = vec![T::zero(); tree.coordinates()];
-        for (slot, arm, force_n) in [(bearing, motion.bearing_arm_m, -normal), (journal, motion.journal_arm_m, normal)]
-        {
+        for (slot, arm, force_n) in [bearing, journal] {
             if slot == 0 {
                 continue;
             }
@@ -48,11 +50,11 @@ impl<T: Real> Dynamics<'_, T> {
 
     /// Force of `joint` on its second body (journal, slider, second), N, in the ground's frame, at the last evaluation.
     ///
-    /// With play: the contact force. Closing a loop: the constraint force. In the tree: what the bodies beyond the joint
+    /// With play: the sum of the contact forces. Closing a loop: the constraint force. In the tree: what the bodies beyond the joint
     /// need, Σ (m a - m g) minus the other forces on them (Newton and Euler).
     pub fn joint_force_n(&self, joint: JointId) -> Vec2<T> {
         if let Some(index) = self.mechanism.plays.iter().position(|&play| play == joint) {
-            return self.plays[index].1.on_journal_n;
+            return self.play_force_n(index);
         }
         let tree = &self.mechanism.real;
         let forces = self.cut_forces_n();
@@ -97,8 +99,8 @@ impl<T: Real> Dynamics<'_, T> {
         for (cut, force) in tree.cuts.iter().zip(&forces) {
             subtract(cut.slots, *force);
         }
-        for ((_, force), slots) in self.plays.iter().zip(self.play_slots()) {
-            subtract(*slots, force.on_journal_n);
+        for (play, slots) in self.play_slots().iter().enumerate() {
+            subtract(*slots, self.play_force_n(play));
         }
         for (index, slots) in self.spring_slots().iter().enumerate() {
             subtract(*slots, self.spring_force(index).on_second_n);
@@ -109,6 +111,12 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
         if forward { needed } else { -needed }
+    }
+
+    /// Force of the joint with play `play` on its journal, N: the sum over its contacts.
+    fn play_force_n(&self, play: usize) -> Vec2<T> {
+        let forces = self.contacts.iter().zip(&self.sample.contacts).filter(|(_, at)| at.play == play);
+        forces.map(|(force, _)| force.on_journal_n).reduce(|sum, force| sum + force).unwrap_or(Vec2::zero())
     }
 
     /// Forces of the cut joints on their second bodies, N: λ times the gradient with respect to the second point.

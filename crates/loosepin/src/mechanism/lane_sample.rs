@@ -1,5 +1,6 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
+use super::contact_place::PlayShape;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
@@ -15,6 +16,7 @@ impl<T: Real> Sample<T> {
             ideal: geometry(&sample.ideal),
             real: geometry(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
+            contacts: sample.contacts.clone(),
             springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
             loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
             drives: Drives::broadcast(&sample.drives),
@@ -54,7 +56,9 @@ impl<T: Real> Sample<T> {
         for play in &mut self.plays {
             play.bearing_arm_m.visit(visit);
             play.journal_arm_m.visit(visit);
-            visit(&mut play.bearing_radius_m);
+            match &mut play.shape {
+                PlayShape::Pin { bearing_radius_m } => visit(bearing_radius_m),
+            }
             visit(&mut play.clearance_m);
             play.normal.visit(visit);
             play.friction.visit(visit);
@@ -112,7 +116,9 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
     PlayGeometry {
         bearing_arm_m: vector(from.bearing_arm_m),
         journal_arm_m: vector(from.journal_arm_m),
-        bearing_radius_m: number(from.bearing_radius_m),
+        shape: match from.shape {
+            PlayShape::Pin { bearing_radius_m } => PlayShape::Pin { bearing_radius_m: number(bearing_radius_m) },
+        },
         clearance_m: number(from.clearance_m),
         normal: NormalLaw::broadcast(&from.normal),
         friction: FrictionLaw::broadcast(&from.friction),

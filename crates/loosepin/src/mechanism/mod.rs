@@ -6,6 +6,7 @@
 mod assembly;
 mod complaint;
 pub mod constraints;
+mod contact_place;
 mod drive;
 mod error;
 mod geometry;
@@ -20,6 +21,7 @@ mod spring;
 mod table;
 mod tree;
 
+pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
@@ -46,6 +48,8 @@ pub struct Mechanism {
     pub real: Tree,
     /// Joints with play, in file order.
     pub plays: Vec<JointId>,
+    /// Places where the bodies of joints with play may touch, joint by joint.
+    pub contacts: Vec<ContactPlace>,
     /// Largest distance of two points of one body, m: the size against which lengths are judged.
     pub size_m: f64,
     /// Degrees of freedom with all clearances at zero.
@@ -86,9 +90,11 @@ impl Mechanism {
         let Mobility { degrees_of_freedom, redundant, independent_rows } =
             mobility::count(model, &ideal, &geometry, &assembly.coordinates)?;
         let by_body = |angles: &Vec<f64>| ideal.slot_of_body.iter().map(|&slot| angles[slot]).collect();
+        let plays: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect();
         let mut mechanism = Self {
             model: model.clone(),
-            plays: (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect(),
+            contacts: (0..plays.len()).map(|play| ContactPlace { play, place: 0 }).collect(),
+            plays,
             size_m,
             degrees_of_freedom,
             dynamic_freedoms: 0,
@@ -112,7 +118,14 @@ impl Mechanism {
     /// The same mechanism with every clearance at zero: its real tree is the ideal one.
     pub fn without_play(&self) -> Self {
         let rows_may_repeat = self.ideal_rows.len() < self.ideal.constraint_rows();
-        Self { real: self.ideal.clone(), plays: Vec::new(), dynamic_freedoms: 0, rows_may_repeat, ..self.clone() }
+        Self {
+            real: self.ideal.clone(),
+            plays: Vec::new(),
+            contacts: Vec::new(),
+            dynamic_freedoms: 0,
+            rows_may_repeat,
+            ..self.clone()
+        }
     }
 
     /// Whether the drives alone determine the motion: they move every freedom, and no joint has play.
@@ -136,6 +149,17 @@ impl Mechanism {
             return Ok(self.real_coordinates(ideal.kinematics(), &sample.real));
         }
         Ok(self.real_coordinates(&initial::initial_kinematics(self, sample)?, &sample.real))
+    }
+
+    /// Index in `contacts` of the first contact of the joint with play `play`, and of the first one behind them.
+    pub fn contacts_of(&self, play: usize) -> std::ops::Range<usize> {
+        let behind = |play: usize| self.contacts.iter().filter(|contact| contact.play < play).count();
+        behind(play)..behind(play + 1)
+    }
+
+    /// What the contact `contact` is called: the name of its joint.
+    pub fn contact_name(&self, contact: usize) -> String {
+        self.model.joints[self.plays[self.contacts[contact].play].0].name.clone()
     }
 
     /// Independent constraint rows of the ideal tree, as many as it has free coordinates.

@@ -1,5 +1,6 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
+use super::contact_place::{ContactPlace, PlayShape};
 use super::drive::Drives;
 use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
@@ -21,8 +22,8 @@ pub struct PlayGeometry<T> {
     pub bearing_arm_m: Vec2<T>,
     /// Centre of the journal (pin) in its body's frame, m.
     pub journal_arm_m: Vec2<T>,
-    /// Radius R_i of the bearing, m.
-    pub bearing_radius_m: T,
+    /// What plays in what.
+    pub shape: PlayShape<T>,
     /// Radial clearance c, m.
     pub clearance_m: T,
     /// Normal force.
@@ -48,6 +49,8 @@ pub struct Sample<T> {
     pub real: Geometry<T>,
     /// Joints with play, in the order of [`Mechanism::plays`].
     pub plays: Vec<PlayGeometry<T>>,
+    /// Their contacts, in the order of [`Mechanism::contacts`].
+    pub contacts: Vec<ContactPlace>,
     /// Springs, in the order of the model.
     pub springs: Vec<SpringGeometry<T>>,
     /// Loads, in the order of the model.
@@ -94,6 +97,7 @@ impl<T: Real> Sample<T> {
             ideal: Geometry::new(model, &mechanism.ideal, values),
             real: Geometry::new(model, &mechanism.real, values),
             plays,
+            contacts: mechanism.contacts.clone(),
             springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
             loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
             drives,
@@ -105,7 +109,13 @@ impl<T: Real> Sample<T> {
 impl<T: Real> Sample<T> {
     /// The same sample of [`Mechanism::without_play`].
     pub fn without_play(self) -> Self {
-        Self { real: self.ideal.clone(), plays: Vec::new(), ..self }
+        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), ..self }
+    }
+
+    /// The numbers of the joint that the contact `contact` belongs to.
+    #[inline(always)]
+    pub fn play_of(&self, contact: usize) -> &PlayGeometry<T> {
+        &self.plays[self.contacts[contact].play]
     }
 }
 
@@ -125,7 +135,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     Some(PlayGeometry {
         bearing_arm_m: point_m(model, values, bearing),
         journal_arm_m: point_m(model, values, journal),
-        bearing_radius_m: T::from_f64(bearing_radius_m),
+        shape: PlayShape::Pin { bearing_radius_m: T::from_f64(bearing_radius_m) },
         clearance_m: T::from_f64(clearance_m),
         normal: NormalLaw::broadcast(&normal),
         friction: FrictionLaw::broadcast(&friction),

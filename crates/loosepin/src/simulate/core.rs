@@ -11,7 +11,7 @@ use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
 use crate::math::{Lanes, Real};
-use crate::mechanism::{Mechanism, Sample};
+use crate::mechanism::{Mechanism, PlayShape, Sample};
 use crate::native::Level;
 
 /// What one attempted step of all lanes showed: a bit for each lane.
@@ -53,7 +53,7 @@ pub struct Core<'a, T> {
     /// Largest residual and largest exchange of the energy account so far, J.
     largest_residual_j: T,
     largest_exchange_j: T,
-    /// Largest penetration, m, and largest normal force, N, of each joint with play so far.
+    /// Largest penetration, m, and largest normal force, N, of each contact so far.
     records: Vec<[T; 2]>,
 }
 
@@ -85,7 +85,7 @@ impl<'a, T: Lanes> Core<'a, T> {
             kinetic_at_start_j: T::zero(),
             largest_residual_j: T::zero(),
             largest_exchange_j: T::zero(),
-            records: vec![[T::zero(); 2]; mechanism.plays.len()],
+            records: vec![[T::zero(); 2]; mechanism.contacts.len()],
             equations,
         }
     }
@@ -108,24 +108,24 @@ impl<'a, T: Lanes> Core<'a, T> {
         for (to, from) in self.stepper.start_mut().iter_mut().zip(state) {
             to.set_lane(lane, *from);
         }
-        for play in 0..self.equations.motion.states.len() {
-            self.set_contact(lane, play, &PlayState::flight(), false);
-            self.set_records(lane, play, &PlaySummary::default());
+        for contact in 0..self.equations.motion.states.len() {
+            self.set_contact(lane, contact, &PlayState::flight(), false);
+            self.set_records(lane, contact, &PlaySummary::default());
         }
     }
 
-    /// Keeps the records of a joint with play, against which steps are judged.
-    pub fn set_records(&mut self, lane: usize, play: usize, summary: &PlaySummary) {
-        self.records[play][0].set_lane(lane, summary.largest_penetration_m);
-        self.records[play][1].set_lane(lane, summary.peak_force_n);
+    /// Keeps the records of a contact, against which steps are judged.
+    pub fn set_records(&mut self, lane: usize, contact: usize, summary: &PlaySummary) {
+        self.records[contact][0].set_lane(lane, summary.largest_penetration_m);
+        self.records[contact][1].set_lane(lane, summary.peak_force_n);
     }
 
-    /// Sets the contact state of a joint with play in a lane. The lane needs a restart. A penetration whose root becomes an
+    /// Sets the state of a contact in a lane. The lane needs a restart. A penetration whose root becomes an
     /// unknown begins at zero, and so does the deflection of bristles.
-    pub fn set_contact(&mut self, lane: usize, play: usize, state: &PlayState<f64>, has_root: bool) {
-        self.equations.set_contact(lane, play, state, has_root);
+    pub fn set_contact(&mut self, lane: usize, contact: usize, state: &PlayState<f64>, has_root: bool) {
+        self.equations.set_contact(lane, contact, state, has_root);
         let layout = &self.equations.motion.layout;
-        for place in [layout.roots[play], layout.bristles[play]].into_iter().flatten() {
+        for place in [layout.roots[contact], layout.bristles[contact]].into_iter().flatten() {
             self.stepper.start_mut()[place].set_lane(lane, 0.0);
         }
     }
@@ -267,7 +267,7 @@ impl<'a, T: Lanes> Core<'a, T> {
         }
     }
 
-    /// Lanes in which the gap of some joint may go through zero within the step in the direction of its next event (it lies
+    /// Lanes in which the gap of some contact may go through zero within the step in the direction of its next event (it lies
     /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; and lanes in which a penetration
     /// or a contact force may be a record.
     #[inline(always)]
@@ -277,8 +277,8 @@ impl<'a, T: Lanes> Core<'a, T> {
         let (mut eventful, mut notable) = (0, 0);
         let (starts, ends) = (&self.start, &self.equations.reads);
         let motion = &self.equations.motion;
-        for (play, state) in motion.states.iter().enumerate() {
-            let place = self.layout.gap(play);
+        for (contact, state) in motion.states.iter().enumerate() {
+            let place = self.layout.gap(contact);
             let [p0, v0, a0] = [starts[place], starts[place + 1], starts[place + 2]];
             let [p1, v1, a1] = [ends[place], ends[place + 1], ends[place + 2]];
             let (first, last) = (fifth * v0, fifth * v1);
@@ -294,25 +294,30 @@ impl<'a, T: Lanes> Core<'a, T> {
             let highest = highest_control_value(coefficients, is_closed);
             eventful |= !T::flags(highest.less_than(T::zero()));
 
-            let numbers = &motion.dynamics.sample().plays[play];
+            let numbers = motion.dynamics.sample().play_of(contact);
             let mut limit = coefficients[0];
             for coefficient in &coefficients[1..] {
                 limit = limit.max(*coefficient);
             }
-            // δ from g = |e|² - c², or from the root; δ̇ is below v0 or twice its values at the ends.
-            let clearance_m = numbers.clearance_m;
-            let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
-            let is_root = motion.unknowns[play].root.map_or(T::zero(), |root| root.is_unknown);
+            // δ from the gap or from the root; δ̇ is below v0 or twice its values at the ends.
+            let is_root = motion.unknowns[contact].root.map_or(T::zero(), |root| root.is_unknown);
             let is_root = T::from_f64(0.5).less_than(is_root);
-            let depth_m = T::select(is_root, limit * limit, limit / (distance_m + clearance_m));
+            let (depth_m, half_rate_share) = match numbers.shape {
+                PlayShape::Pin { .. } => {
+                    let clearance_m = numbers.clearance_m;
+                    let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
+                    (limit / (distance_m + clearance_m), clearance_m)
+                }
+            };
+            let depth_m = T::select(is_root, limit * limit, depth_m);
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
-            let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (clearance_m * pace));
+            let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (half_rate_share * pace));
             let force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, state);
-            let [deepest_m, strongest_n] = self.records[play];
+            let [deepest_m, strongest_n] = self.records[contact];
             let is_closed = T::flags(is_closed);
             notable |= is_closed & (T::flags(deepest_m.less_than(depth_m)) | T::flags(strongest_n.less_than(force_n)));
 
-            let place = self.layout.sliding(play);
+            let place = self.layout.sliding(contact);
             let (start, end) = (starts[place], ends[place]);
             for speed in numbers.friction.kink_speeds_m_s().into_iter().flatten() {
                 for level in [speed, -speed] {

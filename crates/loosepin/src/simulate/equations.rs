@@ -59,25 +59,25 @@ impl<'a, T: Lanes> Equations<'a, T> {
         }
     }
 
-    /// Sets the contact state of a joint with play in a lane.
-    pub fn set_contact(&mut self, lane: usize, play: usize, state: &PlayState<f64>, has_root: bool) {
-        let to = &mut self.motion.states[play];
+    /// Sets the state of a contact in a lane.
+    pub fn set_contact(&mut self, lane: usize, contact: usize, state: &PlayState<f64>, has_root: bool) {
+        let to = &mut self.motion.states[contact];
         to.contact.set_lane(lane, state.contact);
         to.inverse_impact_speed_s_m.set_lane(lane, state.inverse_impact_speed_s_m);
         to.effective_mass_kg.set_lane(lane, state.effective_mass_kg);
-        if let Some(root) = &mut self.motion.unknowns[play].root {
+        if let Some(root) = &mut self.motion.unknowns[contact].root {
             root.is_unknown.set_lane(lane, f64::from(u8::from(has_root)));
         }
         if let Some(machine) = &mut self.machine {
-            machine.set_contact(lane, play, state, has_root);
+            machine.set_contact(lane, contact, state, has_root);
         }
     }
 
-    /// The contact state of a joint with play in a lane, and whether the root of its penetration is an unknown.
+    /// The state of a contact in a lane, and whether the root of its penetration is an unknown.
     #[inline]
-    pub fn contact(&self, lane: usize, play: usize) -> (PlayState<f64>, bool) {
-        let state = &self.motion.states[play];
-        let has_root = self.motion.unknowns[play].root.is_some_and(|root| root.is_unknown.lane(lane) > 0.5);
+    pub fn contact(&self, lane: usize, contact: usize) -> (PlayState<f64>, bool) {
+        let state = &self.motion.states[contact];
+        let has_root = self.motion.unknowns[contact].root.is_some_and(|root| root.is_unknown.lane(lane) > 0.5);
         let state = PlayState {
             contact: state.contact.lane(lane),
             inverse_impact_speed_s_m: state.inverse_impact_speed_s_m.lane(lane),

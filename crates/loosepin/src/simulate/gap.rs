@@ -3,10 +3,10 @@
 use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::math::Quintic;
-use crate::mechanism::PlayGeometry;
+use crate::mechanism::{GapMeasure, PlayGeometry};
 
-/// A function that is positive in contact, and its first two derivatives over the variable of integration: g = |e|² - c², m²,
-/// or the root u = √δ, √m, where that is an unknown.
+/// A function that is positive in contact, and its first two derivatives over the variable of integration: g as
+/// [`GapMeasure`] says, or the root u = √δ, √m, where that is an unknown.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct GapJet {
     /// Value, first and second derivative.
@@ -90,8 +90,8 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
     (!has_come_back && p1 > p0).then_some(0.0)
 }
 
-/// Largest value of g within a step, m².
-pub fn largest_gap_m2(start: &GapJet, end: &GapJet, step_s: f64) -> f64 {
+/// Largest value of g within a step.
+pub fn largest_gap(start: &GapJet, end: &GapJet, step_s: f64) -> f64 {
     let ends = start.jet[0].max(end.jet[0]);
     if start.jet[1] > 0.0 && end.jet[1] < 0.0 {
         let quintic = Quintic::new(start.jet, end.jet, step_s);
@@ -99,11 +99,6 @@ pub fn largest_gap_m2(start: &GapJet, end: &GapJet, step_s: f64) -> f64 {
     } else {
         ends
     }
-}
-
-/// δ, m, from g = |e|² - c².
-pub fn penetration_m(gap_m2: f64, clearance_m: f64) -> f64 {
-    gap_m2 / ((gap_m2 + clearance_m * clearance_m).sqrt() + clearance_m)
 }
 
 /// A step in contact: the gap or the root at both ends, and the time.
@@ -121,25 +116,24 @@ pub struct ContactStep {
 
 impl ContactStep {
     /// Largest penetration within the step, m.
-    pub fn largest_penetration_m(&self, clearance_m: f64) -> f64 {
-        let largest = largest_gap_m2(&self.gap[0], &self.gap[1], self.step);
-        if self.is_root { largest * largest } else { penetration_m(largest, clearance_m) }
+    pub fn largest_penetration_m(&self, measure: GapMeasure) -> f64 {
+        let largest = largest_gap(&self.gap[0], &self.gap[1], self.step);
+        if self.is_root { largest * largest } else { measure.penetration_m(largest) }
     }
 
     /// Largest normal force within the step, N, at the ends and three points between.
     pub fn largest_force_n(&self, play: &PlayGeometry<f64>, state: &PlayState<f64>) -> f64 {
         let gap = Quintic::new(self.gap[0].jet, self.gap[1].jet, self.step);
         let time = Quintic::new(self.time[0].jet, self.time[1].jet, self.step);
+        let measure = GapMeasure::of(play);
         let force_n = |tau: f64| {
             let value = gap.value(tau);
             if self.is_root {
                 let rate_m_s = 2.0 * gap.slope(tau) / self.step; // u' = δ̇/2 with dt = u ds
                 return play.normal.force_at_root(value.max(0.0), rate_m_s, state).total_n;
             }
-            let distance_m = (value + play.clearance_m * play.clearance_m).max(0.0).sqrt();
-            let rate_m_s = gap.slope(tau) / (2.0 * distance_m * time.slope(tau));
-            let depth_m = penetration_m(value, play.clearance_m);
-            play.normal.force(depth_m, rate_m_s, state).total_n
+            let rate_m_s = gap.slope(tau) / (measure.rate_share(value) * time.slope(tau));
+            play.normal.force(measure.penetration_m(value), rate_m_s, state).total_n
         };
         (0..=4).map(|k| force_n(f64::from(k) / 4.0)).fold(0.0, f64::max)
     }
@@ -224,7 +218,7 @@ mod tests {
         let turning = |t: f64| [1e-9 - t + 40.0 * t * t, -1.0 + 80.0 * t, 80.0];
         let back = first_crossing(&jet(turning, 0.0), &jet(turning, 0.5), 0.5, Crossing::Onset);
         assert!((back.expect("it comes back at 0.025") - 0.05).abs() < 1e-6);
-        let largest = largest_gap_m2(&jet(f, 0.0), &jet(f, 1.0), 1.0);
+        let largest = largest_gap(&jet(f, 0.0), &jet(f, 1.0), 1.0);
         assert!((largest - 0.04).abs() < 1e-15);
     }
 }

@@ -128,7 +128,7 @@ struct Recorder<'a> {
     energy_at_zero_j: Option<f64>,
     contact_forces: Vec<Vec<f64>>,
     impacts: Vec<ImpactRecord>,
-    /// Index of the impact of the present contact, by joint with play.
+    /// Index of the impact at hand, by contact.
     open_impacts: Vec<Option<usize>>,
     peak_forces_n: Vec<f64>,
     largest_speeds_m_s: Vec<f64>,
@@ -153,7 +153,7 @@ impl<'a> Recorder<'a> {
         let span_s = window.end_s - window.start_s;
         let at =
             |row: usize| if row == rows { window.end_s } else { window.start_s + span_s * row as f64 / rows as f64 };
-        let plays = mechanism.plays.len();
+        let (plays, contacts) = (mechanism.plays.len(), mechanism.contacts.len());
         let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
         Self {
             mechanism,
@@ -180,11 +180,11 @@ impl<'a> Recorder<'a> {
                 residual_j: Vec::new(),
             },
             energy_at_zero_j: None,
-            contact_forces: vec![Vec::new(); plays],
+            contact_forces: vec![Vec::new(); contacts],
             impacts: Vec::new(),
-            open_impacts: vec![None; plays],
-            peak_forces_n: vec![0.0; plays],
-            largest_speeds_m_s: vec![0.0; plays],
+            open_impacts: vec![None; contacts],
+            peak_forces_n: vec![0.0; contacts],
+            largest_speeds_m_s: vec![0.0; contacts],
             orbits: vec![(Vec::new(), Vec::new()); plays],
             drawing: skeleton(mechanism, values),
             states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
@@ -243,19 +243,19 @@ impl<'a> Recorder<'a> {
     }
 
     fn note_peak_forces(&mut self, step: &mut Step<'_, '_>) {
-        for play in 0..self.open_impacts.len() {
-            if !step.is_in_contact(play) {
+        for contact in 0..self.open_impacts.len() {
+            if !step.is_in_contact(contact) {
                 continue;
             }
             let (start_s, end_s) = (step.start_s, step.end_s);
             let points: Vec<(f64, f64)> = (0..POINTS_PER_STEP)
                 .map(|k| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64)
-                .map(|time_s| (time_s, step.normal_force_n(play, time_s)))
+                .map(|time_s| (time_s, step.normal_force_n(contact, time_s)))
                 .collect();
-            let peak = maximum_within(&points, |time_s| step.normal_force_n(play, time_s));
-            let largest_n = &mut self.peak_forces_n[play];
+            let peak = maximum_within(&points, |time_s| step.normal_force_n(contact, time_s));
+            let largest_n = &mut self.peak_forces_n[contact];
             *largest_n = largest_n.max(peak.value);
-            if let Some(index) = self.open_impacts[play] {
+            if let Some(index) = self.open_impacts[contact] {
                 let impact = &mut self.impacts[index];
                 impact.peak_force_n = impact.peak_force_n.max(peak.value);
             }
@@ -277,20 +277,21 @@ impl<'a> Recorder<'a> {
             self.ideal_si[k].push(values[k] - values[count + k]);
         }
         let angle_rad = self.drive_angle_rad(time_s);
-        for play in 0..self.contact_forces.len() {
-            let force_n = step.normal_force_n(play, time_s);
-            self.contact_forces[play].push(if step.is_in_contact(play) { force_n } else { 0.0 });
+        let contacts = 0..self.contact_forces.len();
+        let in_contact: Vec<bool> = contacts.map(|contact| step.is_in_contact(contact)).collect();
+        for (contact, is_in_contact) in in_contact.iter().enumerate() {
+            let force_n = step.normal_force_n(contact, time_s);
+            self.contact_forces[contact].push(if *is_in_contact { force_n } else { 0.0 });
         }
-        let in_contact: Vec<bool> = (0..self.contact_forces.len()).map(|play| step.is_in_contact(play)).collect();
         let dynamics = step.set_state(time_s);
-        for (play, ((motion, _), slots)) in dynamics.plays().iter().zip(dynamics.play_slots()).enumerate() {
+        for (play, (motion, slots)) in dynamics.plays().iter().zip(dynamics.play_slots()).enumerate() {
             let bearing = &dynamics.kinematics.poses[slots[0]];
             let e = motion.eccentricity_m.rotated(-bearing.sine, bearing.cosine);
             self.orbits[play].0.push(e.x);
             self.orbits[play].1.push(e.y);
         }
         add_pose(&mut self.drawing.poses, &self.mechanism.real, &dynamics.kinematics, angle_rad);
-        let energy = dynamics.energy(|play| in_contact[play]);
+        let energy = dynamics.energy(|contact| in_contact[contact]);
         let total_j = energy.total_j();
         let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);
         let account = step.account(time_s).unwrap_or(Account {
@@ -373,7 +374,10 @@ impl<'a> Recorder<'a> {
             drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
             outputs,
             contact_forces: (0..self.contact_forces.len())
-                .map(|play| ContactForceHistory { joint: name_of(play), force_n: self.contact_forces[play].clone() })
+                .map(|contact| ContactForceHistory {
+                    joint: self.mechanism.contact_name(contact),
+                    force_n: self.contact_forces[contact].clone(),
+                })
                 .collect(),
             orbits: (0..self.orbits.len())
                 .map(|play| JournalOrbit {
@@ -420,6 +424,8 @@ impl<'a> Recorder<'a> {
                 let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { return None };
                 let contact = &model.contacts[clearance.contact.0];
                 let impacts = summary.contacts - summary.floored_contacts;
+                let contacts = self.mechanism.contacts_of(index);
+                let largest = |values: &[f64]| values[contacts.clone()].iter().copied().fold(0.0, f64::max);
                 Some(JointSummary {
                     joint: joint.name.clone(),
                     radial_clearance_m: numbers.clearance_m,
@@ -428,8 +434,8 @@ impl<'a> Recorder<'a> {
                     impacts,
                     impacts_per_turn: Some(impacts as f64 / turns),
                     largest_penetration_m: summary.largest_penetration_m,
-                    peak_force_n: self.peak_forces_n[index],
-                    largest_speed_m_s: self.largest_speeds_m_s[index],
+                    peak_force_n: largest(&self.peak_forces_n),
+                    largest_speed_m_s: largest(&self.largest_speeds_m_s),
                     nominal_restitution: contact.restitution.map(|id| self.values[id]),
                     delivered_restitution: numbers.delivered_restitution,
                     share_outside_validity: (numbers.largest_valid_impact_speed_m_s.is_finite() && impacts > 0)
@@ -453,16 +459,16 @@ impl Observer for Recorder<'_> {
         if onset.time_s < self.window.start_s {
             return;
         }
-        let largest_m_s = &mut self.largest_speeds_m_s[onset.play];
+        let largest_m_s = &mut self.largest_speeds_m_s[onset.contact];
         *largest_m_s = largest_m_s.max(onset.speed_m_s);
         if onset.is_floored {
             return;
         }
-        self.open_impacts[onset.play] = Some(self.impacts.len());
+        self.open_impacts[onset.contact] = Some(self.impacts.len());
         self.impacts.push(ImpactRecord {
             time_s: onset.time_s,
             drive_angle_rad: self.drive_angle_rad(onset.time_s),
-            joint: self.mechanism.model.joints[self.mechanism.plays[onset.play].0].name.clone(),
+            joint: self.mechanism.contact_name(onset.contact),
             speed_m_s: onset.speed_m_s,
             duration_s: self.window.end_s - onset.time_s,
             peak_force_n: 0.0,
@@ -471,7 +477,7 @@ impl Observer for Recorder<'_> {
     }
 
     fn contact_ends(&mut self, separation: &Separation) {
-        if let Some(index) = self.open_impacts[separation.play].take() {
+        if let Some(index) = self.open_impacts[separation.contact].take() {
             let impact = &mut self.impacts[index];
             impact.duration_s = separation.time_s - impact.time_s;
             impact.separation_speed_m_s = Some(separation.speed_m_s);

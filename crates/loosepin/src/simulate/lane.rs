@@ -5,22 +5,22 @@ use super::column::Arms;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
 use super::settings::Window;
-use crate::mechanism::Sample;
+use crate::mechanism::{GapMeasure, Sample};
 
 /// What ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event {
     /// A contact begins or ends.
     Contact {
-        /// Index in [`crate::mechanism::Mechanism::plays`].
-        play: usize,
+        /// Index in [`crate::mechanism::Mechanism::contacts`].
+        contact: usize,
         /// Which of the two.
         crossing: Crossing,
     },
     /// The sliding velocity passes a kink of the friction law.
     Kink {
-        /// Index in [`crate::mechanism::Mechanism::plays`].
-        play: usize,
+        /// Index in [`crate::mechanism::Mechanism::contacts`].
+        contact: usize,
         /// Sliding velocity at the kink, m/s.
         level_m_s: f64,
     },
@@ -90,11 +90,11 @@ pub struct LaneRun<O> {
     pub stalled: u32,
     /// Counts.
     pub counters: Counters,
-    /// By joint with play.
-    pub plays: Vec<PlaySummary>,
-    /// By joint with play: how deep a pin may be pressed into its hole.
+    /// By contact.
+    pub contacts: Vec<PlaySummary>,
+    /// By contact: how deep it may be pressed in.
     pub depth_limits: Vec<DepthLimit>,
-    /// The joint with play the root of whose penetration is an unknown.
+    /// The contact the root of whose penetration is an unknown.
     pub root: Option<usize>,
 }
 
@@ -105,11 +105,11 @@ pub struct LaneStep<'s> {
     pub step: f64,
     /// Time and its derivatives at both ends.
     pub time: [GapJet; 2],
-    /// Gaps of all joints with play at both ends.
+    /// Gaps of all contacts at both ends.
     pub gaps: &'s [[GapJet; 2]],
-    /// Sliding velocities of all joints with play at both ends, m/s.
+    /// Sliding velocities of all contacts at both ends, m/s.
     pub slidings_m_s: &'s [[f64; 2]],
-    /// Whether each joint is in contact.
+    /// Whether each contact is closed.
     pub is_closed: &'s [bool],
     /// Whether each gap is the root of a penetration.
     pub is_root: &'s [bool],
@@ -131,24 +131,27 @@ pub enum Decision {
 
 impl<O> LaneRun<O> {
     /// |δ| below which a contact counts as at its beginning or end turned into the size of its gap function.
-    fn gap_tolerance(&self, play: usize, is_root: bool, event_tolerance_m: f64) -> f64 {
-        if is_root { event_tolerance_m.sqrt() } else { 2.0 * self.sample.plays[play].clearance_m * event_tolerance_m }
+    fn gap_tolerance(&self, contact: usize, is_root: bool, event_tolerance_m: f64) -> f64 {
+        match is_root {
+            true => event_tolerance_m.sqrt(),
+            false => GapMeasure::of(self.sample.play_of(contact)).tolerance(event_tolerance_m),
+        }
     }
 
     /// The event of the step that comes first, with its share of the step.
     pub fn earliest_event(&self, step: &LaneStep<'_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
-        for play in 0..step.gaps.len() {
-            let [start, end] = &step.gaps[play];
-            let crossing = if step.is_closed[play] { Crossing::Separation } else { Crossing::Onset };
+        for contact in 0..step.gaps.len() {
+            let [start, end] = &step.gaps[contact];
+            let crossing = if step.is_closed[contact] { Crossing::Separation } else { Crossing::Onset };
             let Some(share) = first_crossing(start, end, step.step, crossing) else { continue };
             if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
-                earliest = Some((Event::Contact { play, crossing }, share));
+                earliest = Some((Event::Contact { contact, crossing }, share));
             }
         }
-        for play in (0..step.gaps.len()).filter(|&play| step.is_closed[play]) {
-            let [start, end] = step.slidings_m_s[play];
-            let friction = &self.sample.plays[play].friction;
+        for contact in (0..step.gaps.len()).filter(|&contact| step.is_closed[contact]) {
+            let [start, end] = step.slidings_m_s[contact];
+            let friction = &self.sample.play_of(contact).friction;
             let tolerance_m_s = friction.kink_tolerance_m_s();
             for speed_m_s in friction.kink_speeds_m_s().into_iter().flatten() {
                 for level_m_s in [speed_m_s, -speed_m_s] {
@@ -156,7 +159,7 @@ impl<O> LaneRun<O> {
                     if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
                         let share = from / (from - to);
                         if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
-                            earliest = Some((Event::Kink { play, level_m_s }, share));
+                            earliest = Some((Event::Kink { contact, level_m_s }, share));
                         }
                     }
                 }
@@ -188,7 +191,7 @@ impl<O> LaneRun<O> {
                     return Decision::SwitchAtStart(event);
                 }
                 let before = match event {
-                    Event::Kink { play, level_m_s } => (step.step, step.slidings_m_s[play][1] - level_m_s),
+                    Event::Kink { contact, level_m_s } => (step.step, step.slidings_m_s[contact][1] - level_m_s),
                     _ => (0.0, 0.0),
                 };
                 self.phase = Phase::Searching(Search { event, low: 0.0, high: step.step, trial, trials: 0, before });
@@ -204,7 +207,7 @@ impl<O> LaneRun<O> {
         let trial = search.trial;
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
         let may_hide = step.gaps.len() > 1
-            || self.sample.plays[0].friction.acts()
+            || self.sample.play_of(0).friction.acts()
             || step.time[1].jet[0] > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
@@ -221,13 +224,13 @@ impl<O> LaneRun<O> {
             }
         } else {
             let (value, rate, tolerance) = match search.event {
-                Event::Contact { play, crossing } => {
-                    let [value, rate, _] = step.gaps[play][1].jet;
-                    let tolerance = self.gap_tolerance(play, step.is_root[play], event_tolerance_m);
+                Event::Contact { contact, crossing } => {
+                    let [value, rate, _] = step.gaps[contact][1].jet;
+                    let tolerance = self.gap_tolerance(contact, step.is_root[contact], event_tolerance_m);
                     (crossing.sign() * value, crossing.sign() * rate, tolerance)
                 }
-                Event::Kink { play, level_m_s } => {
-                    let [start, end] = step.slidings_m_s[play];
+                Event::Kink { contact, level_m_s } => {
+                    let [start, end] = step.slidings_m_s[contact];
                     let value = end - level_m_s;
                     // The secant through the step tried before, or through the start.
                     let slope = if search.before.0 > 0.0 {
@@ -237,7 +240,7 @@ impl<O> LaneRun<O> {
                     };
                     search.before = (trial, value);
                     let sign = if start < level_m_s { 1.0 } else { -1.0 };
-                    (sign * value, sign * slope, self.sample.plays[play].friction.kink_tolerance_m_s())
+                    (sign * value, sign * slope, self.sample.play_of(contact).friction.kink_tolerance_m_s())
                 }
                 Event::Stop => {
                     let [time_s, pace, _] = step.time[1].jet;

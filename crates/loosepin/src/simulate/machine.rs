@@ -23,7 +23,7 @@ const PER_CONTACT: usize = 4;
 
 /// The equations of a mechanism as straight-line programs: what machine code is made of, to be counted and timed.
 ///
-/// Blocks: numbers of the sample and of the points (0); 1 in contact, 1/v0 and 1 with a root, of each joint with play (1);
+/// Blocks: numbers of the sample and of the points (0); 1 in contact, 1/v0 and 1 with a root, of each contact (1);
 /// state (2); slope (3); what is read at the end of a step (4).
 #[derive(Debug, Clone)]
 pub struct EquationPrograms {
@@ -102,7 +102,7 @@ impl<'a, T: Lanes> Machine<'a, T> {
             end: compile(&programs.end)?,
             projection,
             numbers: vec![T::zero(); fixed.len()],
-            contacts: vec![T::zero(); PER_CONTACT * mechanism.plays.len()],
+            contacts: vec![T::zero(); PER_CONTACT * mechanism.contacts.len()],
             state: vec![T::zero(); length],
             spare: vec![T::zero(); length],
             fixed,
@@ -126,11 +126,11 @@ impl<'a, T: Lanes> Machine<'a, T> {
         true
     }
 
-    /// Sets the contact state of a joint with play in a lane.
-    pub fn set_contact(&mut self, lane: usize, play: usize, state: &PlayState<f64>, has_root: bool) {
+    /// Sets the state of a contact in a lane.
+    pub fn set_contact(&mut self, lane: usize, contact: usize, state: &PlayState<f64>, has_root: bool) {
         let values =
             [state.contact, state.inverse_impact_speed_s_m, state.effective_mass_kg, f64::from(u8::from(has_root))];
-        for (number, value) in self.contacts[PER_CONTACT * play..].iter_mut().zip(values) {
+        for (number, value) in self.contacts[PER_CONTACT * contact..].iter_mut().zip(values) {
             number.set_lane(lane, value);
         }
     }
@@ -221,12 +221,12 @@ impl Tracing<'_, '_> {
         let mut arms = Arms::broadcast(self.arms);
         arms.visit(&mut next);
         let mut motion = Motion::new(self.mechanism, &sample);
-        for (play, (state, unknowns)) in motion.states.iter_mut().zip(&mut motion.unknowns).enumerate() {
-            let contact = |k: usize| input(CONTACTS, PER_CONTACT * play + k);
+        for (contact, (state, unknowns)) in motion.states.iter_mut().zip(&mut motion.unknowns).enumerate() {
+            let number = |k: usize| input(CONTACTS, PER_CONTACT * contact + k);
             *state =
-                PlayState { contact: contact(0), inverse_impact_speed_s_m: contact(1), effective_mass_kg: contact(2) };
+                PlayState { contact: number(0), inverse_impact_speed_s_m: number(1), effective_mass_kg: number(2) };
             if let Some(root) = &mut unknowns.root {
-                *root = DepthRoot { is_unknown: contact(3), root: root.root };
+                *root = DepthRoot { is_unknown: number(3), root: root.root };
             }
         }
         let state = (0..motion.layout.dimension).map(|k| input(STATE, k)).collect();

@@ -2,11 +2,11 @@
 //!
 //! One integrates over s with dt/ds = w. Mostly w = 1 and s is the time. During a contact whose law is K δ^1.5 without
 //! friction, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
-//! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One joint at a time is treated
+//! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
 use crate::contact::NormalContact;
-use crate::dynamics::{DepthRoot, Dynamics, PlayForce, PlayState, PlayUnknowns};
+use crate::dynamics::{ContactForce, ContactUnknowns, DepthRoot, Dynamics, PlayState};
 use crate::integrate::System;
 use crate::math::Real;
 use crate::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
@@ -20,9 +20,9 @@ const ACCOUNT: usize = 3;
 pub struct Layout {
     /// Free coordinates.
     pub freedoms: usize,
-    /// Place of the root of each joint with play that has one.
+    /// Place of the root of each contact that has one.
     pub roots: Vec<Option<usize>>,
-    /// Place of the deflection of the bristles of each joint with play whose friction law has them.
+    /// Place of the deflection of the bristles of each contact whose friction law has them.
     pub bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
@@ -42,8 +42,9 @@ impl Layout {
             })
         };
         let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
-        let roots = sample.plays.iter().map(|play| place_if(has_root(play))).collect();
-        let bristles = sample.plays.iter().map(|play| place_if(play.friction.has_bristle())).collect();
+        let contacts = 0..sample.contacts.len();
+        let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
+        let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();
         let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
         Self { freedoms, roots, bristles, dimension, has_dampers }
     }
@@ -93,31 +94,31 @@ pub struct Account<T> {
 pub struct Motion<'a, T> {
     /// The equations.
     pub dynamics: Dynamics<'a, T>,
-    /// Contact states of the joints with play.
+    /// States of the contacts.
     pub states: Vec<PlayState<T>>,
-    /// Roots of penetrations of the joints with play that have one, and deflections of bristles.
-    pub unknowns: Vec<PlayUnknowns<T>>,
+    /// Roots of penetrations of the contacts that have one, and deflections of bristles.
+    pub unknowns: Vec<ContactUnknowns<T>>,
     /// Where everything is.
     pub layout: Layout,
     /// The time of the last evaluation, s.
     pub time_s: T,
-    /// Whether any joint has a root among the unknowns; else w = 1.
+    /// Whether any contact has a root among the unknowns; else w = 1.
     has_roots: bool,
 }
 
 impl<'a, T: Real> Motion<'a, T> {
-    /// With every joint in flight.
+    /// With every contact open.
     pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
         let layout = Layout::new(mechanism, sample);
         let known = DepthRoot { is_unknown: T::zero(), root: T::zero() };
         Self {
             dynamics: Dynamics::new(mechanism, sample),
-            states: vec![PlayState::flight(); mechanism.plays.len()],
+            states: vec![PlayState::flight(); mechanism.contacts.len()],
             unknowns: layout
                 .roots
                 .iter()
                 .zip(&layout.bristles)
-                .map(|(root, bristle)| PlayUnknowns {
+                .map(|(root, bristle)| ContactUnknowns {
                     root: root.map(|_| known),
                     bristle_m: bristle.map(|_| T::zero()),
                 })
@@ -145,20 +146,20 @@ impl<'a, T: Real> Motion<'a, T> {
     pub fn evaluate(&mut self, time_s: T, state: &[T]) {
         let n = self.layout.freedoms;
         self.time_s = time_s;
-        for (play, unknowns) in self.unknowns.iter_mut().enumerate() {
-            if let (Some(root), Some(place)) = (&mut unknowns.root, self.layout.roots[play]) {
+        for (contact, unknowns) in self.unknowns.iter_mut().enumerate() {
+            if let (Some(root), Some(place)) = (&mut unknowns.root, self.layout.roots[contact]) {
                 root.root = state[place];
             }
-            if let (Some(bristle_m), Some(place)) = (&mut unknowns.bristle_m, self.layout.bristles[play]) {
+            if let (Some(bristle_m), Some(place)) = (&mut unknowns.bristle_m, self.layout.bristles[contact]) {
                 *bristle_m = state[place];
             }
         }
         self.dynamics.evaluate_with_unknowns(time_s, &state[..n], &state[n..2 * n], &self.states, &self.unknowns);
     }
 
-    /// Force in the joint with play `play` at the state set last, with δ from the positions.
-    pub fn play_force(&self, play: usize) -> PlayForce<T> {
-        self.dynamics.play_force(play, &self.states[play])
+    /// Force of the contact `contact` at the state set last, with δ from the positions.
+    pub fn contact_force(&self, contact: usize) -> ContactForce<T> {
+        self.dynamics.contact_force(contact, &self.states[contact])
     }
 
     /// w = dt/ds and dw/ds at the last evaluation.
@@ -166,7 +167,7 @@ impl<'a, T: Real> Motion<'a, T> {
     pub fn pace(&self) -> [T; 2] {
         let (mut pace, mut change) = (T::one(), T::zero());
         if self.has_roots {
-            for (unknowns, (_, force)) in self.unknowns.iter().zip(self.dynamics.plays()) {
+            for (unknowns, force) in self.unknowns.iter().zip(self.dynamics.contacts()) {
                 if let Some(root) = &unknowns.root {
                     let is_unknown = T::from_f64(0.5).less_than(root.is_unknown);
                     pace = T::select(is_unknown, root.root, pace);
@@ -195,10 +196,11 @@ impl<T: Real> System<T> for Motion<'_, T> {
                 slope[*place] = change * root.is_unknown;
             }
         }
-        for (play, place) in self.layout.bristles.iter().enumerate() {
+        for (contact, place) in self.layout.bristles.iter().enumerate() {
             if let Some(place) = place {
                 // In flight bristles stand still.
-                slope[*place] = self.dynamics.plays()[play].1.bristle_rate_m_s * pace * self.states[play].contact;
+                slope[*place] =
+                    self.dynamics.contacts()[contact].bristle_rate_m_s * pace * self.states[contact].contact;
             }
         }
         let powers = self.dynamics.powers();
@@ -246,9 +248,9 @@ pub fn tolerances<T: Real>(
         tolerances[n + k] = tolerances[k] * rate_1_s;
     }
     tolerances[2 * n] = local_rad / rate_1_s;
-    for (place, play) in motion.layout.bristles.iter().zip(&sample.plays) {
+    for (contact, place) in motion.layout.bristles.iter().enumerate() {
         if let Some(place) = place {
-            tolerances[*place] = local_rad * play.friction.largest_deflection_m();
+            tolerances[*place] = local_rad * sample.play_of(contact).friction.largest_deflection_m();
         }
     }
     if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {

@@ -11,8 +11,8 @@ use crate::mechanism::{IdealMotion, Sample, SampleError};
 /// A contact that begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Onset {
-    /// Index in [`crate::mechanism::Mechanism::plays`].
-    pub play: usize,
+    /// Index in [`crate::mechanism::Mechanism::contacts`].
+    pub contact: usize,
     /// Time, s.
     pub time_s: f64,
     /// Penetration rate δ̇ at the located onset, m/s, before the floor of the law.
@@ -24,8 +24,8 @@ pub struct Onset {
 /// A contact that ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Separation {
-    /// Index in [`crate::mechanism::Mechanism::plays`].
-    pub play: usize,
+    /// Index in [`crate::mechanism::Mechanism::contacts`].
+    pub contact: usize,
     /// Time, s.
     pub time_s: f64,
     /// Separation speed -δ̇, m/s.
@@ -84,8 +84,8 @@ pub(super) enum Source<'s, 'a> {
 pub(super) trait DenseOutput {
     /// Writes the state at `share` in [0, 1] of the step.
     fn interpolate(&mut self, share: f64, state: &mut [f64]);
-    /// The contact state of a joint with play during the step.
-    fn contact(&self, play: usize) -> PlayState<f64>;
+    /// The state of a contact during the step.
+    fn contact(&self, contact: usize) -> PlayState<f64>;
 }
 
 impl<'a> Step<'_, 'a> {
@@ -104,20 +104,20 @@ impl<'a> Step<'_, 'a> {
         self.look(self.end_s, true)
     }
 
-    /// Whether the joint with play `play` is in contact during this step.
-    pub fn is_in_contact(&self, play: usize) -> bool {
+    /// Whether the contact `contact` is closed during this step.
+    pub fn is_in_contact(&self, contact: usize) -> bool {
         match &self.source {
-            Source::Integrated { dense, .. } => dense.contact(play).contact > 0.0,
+            Source::Integrated { dense, .. } => dense.contact(contact).contact > 0.0,
             Source::Kinematic { .. } => false,
         }
     }
 
-    /// Normal force in the joint with play `play` at `time_s` within the step, N.
-    pub fn normal_force_n(&mut self, play: usize, time_s: f64) -> f64 {
+    /// Normal force of the contact `contact` at `time_s` within the step, N.
+    pub fn normal_force_n(&mut self, contact: usize, time_s: f64) -> f64 {
         self.look(time_s, false);
         match &self.source {
             Source::Integrated { view: motion, .. } | Source::Kinematic { motion, .. } => {
-                motion.play_force(play).normal_n
+                motion.contact_force(contact).normal_n
             }
         }
     }
@@ -184,8 +184,8 @@ impl<'a> Step<'_, 'a> {
                     **viewed = *run;
                     view.dynamics.sample_mut().clone_from(sample);
                 }
-                for (play, contact) in view.states.iter_mut().enumerate() {
-                    *contact = dense.contact(play);
+                for (contact, state) in view.states.iter_mut().enumerate() {
+                    *state = dense.contact(contact);
                 }
                 dense.interpolate(place, state);
                 if let Some(projection) = projection {

@@ -13,7 +13,7 @@ pub struct Counters {
     pub events: u64,
 }
 
-/// What one joint with play went through during the recorded part of a run.
+/// What one joint with play, or one of its contacts, went through during the recorded part of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PlaySummary {
     /// Contacts that began.
@@ -26,6 +26,17 @@ pub struct PlaySummary {
     pub largest_penetration_m: f64,
     /// Largest normal force, N, looked for at a few points of each step: it may be a few thousandths too small.
     pub peak_force_n: f64,
+}
+
+impl PlaySummary {
+    /// Takes in what another contact of the joint went through.
+    pub fn take_in(&mut self, contact: &Self) {
+        self.contacts += contact.contacts;
+        self.floored_contacts += contact.floored_contacts;
+        self.impacts_beyond_validity += contact.impacts_beyond_validity;
+        self.largest_penetration_m = self.largest_penetration_m.max(contact.largest_penetration_m);
+        self.peak_force_n = self.peak_force_n.max(contact.peak_force_n);
+    }
 }
 
 /// Energy over a run, J.

@@ -175,7 +175,8 @@ impl SweepRuns<'_> {
             IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.plan.settings)?;
         let arms = Arms::new(self.mechanism, &values);
         let clearances_m = sample.plays.iter().map(|play| play.clearance_m).collect();
-        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, clearances_m);
+        let contacts = (0..sample.plays.len()).map(|play| self.mechanism.contacts_of(play)).collect();
+        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, clearances_m, contacts);
         Ok(Run { sample, arms, window, observer })
     }
 

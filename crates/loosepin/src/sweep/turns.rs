@@ -1,5 +1,7 @@
 //! Looks at a run once a turn.
 
+use std::ops::Range;
+
 use crate::math::Vec2;
 use crate::mechanism::SampleError;
 use crate::simulate::{Arms, Column, IdealReference, Observer, Step, Window};
@@ -38,6 +40,8 @@ pub struct TurnsRecorder<'a> {
     pub flight_s: Vec<f64>,
     /// Radial clearances by joint with play, m.
     pub clearances_m: Vec<f64>,
+    /// Contacts by joint with play.
+    contacts: Vec<Range<usize>>,
     /// Why the ideal motion could not be followed.
     pub failure: Option<SampleError>,
 }
@@ -51,6 +55,7 @@ impl<'a> TurnsRecorder<'a> {
         arms: Arms,
         ideal: IdealReference<'a>,
         clearances_m: Vec<f64>,
+        contacts: Vec<Range<usize>>,
     ) -> Self {
         Self {
             index,
@@ -62,6 +67,7 @@ impl<'a> TurnsRecorder<'a> {
             eccentricities_m: Vec::with_capacity(turns.count),
             flight_s: vec![0.0; clearances_m.len()],
             clearances_m,
+            contacts,
             failure: None,
         }
     }
@@ -73,7 +79,7 @@ impl<'a> TurnsRecorder<'a> {
 
     fn look(&mut self, step: &mut Step<'_, '_>, time_s: f64) {
         let dynamics = step.set_state(time_s);
-        self.eccentricities_m.push(dynamics.plays().iter().map(|(motion, _)| motion.eccentricity_m).collect());
+        self.eccentricities_m.push(dynamics.plays().iter().map(|motion| motion.eccentricity_m).collect());
         match self.ideal.at(time_s, false) {
             Ok(ideal) => {
                 for (output, section_si) in self.outputs.iter().zip(&mut self.sections_si) {
@@ -92,8 +98,8 @@ impl<'a> TurnsRecorder<'a> {
 impl Observer for TurnsRecorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         let within_s = step.end_s - step.start_s.max(self.turns.window.start_s);
-        for (play, flight_s) in self.flight_s.iter_mut().enumerate() {
-            if !step.is_in_contact(play) {
+        for (contacts, flight_s) in self.contacts.iter().zip(&mut self.flight_s) {
+            if !contacts.clone().any(|contact| step.is_in_contact(contact)) {
                 *flight_s += within_s;
             }
         }

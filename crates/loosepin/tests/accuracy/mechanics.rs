@@ -36,7 +36,7 @@ fn identity_power_balance_of_all_cases() {
                 .plays()
                 .iter()
                 .zip(&sample.plays)
-                .map(|((motion, _), play)| motion.gap_m2(play.clearance_m) > 0.0)
+                .map(|(motion, play)| motion.gap_m2(play.clearance_m) > 0.0)
                 .collect();
             in_contact += touches.iter().filter(|touch| **touch).count();
             let states: Vec<PlayState<f64>> = touches
@@ -185,7 +185,7 @@ fn identity_a_floating_pair_in_contact_keeps_its_momenta() {
             .collect();
         let mut dynamics = Dynamics::new(mechanism, &sample);
         dynamics.evaluate(0.0137, &q[..6], &rates[..6], &states);
-        let (motion, force) = &dynamics.plays()[apex];
+        let (motion, force) = (&dynamics.plays()[apex], &dynamics.contacts()[apex]);
         assert!(motion.penetration_m(sample.plays[apex].clearance_m) > 1e-5, "the pin is pressed into its bearing");
         assert!(force.friction_loss_w != 0.0 && force.moment_on_journal_n_m != 0.0, "friction acts");
 

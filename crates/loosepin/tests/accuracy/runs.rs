@@ -31,7 +31,7 @@ impl Observer for Twin<'_> {
         for time_s in [0.5 * (start_s + end_s), end_s] {
             let dynamics = step.set_state(time_s);
             let eccentricities_m: Vec<Vec2<f64>> =
-                dynamics.plays().iter().map(|(motion, _)| motion.eccentricity_m).collect();
+                dynamics.plays().iter().map(|motion| motion.eccentricity_m).collect();
             self.ideal.move_to(time_s).expect("the ideal mechanism turns");
             self.loops.set_position(self.ideal.coordinates());
             self.loops.displace(&eccentricities_m).expect("a run closes its loops with its own eccentricities");

@@ -1,78 +1,79 @@
-//! How deep a pin may be pressed into its hole.
+//! How deep a contact may be pressed in.
 
 use super::Batch;
 use crate::contact::NormalContact;
 use crate::math::Lanes;
-use crate::mechanism::PlayGeometry;
+use crate::mechanism::{GapMeasure, PlayGeometry, PlayShape};
 use crate::model::JointKind;
 use crate::simulate::failure::RunFailure;
-use crate::simulate::gap::{ContactStep, penetration_m};
+use crate::simulate::gap::ContactStep;
 use crate::simulate::lane::LaneRun;
 use crate::simulate::observer::Observer;
 use crate::simulate::reads::ReadLayout;
 
-/// How deep a pin may be pressed into its hole: its centre must stay inside, and the penetration where the law has one meaning.
+/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole, and the penetration where the law has
+/// one meaning.
 #[derive(Debug, Clone, Copy)]
 pub struct DepthLimit {
     /// The largest penetration, m.
     pub penetration_m: f64,
-    /// g = |e|² - c² there, m².
-    pub gap_m2: f64,
-    /// Whether the law ends there, and not the hole.
+    /// The gap function there.
+    pub gap: f64,
+    /// Whether the law ends there, and not the bodies.
     pub is_of_law: bool,
 }
 
 impl DepthLimit {
-    /// The limit of a joint with play.
+    /// The limit of the contacts of a joint with play.
     pub fn new(play: &PlayGeometry<f64>) -> Self {
-        let hole_m = (play.bearing_radius_m - play.clearance_m).max(0.0);
+        let body_m = match play.shape {
+            PlayShape::Pin { bearing_radius_m } => (bearing_radius_m - play.clearance_m).max(0.0),
+        };
         let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
-        let penetration_m = hole_m.min(law_m);
-        Self {
-            penetration_m,
-            gap_m2: penetration_m * (penetration_m + 2.0 * play.clearance_m),
-            is_of_law: law_m < hole_m,
-        }
+        let penetration_m = body_m.min(law_m);
+        Self { penetration_m, gap: GapMeasure::of(play).gap(penetration_m), is_of_law: law_m < body_m }
     }
 }
 
 impl<T: Lanes, O: Observer> Batch<'_, T, O> {
-    /// No pin may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
+    /// No contact may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
     pub(super) fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
         let time_s = self.core.start[ReadLayout::TIME].lane(lane);
-        for (play, limit) in run.depth_limits.iter().enumerate() {
-            let gap = self.core.equations.reads[self.core.layout.gap(play)].lane(lane);
+        for (contact, limit) in run.depth_limits.iter().enumerate() {
+            let gap = self.core.equations.reads[self.core.layout.gap(contact)].lane(lane);
             if gap.is_nan() {
                 return Err(RunFailure::NotFinite { time_s });
             }
-            let clearance_m = run.sample.plays[play].clearance_m;
-            let is_root = run.root == Some(play);
-            let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap_m2 };
+            let measure = GapMeasure::of(run.sample.play_of(contact));
+            let is_root = run.root == Some(contact);
+            let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap };
             let mut depth_m = match (is_beyond, is_root) {
                 (false, _) => 0.0,
                 (true, true) => gap * gap,
-                (true, false) => penetration_m(gap, clearance_m),
+                (true, false) => measure.penetration_m(gap),
             };
-            if !is_beyond && is_notable && limit.is_of_law && self.core.equations.contact(lane, play).0.contact > 0.0 {
-                let (gap, time) = (self.gap(lane, play), self.times(lane));
+            if !is_beyond && is_notable && limit.is_of_law && self.core.equations.contact(lane, contact).0.contact > 0.0
+            {
+                let (gap, time) = (self.gap(lane, contact), self.times(lane));
                 let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
-                depth_m = step.largest_penetration_m(clearance_m);
+                depth_m = step.largest_penetration_m(measure);
                 if depth_m <= limit.penetration_m {
                     depth_m = 0.0;
                 }
             }
             if depth_m > 0.0 {
-                return Err(self.too_deep(run, play, depth_m, time_s));
+                return Err(self.too_deep(run, contact, depth_m, time_s));
             }
         }
         Ok(())
     }
 
-    fn too_deep(&self, run: &LaneRun<O>, play: usize, penetration_m: f64, time_s: f64) -> RunFailure {
+    fn too_deep(&self, run: &LaneRun<O>, contact: usize, penetration_m: f64, time_s: f64) -> RunFailure {
         let model = &self.mechanism.model;
-        let joint = &model.joints[self.mechanism.plays[play].0];
-        let (limit, bearing_radius_m) = (run.depth_limits[play], run.sample.plays[play].bearing_radius_m);
+        let joint = &model.joints[self.mechanism.plays[self.mechanism.contacts[contact].play].0];
+        let limit = run.depth_limits[contact];
+        let PlayShape::Pin { bearing_radius_m } = run.sample.play_of(contact).shape;
         match &joint.kind {
             JointKind::Revolute { clearance: Some(clearance), .. } if limit.is_of_law => RunFailure::BeyondLaw {
                 joint: joint.name.clone(),

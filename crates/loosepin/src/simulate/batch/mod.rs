@@ -11,7 +11,7 @@ pub use depth::DepthLimit;
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
 use crate::math::Lanes;
-use crate::mechanism::{Mechanism, Sample};
+use crate::mechanism::{GapMeasure, Mechanism, Sample};
 use crate::native::Level;
 use crate::simulate::column::{Arms, Reading};
 use crate::simulate::core::{Attempt, Core};
@@ -89,7 +89,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         queue: &mut dyn Queue<Observer = O>,
     ) {
         let Some(first) = queue.next() else { return };
-        let plays = mechanism.plays.len();
+        let contacts = mechanism.contacts.len();
         let view = Motion::new(mechanism, &first.sample);
         let mut batch = Self {
             mechanism,
@@ -103,10 +103,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             output_jets: vec![[[0.0; 3]; 2]; readings.len()],
             settings: *settings,
             restarts: 0,
-            gaps: vec![[GapJet::default(); 2]; plays],
-            slidings_m_s: vec![[0.0; 2]; plays],
-            is_closed: vec![false; plays],
-            is_root: vec![false; plays],
+            gaps: vec![[GapJet::default(); 2]; contacts],
+            slidings_m_s: vec![[0.0; 2]; contacts],
+            is_closed: vec![false; contacts],
+            is_root: vec![false; contacts],
         };
         batch.start(0, first, queue);
         batch.refill(queue);
@@ -155,7 +155,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let stop_s = sample.drives.next_break_s(0.0).min(window.end_s);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
-            depth_limits: sample.plays.iter().map(DepthLimit::new).collect(),
+            depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
             sample,
             window,
             observer,
@@ -171,7 +171,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             reaches_stop: false,
             stalled: 0,
             counters: Counters::default(),
-            plays: vec![PlaySummary::default(); self.mechanism.plays.len()],
+            contacts: vec![PlaySummary::default(); self.mechanism.contacts.len()],
             root: None,
         });
         self.restarts |= 1 << lane;
@@ -343,19 +343,19 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     /// Takes in the largest penetration and force of a step that may hold a record.
     fn note_penetrations(&mut self, lane: usize) {
         let time = self.times(lane);
-        for play in 0..self.mechanism.plays.len() {
-            let (state, is_root) = self.core.equations.contact(lane, play);
+        for contact in 0..self.mechanism.contacts.len() {
+            let (state, is_root) = self.core.equations.contact(lane, contact);
             if !(state.contact > 0.0) {
                 continue;
             }
-            let gap = self.gap(lane, play);
+            let gap = self.gap(lane, contact);
             let Some(run) = &mut self.runs[lane] else { return };
-            let (numbers, summary) = (&run.sample.plays[play], &mut run.plays[play]);
+            let (numbers, summary) = (run.sample.play_of(contact), &mut run.contacts[contact]);
             let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
-            let depth_m = step.largest_penetration_m(numbers.clearance_m);
+            let depth_m = step.largest_penetration_m(GapMeasure::of(numbers));
             summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
             summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
-            self.core.set_records(lane, play, summary);
+            self.core.set_records(lane, contact, summary);
         }
     }
 
@@ -410,7 +410,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
 
     fn succeed(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
         let Some(run) = &mut self.runs[lane] else { return };
-        let plays = std::mem::take(&mut run.plays);
+        let mut plays = vec![PlaySummary::default(); self.mechanism.plays.len()];
+        for (at, summary) in self.mechanism.contacts.iter().zip(&run.contacts) {
+            plays[at.play].take_in(summary);
+        }
         let report = RunReport { counters: run.counters, plays, energy: Some(self.core.account(lane)) };
         self.finish(lane, Ok(report), queue);
     }
@@ -427,18 +430,19 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         self.core.jets(lane, ReadLayout::TIME)
     }
 
-    fn gap(&self, lane: usize, play: usize) -> [GapJet; 2] {
-        self.core.jets(lane, self.core.layout.gap(play))
+    fn gap(&self, lane: usize, contact: usize) -> [GapJet; 2] {
+        self.core.jets(lane, self.core.layout.gap(contact))
     }
 
     fn read_gaps(&mut self, lane: usize) {
-        for play in 0..self.mechanism.plays.len() {
-            let (state, is_root) = self.core.equations.contact(lane, play);
-            self.gaps[play] = self.gap(lane, play);
-            let place = self.core.layout.sliding(play);
-            self.slidings_m_s[play] = [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane));
-            self.is_closed[play] = state.contact > 0.0;
-            self.is_root[play] = is_root;
+        for contact in 0..self.mechanism.contacts.len() {
+            let (state, is_root) = self.core.equations.contact(lane, contact);
+            self.gaps[contact] = self.gap(lane, contact);
+            let place = self.core.layout.sliding(contact);
+            self.slidings_m_s[contact] =
+                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane));
+            self.is_closed[contact] = state.contact > 0.0;
+            self.is_root[contact] = is_root;
         }
     }
 }
@@ -473,7 +477,7 @@ impl<T: Lanes> DenseOutput for LaneDense<'_, '_, T> {
         state.iter_mut().for_each(|value| *value += 0.0);
     }
 
-    fn contact(&self, play: usize) -> PlayState<f64> {
-        self.core.equations.contact(self.lane, play).0
+    fn contact(&self, contact: usize) -> PlayState<f64> {
+        self.core.equations.contact(self.lane, contact).0
     }
 }

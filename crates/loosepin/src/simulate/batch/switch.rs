@@ -4,6 +4,7 @@ use super::{Batch, Queue};
 use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::math::{Lanes, Real};
+use crate::mechanism::GapMeasure;
 use crate::simulate::gap::Crossing;
 use crate::simulate::lane::{Event, Phase};
 use crate::simulate::observer::{Observer, Onset, Separation};
@@ -20,7 +21,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let step = self.core.steps.lane(lane);
         let Some(run) = &mut self.runs[lane] else { return };
-        let Some(play) = run.root else { return };
+        let Some(contact) = run.root else { return };
         if step * pace.abs() > STALLED_SHARE * run.longest_s {
             run.stalled = 0;
             return;
@@ -30,8 +31,8 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             run.stalled = 0;
             run.next = STALLED_SHARE * run.longest_s;
             run.root = None;
-            let (state, _) = self.core.equations.contact(lane, play);
-            self.core.set_contact(lane, play, &state, false);
+            let (state, _) = self.core.equations.contact(lane, contact);
+            self.core.set_contact(lane, contact, &state, false);
             self.core.start[ReadLayout::TIME + 1].set_lane(lane, 1.0);
             self.restarts |= 1 << lane;
         }
@@ -65,8 +66,8 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
 
     /// Lets a contact begin or end at the start of the step, or stops.
     pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Queue<Observer = O>) {
-        let (play, crossing) = match event {
-            Event::Contact { play, crossing } => (play, crossing),
+        let (contact, crossing) = match event {
+            Event::Contact { contact, crossing } => (contact, crossing),
             Event::Stop => return self.stop(lane, queue),
             Event::Kink { .. } => {
                 // The force goes on evenly here: the step before was only not to reach across.
@@ -77,33 +78,33 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             }
         };
         let time_s = self.core.start[ReadLayout::TIME].lane(lane);
-        let speed_m_s = self.gap_rate_m_s(lane, play);
-        let has_layout_root = self.core.equations.motion.layout.roots[play].is_some();
+        let speed_m_s = self.gap_rate_m_s(lane, contact);
+        let has_layout_root = self.core.equations.motion.layout.roots[contact].is_some();
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
-        let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, play) } else { 0.0 };
+        let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, contact) } else { 0.0 };
         let Some(run) = &mut self.runs[lane] else { return };
         run.phase = Phase::Stepping;
         run.stalled = 0;
         let had_root = run.root.is_some();
-        let numbers = &run.sample.plays[play];
+        let numbers = run.sample.play_of(contact);
         let (state, has_root, kind) = match crossing {
             Crossing::Onset => {
                 let is_floored = !(speed_m_s > numbers.minimum_impact_speed_m_s);
                 let impact_speed_m_s = Real::max(speed_m_s, numbers.minimum_impact_speed_m_s);
                 if time_s >= run.window.start_s {
-                    let summary = &mut run.plays[play];
+                    let summary = &mut run.contacts[contact];
                     summary.contacts += 1;
                     summary.floored_contacts += u64::from(is_floored);
                     summary.impacts_beyond_validity += u64::from(speed_m_s > numbers.largest_valid_impact_speed_m_s);
                 }
-                run.observer.contact_begins(&Onset { play, time_s, speed_m_s, is_floored });
+                run.observer.contact_begins(&Onset { contact, time_s, speed_m_s, is_floored });
                 let state =
                     PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s, effective_mass_kg };
                 // One root at a time: two that vanish together would never leave zero.
                 (state, has_layout_root && !had_root && !is_floored, 0)
             }
             Crossing::Separation => {
-                run.observer.contact_ends(&Separation { play, time_s, speed_m_s: -speed_m_s });
+                run.observer.contact_ends(&Separation { contact, time_s, speed_m_s: -speed_m_s });
                 (PlayState::flight(), false, 1)
             }
         };
@@ -117,12 +118,12 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         };
         run.last_event = Some(kind);
         if has_root {
-            run.root = Some(play);
-        } else if run.root == Some(play) {
+            run.root = Some(contact);
+        } else if run.root == Some(contact) {
             run.root = None;
         }
         let is_even = run.root.is_none();
-        self.core.set_contact(lane, play, &state, has_root);
+        self.core.set_contact(lane, contact, &state, has_root);
         self.restarts |= 1 << lane;
         // The root begins at zero, and the time with it; without any root it goes on evenly.
         if has_root || is_even {
@@ -132,9 +133,9 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
     }
 
     /// The mass that a contact meets along its normal at the start of the step, kg; zero where its law does not ask for it.
-    fn effective_mass_kg(&mut self, lane: usize, play: usize) -> f64 {
+    fn effective_mass_kg(&mut self, lane: usize, contact: usize) -> f64 {
         let Some(run) = &self.runs[lane] else { return 0.0 };
-        if !run.sample.plays[play].normal.needs_effective_mass() {
+        if !run.sample.play_of(contact).normal.needs_effective_mass() {
             return 0.0;
         }
         if self.viewed != run.number {
@@ -145,22 +146,22 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             // No negative zeros: see `Core::jets`.
             *value = from.lane(lane) + 0.0;
         }
-        for (state, contact) in self.view.states.iter_mut().enumerate() {
-            *contact = self.core.equations.contact(lane, state).0;
+        for (index, state) in self.view.states.iter_mut().enumerate() {
+            *state = self.core.equations.contact(lane, index).0;
         }
         let time_s = self.view_state[self.view.layout.time()];
         self.view.evaluate(time_s, &self.view_state);
-        1.0 / self.view.dynamics.inverse_mass_along_normal_1_kg(play)
+        1.0 / self.view.dynamics.inverse_mass_along_normal_1_kg(contact)
     }
 
     /// δ̇ at the start of the step.
-    pub(super) fn gap_rate_m_s(&self, lane: usize, play: usize) -> f64 {
-        let [value, slope, _] = self.gap(lane, play)[0].jet;
-        if self.core.equations.contact(lane, play).1 {
+    pub(super) fn gap_rate_m_s(&self, lane: usize, contact: usize) -> f64 {
+        let [value, slope, _] = self.gap(lane, contact)[0].jet;
+        if self.core.equations.contact(lane, contact).1 {
             return 2.0 * slope;
         }
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
-        let clearance_m = self.runs[lane].as_ref().map_or(0.0, |run| run.sample.plays[play].clearance_m);
-        slope / (2.0 * (value + clearance_m * clearance_m).max(0.0).sqrt() * pace)
+        let Some(run) = &self.runs[lane] else { return 0.0 };
+        slope / (GapMeasure::of(run.sample.play_of(contact)).rate_share(value) * pace)
     }
 }
