@@ -135,7 +135,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             centre_partials: vec![Vec2::zero(); z],
             jacobian: vec![T::zero(); rows * z],
             constraint_biases: vec![T::zero(); rows],
-            gram: GramSystem::new(rows, n, mechanism.rows_may_repeat),
+            gram: GramSystem::new(tree.constraint_scales(), n),
         }
     }
 

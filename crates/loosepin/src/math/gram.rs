@@ -1,8 +1,8 @@
-//! Gram matrices J M⁻¹ Jᵀ of constraints, whose rows may repeat each other.
+//! Gram matrices J M⁻¹ Jᵀ of constraints, whose rows may repeat each other or lose their rank on the way.
 
 use super::{Real, factor_ldl, solve_ldl};
 
-/// What is added to the diagonal, as a share of it, where rows repeat each other. Round-off leaves 1e-16 of what vanishes.
+/// What is added to the diagonal, as a share of the scale of its row. Round-off leaves 1e-16 of what vanishes.
 const REGULARISATION: f64 = 1e-10;
 /// Passes of refinement. Each leaves the share `REGULARISATION`/s of what is still wrong in a direction of relative size s.
 const PASSES: usize = 3;
@@ -10,30 +10,35 @@ const PASSES: usize = 3;
 /// Solves G λ = r for a Gram matrix G, positive definite or, where rows repeat each other, positive semidefinite with an r that
 /// is consistent with it: then one of the many λ, which all give the same Jᵀ λ.
 ///
-/// The second kind by (G + ε diag G) λ = r and refinement: no choice of rows, so nothing switches when a row is independent in
-/// one position and repeats others in the next (a plate on three cranks).
+/// By (G + ε S) λ = r and refinement, S the scales of the rows: no choice of rows, so nothing switches when a row is independent
+/// in one position and repeats others in the next (a plate on three cranks), or when the rows lose their rank in one position (a
+/// change point: all bars in a line). There a direction narrower than √ε of its scale is left alone, and inertia decides.
+///
+/// Rows that share a scale are components of one vector (x and y of a point): a component that vanishes with its direction
+/// has the scale of the other one.
 #[derive(Debug, Clone)]
 pub struct GramSystem<T> {
-    /// G, row-major; [`Self::factor`] may destroy it.
+    /// G, row-major.
     matrix: Vec<T>,
     /// M⁻¹ Jᵀ, one row of n for each constraint.
     mobilities: Vec<T>,
     order: usize,
-    /// Whether rows may repeat each other.
-    may_repeat: bool,
+    /// The two rows (or one, twice) whose diagonal entries are the scale of a row.
+    scales: Vec<[usize; 2]>,
     factors: Vec<T>,
     right: Vec<T>,
     change: Vec<T>,
 }
 
 impl<T: Real> GramSystem<T> {
-    /// Room for `order` constraints over `coordinates`; `may_repeat` tells that rows may repeat each other.
-    pub fn new(order: usize, coordinates: usize, may_repeat: bool) -> Self {
+    /// Room for constraints over `coordinates`: for each row, the rows that share its scale, or the row itself twice.
+    pub fn new(scales: Vec<[usize; 2]>, coordinates: usize) -> Self {
+        let order = scales.len();
         Self {
             matrix: vec![T::zero(); order * order],
             mobilities: vec![T::zero(); order * coordinates],
             order,
-            may_repeat,
+            scales,
             factors: vec![T::zero(); order * order],
             right: vec![T::zero(); order],
             change: vec![T::zero(); order],
@@ -82,15 +87,13 @@ impl<T: Real> GramSystem<T> {
     #[inline(always)]
     fn factor(&mut self) {
         let n = self.order;
-        if !self.may_repeat {
-            return factor_ldl(&mut self.matrix, n);
-        }
         self.factors.copy_from_slice(&self.matrix);
         for row in 0..n {
-            let diagonal = self.matrix[row * n + row];
-            let raised = diagonal * T::from_f64(1.0 + REGULARISATION);
-            // A row of zeros belongs to driven coordinates alone: any pivot gives it λ = 0.
-            self.factors[row * n + row] = T::select(T::zero().less_than(diagonal), raised, T::one());
+            let [first, second] = self.scales[row].map(|row| self.matrix[row * n + row]);
+            let scale = first + second;
+            let raised = scale.mul_add(T::from_f64(REGULARISATION), self.matrix[row * n + row]);
+            // Rows of zeros belong to driven coordinates alone: any pivot gives them λ = 0.
+            self.factors[row * n + row] = T::select(T::zero().less_than(scale), raised, T::one());
         }
         factor_ldl(&mut self.factors, n);
     }
@@ -99,9 +102,6 @@ impl<T: Real> GramSystem<T> {
     #[inline(always)]
     pub fn solve(&mut self, right: &mut [T]) {
         let n = self.order;
-        if !self.may_repeat {
-            return solve_ldl(&self.matrix, n, right);
-        }
         self.right.copy_from_slice(right);
         right.fill(T::zero());
         for _ in 0..PASSES {
@@ -133,7 +133,7 @@ mod tests {
 
     /// The x = Jᵀ λ that `rows` demand of a target.
     fn solution(rows: &[[f64; 3]], target: &[f64; 3]) -> [f64; 3] {
-        let mut system = GramSystem::new(rows.len(), 3, true);
+        let mut system = GramSystem::new((0..rows.len()).map(|row| [row, row]).collect(), 3);
         let mut multipliers: Vec<f64> = rows.iter().map(|row| dot(row, target)).collect();
         let jacobian: Vec<f64> = rows.concat();
         system.set(&jacobian, 3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], 3);
@@ -161,5 +161,20 @@ mod tests {
             let x = solution(&rows, &target);
             assert!((x[0] - target[0]).abs() < ROUND_OFF && (x[1] - target[1]).abs() < ROUND_OFF, "{turn:e}: {x:?}");
         }
+    }
+
+    #[test]
+    fn identity_a_direction_that_vanishes_is_left_alone() {
+        // Both rows are components of one vector; the first one vanishes with its direction, its defect is round-off.
+        let (small, round_off) = (1e-9, 1e-16);
+        let mut system = GramSystem::new(vec![[0, 1], [0, 1]], 2);
+        system.set(&[small, 0.0, 0.3, 1.2], 2, &[1.0, 0.0, 0.0, 1.0], 2);
+        let mut multipliers = [round_off, 0.7];
+        system.solve(&mut multipliers);
+        let mut change = [0.0; 2];
+        system.add_answer(&multipliers, &mut change);
+        assert!((0.3 * change[0] + 1.2 * change[1] - 0.7).abs() < ROUND_OFF, "{change:?}");
+        // Without the scale of the other row it would be round_off / small = 1e-7.
+        assert!((change[0] - 0.3 * 0.7 / 1.53).abs() < 1e-12, "{change:?}");
     }
 }

@@ -56,8 +56,6 @@ pub struct Mechanism {
     pub degrees_of_freedom: usize,
     /// Degrees of freedom that move dynamically: those that play opens, without the driven ones.
     pub dynamic_freedoms: usize,
-    /// Whether loops of ideal joints beside joints with play repeat each other, or do so at the start.
-    pub rows_may_repeat: bool,
     /// Joints that repeat what others impose already, with the number of their redundant constraints.
     pub redundant: Vec<(JointId, usize)>,
     /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
@@ -98,7 +96,6 @@ impl Mechanism {
             size_m,
             degrees_of_freedom,
             dynamic_freedoms: 0,
-            rows_may_repeat: false,
             redundant,
             other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
             ideal_start: assembly.coordinates,
@@ -111,21 +108,12 @@ impl Mechanism {
         let real_geometry = Geometry::new(model, &mechanism.real, values);
         let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
         mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start);
-        mechanism.rows_may_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
         Ok(mechanism)
     }
 
     /// The same mechanism with every clearance at zero: its real tree is the ideal one.
     pub fn without_play(&self) -> Self {
-        let rows_may_repeat = self.ideal_rows.len() < self.ideal.constraint_rows();
-        Self {
-            real: self.ideal.clone(),
-            plays: Vec::new(),
-            contacts: Vec::new(),
-            dynamic_freedoms: 0,
-            rows_may_repeat,
-            ..self.clone()
-        }
+        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), dynamic_freedoms: 0, ..self.clone() }
     }
 
     /// Whether the drives alone determine the motion: they move every freedom, and no joint has play.

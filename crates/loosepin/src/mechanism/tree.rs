@@ -227,6 +227,20 @@ impl Tree {
         self.cuts.iter().map(|cut| cut.kind.rows()).sum()
     }
 
+    /// For each constraint row, the rows that have the same scale: x and y of a point, or the row itself twice.
+    pub fn constraint_scales(&self) -> Vec<[usize; 2]> {
+        let mut scales = Vec::new();
+        for cut in &self.cuts {
+            let first = scales.len();
+            scales.extend((first..first + cut.kind.rows()).map(|row| [row, row]));
+            if cut.kind != CutKind::Prismatic {
+                scales[first] = [first, first + 1];
+                scales[first + 1] = [first, first + 1];
+            }
+        }
+        scales
+    }
+
     /// Breadth first over the tree joints, from the bodies in `attached` on.
     fn attach_descendants(
         &mut self,

@@ -30,7 +30,7 @@ impl<T: Real> Projection<T> {
             residuals: vec![T::zero(); rows],
             jacobian: vec![T::zero(); rows * tree.coordinates()],
             defects: vec![T::zero(); rows],
-            gram: GramSystem::new(rows, tree.free, mechanism.rows_may_repeat),
+            gram: GramSystem::new(tree.constraint_scales(), tree.free),
             correction: vec![T::zero(); tree.free],
         }
     }
