@@ -5,6 +5,7 @@ use super::transmission::{Transmission, is_positive};
 use crate::mechanism::{IdealMotion, Mechanism, SampleError};
 use crate::model::CycleInput;
 use crate::simulate::maximum_within;
+use crate::units::{Dimension, format_value};
 
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more
 /// than ten times. Designers keep transmission angles above 30° to 45°.
@@ -79,7 +80,7 @@ impl Walk<'_> {
             if next.move_to(time_s).is_err() {
                 let (end, error) = self.last_reachable(last.clone(), time_s);
                 let words = self.end_words(&end, &error);
-                let is_dead_point = words != CROSSING_WORDS;
+                let is_dead_point = !words.starts_with(CROSSING_WORDS);
                 self.singular.push((end.time_s(), words));
                 // Branches that cross at a sample: the motion goes on smoothly, past this sample.
                 let past_s = time_s + PAST_CROSSING * (time_s - last.time_s());
@@ -90,8 +91,8 @@ impl Walk<'_> {
             }
             let [before, after] = [&last, &next].map(|motion| is_positive(self.mechanism, motion));
             if before != after {
-                let crossing = self.crossing(last, time_s, before);
-                self.singular.push((crossing, CROSSING_WORDS.to_owned()));
+                let (crossing, state) = self.crossing(last, time_s, before);
+                self.singular.push((crossing, self.crossing_words(&state)));
             }
             states.push(next.clone());
             last = next;
@@ -123,7 +124,7 @@ impl Walk<'_> {
     }
 
     /// Bisects for the sign change of the determinant.
-    fn crossing(&self, mut before: IdealMotion<'_>, after_s: f64, side: bool) -> f64 {
+    fn crossing<'a>(&self, mut before: IdealMotion<'a>, after_s: f64, side: bool) -> (f64, IdealMotion<'a>) {
         let mut after_s = after_s;
         while (after_s - before.time_s()).abs() > LOCATED_TURNS * self.input.turn_s() {
             let middle_s = 0.5 * (before.time_s() + after_s);
@@ -137,7 +138,7 @@ impl Walk<'_> {
                 after_s = middle_s;
             }
         }
-        after_s
+        (after_s, before)
     }
 
     /// What the end of the way is, in words.
@@ -147,7 +148,7 @@ impl Walk<'_> {
             fastest.max(twist.angular.abs()).max(linear)
         });
         if fastest < DEAD_POINT_RATIO * self.input.speed_rad_s.abs() {
-            return CROSSING_WORDS.to_owned();
+            return self.crossing_words(end);
         }
         match error {
             SampleError::CannotClose { joint, .. } => {
@@ -155,6 +156,18 @@ impl Walk<'_> {
             }
             _ => "dead point: the drive cannot turn any further".to_owned(),
         }
+    }
+
+    /// What is said where branches cross, with the ways on.
+    fn crossing_words(&self, state: &IdealMotion<'_>) -> String {
+        let Some(ways) = state.ways_on() else { return CROSSING_WORDS.to_owned() };
+        let link = &self.mechanism.ideal.links[ways.slot - 1];
+        let [faster, slower] =
+            ways.angular_velocities_rad_s.map(|speed| format_value(speed, Dimension::ANGULAR_VELOCITY));
+        format!(
+            "{CROSSING_WORDS}: '{}' goes on at {faster} or at {slower}",
+            self.mechanism.model.bodies[link.body.0].name
+        )
     }
 
     /// Local minima of the sine of transmission that are low but not zero.

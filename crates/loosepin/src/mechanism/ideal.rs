@@ -8,6 +8,7 @@ use super::geometry::Geometry;
 use super::kinematics::{Kinematics, Twist};
 use super::mobility::eliminate_free;
 use super::tree::Tree;
+use super::ways_on::{WaysOn, ways_on};
 use crate::math::{Dual, Real, solve_square};
 use crate::model::Model;
 
@@ -155,6 +156,11 @@ impl<'a> IdealMotion<'a> {
     /// How far the loop equations are from singular: ratio of their smallest to their largest pivot.
     pub fn pivot_ratio(&self) -> f64 {
         self.pivot_ratio
+    }
+    /// The two ways on from here, at a change point.
+    pub fn ways_on(&self) -> Option<WaysOn> {
+        let (tree, driven) = (&self.mechanism.ideal, &self.driven_accelerations);
+        ways_on(tree, &self.geometry, &self.coordinates, &self.rates, driven)
     }
     /// The matrix dΦ/dq of the independent loop equations at the present position, n × n, row-major.
     pub fn loop_matrix(&self) -> Vec<f64> {

@@ -20,6 +20,7 @@ mod sample;
 mod spring;
 mod table;
 mod tree;
+mod ways_on;
 
 pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
@@ -31,6 +32,7 @@ pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::SpringGeometry;
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
+pub use ways_on::WaysOn;
 
 use crate::math::Vec2;
 use crate::model::{BodyId, JointId, JointKind, Model, Values};

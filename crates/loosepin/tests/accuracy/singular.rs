@@ -121,6 +121,21 @@ fn analytic_nearly_dead_point_of_a_slider_crank() {
     assert_eq!(record.singular_positions[0].words, words);
 }
 
+/// Crank and rocker of 50 mm, coupler and base of 120 mm: the rocker goes on with the crank, or as an antiparallelogram. The
+/// second derivative of the loop along the line of the bars gives ψ̇ = -ω (l - r)/(l + r) where the crank points inwards, and
+/// ψ̇ = -ω (l + r)/(l - r) where it points outwards.
+fn assert_ways_on(record: &loosepin::accuracy::record::MotionRecord) {
+    let (inwards, outwards) = (-60.0 * 70.0 / 170.0, -60.0 * 170.0 / 70.0);
+    let said = [format!("{inwards:.5}"), format!("{outwards:.4}")].map(|other_rpm| {
+        format!(
+            "two ways of assembling the links meet here, and the drives do not determine which one the mechanism follows: \
+             'rocker' goes on at 60 rpm or at {other_rpm} rpm"
+        )
+    });
+    let words: Vec<&str> = record.singular_positions.iter().map(|position| position.words.as_str()).collect();
+    assert_eq!(words, said);
+}
+
 #[test]
 fn analytic_branches_of_a_parallelogram_cross_where_it_is_flat() {
     let built = four_bar([50.0, 120.0, 50.0], 120.0, 33.3, r#"{ rocker = "33.3 deg" }"#);
@@ -133,9 +148,7 @@ fn analytic_branches_of_a_parallelogram_cross_where_it_is_flat() {
     for (angle, value) in record.drive_angle_rad.iter().zip(&rocker.value_si) {
         assert!((angle - value).abs() < 1e-9, "{angle}: {value}");
     }
-    for position in &record.singular_positions {
-        assert!(position.words.starts_with("two ways of assembling the links meet here"), "{}", position.words);
-    }
+    assert_ways_on(&record);
 }
 
 #[test]
@@ -150,9 +163,7 @@ fn analytic_parallelogram_that_is_flat_at_a_sample() {
     for (angle, value) in record.drive_angle_rad.iter().zip(&rocker.value_si) {
         assert!((angle - value).abs() < 1e-9, "{angle}: {value}");
     }
-    for position in &record.singular_positions {
-        assert!(position.words.starts_with("two ways of assembling the links meet here"), "{}", position.words);
-    }
+    assert_ways_on(&record);
 }
 
 #[test]
