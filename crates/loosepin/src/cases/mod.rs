@@ -2,14 +2,19 @@
 //!
 //! A case is a folder with `model.toml`, `expected.toml` and what these name. `expected.toml` says for every number how it is
 //! obtained, so that a new case needs no code; `cases/README.md` describes its keys.
-#![allow(dead_code, reason = "what is read is compared in the next commit")]
 
 mod case;
+mod compare;
 mod expected;
+mod history;
+mod ideal;
 mod keys;
+mod obtain;
 mod problem;
+pub mod record;
 mod reference;
 mod script_file;
 
 pub use case::{Case, case_names};
+pub use compare::{compare, compare_all};
 pub use problem::CaseProblem;
