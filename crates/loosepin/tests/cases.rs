@@ -1,9 +1,12 @@
-//! Every number of every reference case is met.
+//! Every number of every reference case is met, and `docs/validation.md` says so.
+//!
+//! With `LOOSEPIN_BLESS=1` in the environment the page is written anew, to be read before it is committed.
 
 use std::path::{Path, PathBuf};
 
 use loosepin::cases::record::CaseRecord;
 use loosepin::cases::{Case, case_names, compare_all};
+use loosepin::report::cases_page;
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -26,7 +29,7 @@ fn outside(records: &[CaseRecord]) -> Vec<String> {
 }
 
 #[test]
-fn peer_and_analytic_numbers_of_all_cases_are_met() {
+fn peer_and_analytic_numbers_of_all_cases_are_met_and_the_page_is_up_to_date() {
     let cases = all_cases();
     assert!(cases.len() > 20, "only {} cases", cases.len());
     assert!(cases.iter().all(|case| case.count() > 0), "a case without a number");
@@ -43,4 +46,14 @@ fn peer_and_analytic_numbers_of_all_cases_are_met() {
     }
     let outside = outside(&records);
     assert!(outside.is_empty(), "outside of their tolerances: {outside:#?}");
+    let path = repository().join("docs/validation.md");
+    let page = cases_page(&records);
+    if std::env::var_os("LOOSEPIN_BLESS").is_some() {
+        std::fs::write(&path, &page).expect("the page can be written");
+    }
+    let stored = std::fs::read_to_string(&path).expect("docs/validation.md is there");
+    assert!(
+        stored == page,
+        "docs/validation.md is out of date; hint: loosepin cases run --write docs/validation.md, and read what changed"
+    );
 }
