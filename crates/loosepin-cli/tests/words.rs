@@ -107,7 +107,7 @@ fn version_and_help() {
     assert_eq!(desk.succeed(&["--version"]).output, format!("loosepin {}\n", env!("CARGO_PKG_VERSION")));
     assert_eq!(desk.succeed(&["--help"]).output, include_str!("expected/help.txt"));
     assert_eq!(desk.succeed(&["simulate", "--help"]).output, include_str!("expected/help_simulate.txt"));
-    for command in ["new", "check", "motion", "study", "sweep", "report", "schema", "explain"] {
+    for command in ["new", "check", "motion", "study", "sweep", "cases", "report", "schema", "explain"] {
         let help = desk.succeed(&[command, "--help"]).output;
         assert!(help.contains("Example"), "{command} --help ends with examples");
     }
