@@ -20,6 +20,7 @@ mod terminal;
 mod wording;
 
 pub use cases_page::{cases_page, cases_text};
+pub use mechanism_figure::mechanism_picture;
 pub use motion_page::motion_page;
 pub use simulation_page::simulation_page;
 pub use study_page::study_page;
