@@ -277,7 +277,7 @@ pub struct ExplainArguments {
 
 /// The templates by their names.
 fn template() -> impl TypedValueParser<Value = &'static Template> {
-    let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description));
+    let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description()));
     PossibleValuesParser::new(names).try_map(|name| find_template(&name).ok_or("no such template"))
 }
 
