@@ -58,16 +58,20 @@ pub(crate) fn cases() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases")
 }
 
-/// Names of all cases with a model, sorted.
+/// Cases of single contacts that no drive moves: they start at rest, and what the tests here compare is 0 with 0.
+const AT_REST: [&str; 2] = ["free_impacts", "static_forces"];
+
+/// Names of all cases with a mechanism that moves, sorted.
 pub(crate) fn case_names() -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(cases())
         .expect("the cases are there")
         .map(|entry| entry.expect("readable").path())
         .filter(|path| path.join("model.toml").exists())
         .map(|path| path.file_name().expect("a folder has a name").to_string_lossy().into_owned())
+        .filter(|name| !AT_REST.contains(&name.as_str()))
         .collect();
     names.sort();
-    assert!(names.len() > 10, "the cases are missing");
+    assert!(names.len() > 20, "the cases are missing");
     names
 }
 
