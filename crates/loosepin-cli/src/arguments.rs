@@ -38,6 +38,7 @@ pub enum Command {
     Simulate(SimulateArguments),
     Study(StudyArguments),
     Sweep(SweepArguments),
+    Cases(CasesArguments),
     Report(ReportArguments),
     Schema(SchemaArguments),
     Explain(ExplainArguments),
@@ -190,6 +191,51 @@ pub struct OutputArguments {
     pub force: bool,
 }
 
+/// List the reference cases, mechanisms whose answer is known, or run them
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Without `run` it lists them. The cases are in the repository, in its folder `cases`.\n\n\
+    Examples:\n  loosepin cases\n  loosepin cases run\n  loosepin cases run slider_crank_5000 six_bar",
+    args_conflicts_with_subcommands = true
+)]
+pub struct CasesArguments {
+    /// What to do with them.
+    #[command(subcommand)]
+    pub action: Option<CasesAction>,
+    #[command(flatten)]
+    pub folder: CasesFolder,
+}
+
+/// What is done with the reference cases.
+#[derive(Debug, Subcommand)]
+pub enum CasesAction {
+    Run(CasesRunArguments),
+}
+
+/// Run reference cases: for each number what is expected and what is obtained, difference, tolerance, source
+#[derive(Debug, Args)]
+#[command(after_help = "Exit status 1: a number is outside of its tolerance.\n\n\
+    Examples:\n  loosepin cases run\n  loosepin cases run slider_crank_5000 six_bar\n  \
+    loosepin cases run --write docs/validation.md")]
+pub struct CasesRunArguments {
+    /// Names of cases [default: all]
+    #[arg(value_name = "NAME")]
+    pub names: Vec<String>,
+    /// Also write the numbers as a page in Markdown
+    #[arg(long, value_name = "PAGE")]
+    pub write: Option<PathBuf>,
+    #[command(flatten)]
+    pub folder: CasesFolder,
+}
+
+/// Where the reference cases are.
+#[derive(Debug, Args)]
+pub struct CasesFolder {
+    /// Folder of the cases, each in a folder of its own
+    #[arg(long = "folder", value_name = "DIR", default_value = "cases")]
+    pub path: PathBuf,
+}
+
 /// Write the pages of stored results again
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  loosepin report results/worn-pin/1a2b3c4d")]
@@ -231,7 +277,7 @@ pub struct ExplainArguments {
 
 /// The templates by their names.
 fn template() -> impl TypedValueParser<Value = &'static Template> {
-    let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description));
+    let names = TEMPLATES.iter().map(|template| PossibleValue::new(template.name).help(template.description()));
     PossibleValuesParser::new(names).try_map(|name| find_template(&name).ok_or("no such template"))
 }
 

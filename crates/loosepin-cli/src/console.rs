@@ -46,6 +46,12 @@ pub fn wrapped(paragraph: &str) -> String {
     textwrap::fill(paragraph, usize::from(TERMINAL_COLUMNS))
 }
 
+/// A paragraph in lines that a terminal holds, each two columns in.
+pub fn indented(paragraph: &str) -> String {
+    let options = textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent("  ").subsequent_indent("  ");
+    textwrap::fill(paragraph, options)
+}
+
 /// `1 joint`, `4 joints`, `no joint`.
 pub fn counted(count: usize, singular: &str, plural: &str) -> String {
     match count {

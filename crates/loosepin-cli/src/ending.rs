@@ -13,7 +13,7 @@ use crate::console;
 pub enum Done {
     /// As asked.
     Well,
-    /// As asked, and a requirement of the study is not shown to be met.
+    /// As asked, and a requirement of the study, or a number of a reference case, is not shown to be met.
     RequirementNotMet,
     /// Ended by a signal, with what was finished kept.
     Interrupted,

@@ -1,7 +1,7 @@
 //! The `loosepin` command: parse arguments, call the library, print.
 //!
 //! Data goes to standard output, messages and progress to standard error. Exit status: 0 done; 1 done, and a requirement
-//! of the study is not met; 2 an error; 130 interrupted.
+//! of the study is not met, or a number of a reference case; 2 an error; 130 interrupted.
 
 mod arguments;
 mod command;
@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Command::Simulate(simulate) => command::simulate::run(simulate),
         Command::Study(study) => command::study::run(study),
         Command::Sweep(sweep) => command::sweep::run(sweep),
+        Command::Cases(cases) => command::cases::run(cases),
         Command::Schema(schema) => command::schema::run(schema),
         Command::Explain(explain) => command::explain::run(explain),
         Command::Report(report) => command::report::run(report),

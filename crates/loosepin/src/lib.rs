@@ -3,10 +3,12 @@
 //!
 //! Two wings and one bridge. Physics: [`contact`], [`model`], [`mechanism`], [`dynamics`], [`simulate`], [`accuracy`];
 //! it knows nothing of probability. Uncertainty: [`uncertainty`], [`bounds`]; it knows nothing of mechanisms.
-//! [`study`] joins them, [`sweep`] varies one number without either, [`report`] only reads results. `docs/architecture.md` says who may import whom.
+//! [`study`] joins them, [`sweep`] varies one number without either, [`cases`] holds the program against answers that are
+//! known, [`report`] only reads results. `docs/architecture.md` says who may import whom.
 
 pub mod accuracy;
 pub mod bounds;
+pub mod cases;
 pub mod contact;
 pub mod diagnostics;
 pub mod document;

@@ -13,29 +13,52 @@ use crate::diagnostics::{Code, Problem};
 pub struct Template {
     /// The name to ask for it by.
     pub name: &'static str,
-    /// What mechanism it is, in one line.
-    pub description: &'static str,
+    /// Text of `about.md`: what mechanism it is in one line, an empty line, what to look at.
+    about: &'static str,
     /// Text of `model.toml`.
     pub model: &'static str,
     /// Text of `study.toml`.
     pub study: &'static str,
 }
 
+/// Templates from their folders in `templates/`.
+macro_rules! templates {
+    ($($name:literal)*) => {
+        &[$(Template {
+            name: $name,
+            about: include_str!(concat!("../templates/", $name, "/about.md")),
+            model: include_str!(concat!("../templates/", $name, "/model.toml")),
+            study: include_str!(concat!("../templates/", $name, "/study.toml")),
+        }),*]
+    };
+}
+
 /// Every template, in the order in which they are listed.
-pub static TEMPLATES: &[Template] = &[
-    Template {
-        name: "slider-crank",
-        description: "crank, rod and slider at 5000 rpm with play in the gudgeon pin (Flores)",
-        model: include_str!("../templates/slider-crank/model.toml"),
-        study: include_str!("../templates/slider-crank/study.toml"),
-    },
-    Template {
-        name: "four-bar",
-        description: "crank, coupler and rocker at 600 rpm with play between coupler and rocker",
-        model: include_str!("../templates/four-bar/model.toml"),
-        study: include_str!("../templates/four-bar/study.toml"),
-    },
-];
+pub static TEMPLATES: &[Template] = templates! {
+    "slider-crank"
+    "four-bar"
+    "offset-slider-crank"
+    "inverted-slider-crank"
+    "whitworth-quick-return"
+    "scotch-yoke"
+    "double-slider"
+    "watt-six-bar"
+    "stephenson-six-bar"
+    "toggle-press"
+    "pantograph"
+};
+
+impl Template {
+    /// What mechanism it is, in one line.
+    pub fn description(&self) -> &'static str {
+        self.about.lines().next().unwrap_or_default()
+    }
+
+    /// What it is and what to look at, one paragraph without line breaks.
+    pub fn paragraph(&self) -> String {
+        self.about.lines().skip(1).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+    }
+}
 
 /// The template called `name`.
 pub fn find_template(name: &str) -> Option<&'static Template> {

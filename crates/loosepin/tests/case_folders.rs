@@ -54,7 +54,7 @@ fn every_expected_number_has_tolerance_origin_source_and_reason() {
     for folder in case_folders() {
         let expected = table(&folder.join("expected.toml"));
         for (name, entry) in expected.get("expected").and_then(toml::Value::as_table).into_iter().flatten() {
-            let keys = ["value", "tolerance", "source", "reason"];
+            let keys = ["value", "tolerance", "source", "reason", "quantity"];
             faults.extend(
                 entry_faults(entry, &keys).into_iter().map(|fault| format!("{}: {name} {fault}", folder.display())),
             );
@@ -82,6 +82,16 @@ fn every_history_has_its_file_and_columns() {
                 assert!(header.contains(&wanted), "{place}: {file} has no column {wanted}");
                 assert!(column.get("tolerance").is_some(), "{place}: column {wanted} has no tolerance");
                 assert!(column.get("output").is_some() != column.get("state").is_some(), "{place}: {wanted}");
+            }
+            // Two thirds of the columns are positions and velocities: none of them may be left out.
+            let compared: Vec<&str> = entry["columns"]
+                .as_array()
+                .expect("columns is a list")
+                .iter()
+                .filter_map(|column| column["column"].as_str())
+                .collect();
+            for due in &header[1..1 + (header.len() - 1) / 3 * 2] {
+                assert!(compared.contains(due), "{place}: column {due} of {file} is not compared");
             }
             count += 1;
         }

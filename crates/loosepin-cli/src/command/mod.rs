@@ -1,5 +1,6 @@
 //! One module for each command.
 
+pub mod cases;
 pub mod check;
 pub mod explain;
 mod inputs;

@@ -11,9 +11,7 @@ use crate::ending::{Done, Ending, Failure};
 /// Lists the templates, or writes one.
 pub fn run(arguments: &NewArguments) -> Ending {
     let Some(template) = arguments.template else {
-        let width = TEMPLATES.iter().map(|template| template.name.len()).max().unwrap_or(0);
-        let line = |template: &Template| format!("{:width$}  {}\n", template.name, template.description);
-        console::print(&TEMPLATES.iter().map(line).collect::<String>())?;
+        console::print(&TEMPLATES.iter().map(described).collect::<Vec<_>>().join("\n"))?;
         return Ok(Done::Well);
     };
     let folder: PathBuf = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(template.name));
@@ -21,4 +19,13 @@ pub fn run(arguments: &NewArguments) -> Ending {
     let [model, study] = files.map(|file| file.display().to_string());
     console::message(&format!("wrote {model} and {study}\nnext: loosepin check {model} {study}"));
     Ok(Done::Well)
+}
+
+/// A template in the list: its name and what it is, then what to look at.
+fn described(template: &Template) -> String {
+    format!(
+        "{}\n{}\n",
+        console::wrapped(&format!("{}: {}", template.name, template.description())),
+        console::indented(&template.paragraph())
+    )
 }

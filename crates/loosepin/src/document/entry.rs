@@ -120,6 +120,11 @@ impl<'t> Entry<'t> {
         self.value.is_table()
     }
 
+    /// Whether a list stands here.
+    pub fn is_list(&self) -> bool {
+        self.value.is_array()
+    }
+
     /// Whether an empty list stands here.
     pub fn is_empty_list(&self) -> bool {
         self.value.as_array().is_some_and(|list| list.is_empty())

@@ -1,9 +1,10 @@
 //! The mechanism drawn and moving: a still picture of the first pose, and the poses for the script that moves it.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
-use super::mechanism_shapes::{MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
+use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
+use super::page::{COLOURS, MECHANISM_STYLE};
 use super::script_data::{round_to_digits, script_json};
 use crate::simulate::record::{Drawing, PoseTable};
 
@@ -52,7 +53,6 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
         drawing.joints.iter().map(|joint| joint.radial_clearance_m * MM_PER_M).fold(0.0, f64::max);
     let magnification = if has_ideal { first_magnification(frame.diagonal(), largest_clearance_mm) } else { 1.0 };
     let motion = motion(drawing, reference, has_ideal, magnification);
-    let pin = PIN_SHARE * frame.diagonal();
     let alternative = format!(
         "Drawing of the mechanism with {} bodies and {} joints, moving through one turn of {drive}.",
         drawing.bodies.len(),
@@ -60,38 +60,9 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
     );
     html! {
         figure.mechanism id=(id) data-mechanism=(id) {
-            svg viewBox=(format!("{:.3} {:.3} {:.3} {:.3}", frame.left, frame.top, frame.width, frame.height))
+            svg viewBox=(view_box(&frame))
                 role="img" aria-label=(alternative) preserveAspectRatio="xMidYMid meet" {
-                g transform="scale(1 -1)" {
-                    (ground(drawing, reference, &frame, pin))
-                    @if has_ideal {
-                        g.ghost aria-hidden="true" {
-                            @for (index, body) in drawing.bodies.iter().enumerate() {
-                                @if !body.is_ground {
-                                    g data-ghost=(index) transform=(transform(&motion, index, 0.0)) {
-                                        (outline(drawing, index, reference, &frame, pin))
-                                    }
-                                }
-                            }
-                        }
-                    }
-                    @for (index, body) in drawing.bodies.iter().enumerate() {
-                        @if !body.is_ground {
-                            g.body data-body=(index) transform=(transform(&motion, index, magnification)) {
-                                title { (body.name) }
-                                (outline(drawing, index, reference, &frame, pin))
-                            }
-                        }
-                    }
-                    // Above all shapes, bearings below journals, so that no body hides a joint of another.
-                    @for layer in [PinLayer::Bearings, PinLayer::Journals] {
-                        @for index in 0..drawing.bodies.len() {
-                            g data-body=(index) transform=(transform(&motion, index, magnification)) {
-                                (pins(drawing, index, pin, magnification, layer))
-                            }
-                        }
-                    }
-                }
+                (shapes(drawing, reference, &motion, &frame, magnification, has_ideal))
             }
             div.controls {
                 button.play type="button" aria-pressed="false" { "Play" }
@@ -125,6 +96,80 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
             script type="application/json" data-for=(id) { (script_json(&motion)) }
         }
     }
+}
+
+/// The mechanism in the pose that is shown first, with the dashed ideal one where there is one.
+fn shapes(
+    drawing: &Drawing,
+    reference: &PoseTable,
+    motion: &Motion,
+    frame: &Frame,
+    magnification: f64,
+    has_ideal: bool,
+) -> Markup {
+    let pin = PIN_SHARE * frame.diagonal();
+    html! {
+        g transform="scale(1 -1)" {
+            (ground(drawing, reference, frame, pin))
+            @if has_ideal {
+                g.ghost aria-hidden="true" {
+                    @for (index, body) in drawing.bodies.iter().enumerate() {
+                        @if !body.is_ground {
+                            g data-ghost=(index) transform=(transform(motion, index, 0.0)) {
+                                (outline(drawing, index, reference, frame, pin))
+                            }
+                        }
+                    }
+                }
+            }
+            @for (index, body) in drawing.bodies.iter().enumerate() {
+                @if !body.is_ground {
+                    g.body data-body=(index) transform=(transform(motion, index, magnification)) {
+                        title { (body.name) }
+                        (outline(drawing, index, reference, frame, pin))
+                    }
+                }
+            }
+            // Above all shapes, bearings below journals, so that no body hides a joint of another.
+            @for layer in [PinLayer::Bearings, PinLayer::Journals] {
+                @for index in 0..drawing.bodies.len() {
+                    g data-body=(index) transform=(transform(motion, index, magnification)) {
+                        (pins(drawing, index, pin, magnification, layer))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Width of a picture that stands alone, pixels, and the largest height.
+const PICTURE_PX: [f64; 2] = [520.0, 420.0];
+
+/// The mechanism in one pose as an SVG file of its own, that needs no network and follows the colours of the reader's
+/// system; nothing where the record holds no poses.
+pub fn mechanism_picture(drawing: &Drawing, name: &str) -> String {
+    if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
+        return String::new();
+    }
+    let frame = frame(drawing, &drawing.poses);
+    let motion = motion(drawing, &drawing.poses, false, 1.0);
+    let scale = (PICTURE_PX[0] / frame.width).min(PICTURE_PX[1] / frame.height);
+    let picture = html! {
+        svg.mechanism xmlns="http://www.w3.org/2000/svg" role="img" aria-label=(name)
+            width=(format!("{:.0}", scale * frame.width)) height=(format!("{:.0}", scale * frame.height))
+            viewBox=(view_box(&frame)) {
+            title { (name) }
+            style { (PreEscaped(COLOURS)) (PreEscaped(MECHANISM_STYLE)) }
+            rect x=(format!("{:.3}", frame.left)) y=(format!("{:.3}", frame.top)) width="100%" height="100%"
+                style="fill: var(--raised)" {}
+            (shapes(drawing, &drawing.poses, &motion, &frame, 1.0, false))
+        }
+    };
+    format!("{}\n", picture.into_string())
+}
+
+fn view_box(frame: &Frame) -> String {
+    format!("{:.3} {:.3} {:.3} {:.3}", frame.left, frame.top, frame.width, frame.height)
 }
 
 fn is_complete(poses: &PoseTable, bodies: usize) -> bool {

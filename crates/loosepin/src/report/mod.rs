@@ -2,6 +2,7 @@
 //! in the result, except how to show it.
 
 mod answer;
+mod cases_page;
 mod chart;
 mod glossary;
 mod mechanism_figure;
@@ -18,6 +19,8 @@ mod sweep_page;
 mod terminal;
 mod wording;
 
+pub use cases_page::{cases_page, cases_text};
+pub use mechanism_figure::mechanism_picture;
 pub use motion_page::motion_page;
 pub use simulation_page::simulation_page;
 pub use study_page::study_page;

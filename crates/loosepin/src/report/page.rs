@@ -6,7 +6,9 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 const UPLOT_SCRIPT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
 /// Its style.
 const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
-/// Our style.
+/// Our style: colours, shapes of mechanisms, the rest.
+pub(super) const COLOURS: &str = include_str!("../../assets/colours.css");
+pub(super) const MECHANISM_STYLE: &str = include_str!("../../assets/mechanism.css");
 const STYLE: &str = include_str!("../../assets/report.css");
 /// Draws charts from the data in the page.
 const CHART_SCRIPT: &str = include_str!("../../assets/charts.js");
@@ -55,7 +57,7 @@ impl Page {
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content=(format!("loosepin {}", self.version));
                     title { (self.title) }
-                    style { (PreEscaped(UPLOT_STYLE)) (PreEscaped(STYLE)) }
+                    style { (PreEscaped(UPLOT_STYLE)) (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(MECHANISM_STYLE)) }
                 }
                 body {
                     a.skip href="#content" { "Skip to the answer" }

@@ -267,7 +267,7 @@ fn output_words_of(name: &str, words: &str) -> String {
 }
 
 /// A table with a rule under its head, numbers to the right, wrapped to the width of the terminal.
-fn table(head: &[&str], numbers: &[usize]) -> Table {
+pub(super) fn table(head: &[&str], numbers: &[usize]) -> Table {
     let mut table = Table::new();
     // Only the rule under the head and the gap between columns.
     table
@@ -284,7 +284,8 @@ fn table(head: &[&str], numbers: &[usize]) -> Table {
     table
 }
 
-fn push_table(text: &mut String, table: &Table) {
+/// Adds a table that has rows.
+pub(super) fn push_table(text: &mut String, table: &Table) {
     if table.row_count() > 0 {
         text.push_str(&format!("\n{}\n", trimmed(table)));
     }

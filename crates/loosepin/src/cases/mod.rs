@@ -1,0 +1,20 @@
+//! Reference cases: mechanisms whose answer is known, and how near the program comes to it.
+//!
+//! A case is a folder with `model.toml`, `expected.toml` and what these name. `expected.toml` says for every number how it is
+//! obtained, so that a new case needs no code; `cases/README.md` describes its keys.
+
+mod case;
+mod compare;
+mod expected;
+mod history;
+mod ideal;
+mod keys;
+mod obtain;
+mod problem;
+pub mod record;
+mod reference;
+mod script_file;
+
+pub use case::{Case, case_names};
+pub use compare::{compare, compare_all};
+pub use problem::CaseProblem;
