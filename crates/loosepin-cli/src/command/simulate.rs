@@ -29,7 +29,7 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
         with_force: arguments.output.force,
     };
     // Compiled first, so that a model that cannot run leaves no folder behind.
-    let mechanism = Mechanism::new(&model, &set.values).map_err(|error| error.complaint(&model))?;
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);

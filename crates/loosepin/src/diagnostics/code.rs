@@ -250,6 +250,15 @@ pose is given by the angle of the drive that the cycle counts."
 "The runs at each point are split into equal replicates, whose spread tells the sampling error: `inner` must be a multiple \
 of `replicates`, best `replicates` times a power of two."
 
+    BadList "E0612" "a list of what is possible is no choice"
+"An epistemic input that is one of a list, any_of = [...], needs at least two members, and each of them once. Where only one is \
+possible, write it in the model file."
+
+    LawNotPossible "E0613" "a law needs what the model does not give"
+"A law of contact can be one of a list, or be set, where the model is complete for it: every law but kelvin-voigt needs \
+restitution, a line-contact law materials and the bearing_length of each of its joints. Linear laws take a stiffness in N/m in \
+place of materials, so that no list can hold them beside others."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
 that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \
