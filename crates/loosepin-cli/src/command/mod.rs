@@ -2,6 +2,7 @@
 
 pub mod check;
 pub mod explain;
+pub mod import;
 mod inputs;
 pub mod motion;
 pub mod new;

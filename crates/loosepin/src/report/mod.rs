@@ -4,6 +4,7 @@
 mod answer;
 mod chart;
 mod glossary;
+mod measured_figures;
 mod mechanism_figure;
 mod mechanism_shapes;
 mod motion_page;

@@ -3,6 +3,7 @@
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
 use super::answer::{answer, output_unit, treatment_sentences};
+use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
 use super::wording::{
@@ -123,6 +124,20 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     push_table(&mut text, &joints);
     if !record.joints.is_empty() {
         text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
+    }
+    let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
+    for curve in &record.measured {
+        measured.add_row([
+            curve.output.clone(),
+            count(curve.at_si.len() as u64, &writer),
+            writer.value(curve.rms_si, &curve.unit),
+            writer.value(curve.largest_si, &curve.unit),
+            at_words(curve, record, &writer),
+        ]);
+    }
+    push_table(&mut text, &measured);
+    if !record.measured.is_empty() {
+        text.push_str("residuals: measured minus computed\n");
     }
     let counters = &record.counters;
     text.push_str(&format!(
