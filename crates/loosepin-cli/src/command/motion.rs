@@ -28,7 +28,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     });
     let settings: Vec<String> = widest_play(&file).into_iter().chain(arguments.set.iter().cloned()).collect();
     let set = model.set_values(&settings)?;
-    let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.complaint(model))?;
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
     let plan = MotionPlan {
         span: model.cycle.span,
         positions: POSITIONS,
@@ -68,7 +68,7 @@ fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
     Ok(Done::Well)
 }
 
-/// Where a study knows a clearance as an interval only, the worst case is that of its upper end.
+/// Where a study knows a clearance as an interval or a list only, the worst case is that of the largest.
 fn widest_play(file: &InputFile) -> Vec<String> {
     let InputFile::Study(study) = file else { return Vec::new() };
     let is_clearance = |path: &str| path.starts_with("joint.") && path.ends_with(".radial_clearance");
@@ -76,7 +76,7 @@ fn widest_play(file: &InputFile) -> Vec<String> {
         .epistemic
         .iter()
         .filter(|input| is_clearance(&input.path))
-        .map(|input| format!("{}={}", input.path, format_value(input.interval.upper(), Dimension::LENGTH)))
+        .map(|input| format!("{}={}", input.path, format_value(input.variable.ends()[1], Dimension::LENGTH)))
         .collect()
 }
 

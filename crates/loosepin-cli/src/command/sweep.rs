@@ -33,7 +33,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     };
     // Compiled in the middle of the range, so that a clearance that begins at zero has play for most values.
     let middle = middle_values(&model, &set, &plan)?;
-    let mechanism = Mechanism::new(&model, &middle.values).map_err(|error| error.complaint(&model))?;
+    let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.complaint(&model))?;
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
@@ -101,7 +101,7 @@ fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<Set
     let mut settings: Vec<_> = set.settings.iter().map(|setting| (setting.id, setting.value_si)).collect();
     settings.push((plan.range.id, 0.5 * (plan.range.from_si + plan.range.to_si)));
     let values = model.quantities.evaluate(&settings).map_err(|error| Failure::of(&error))?;
-    Ok(SetValues { settings: set.settings.clone(), values })
+    Ok(SetValues { model: set.model.clone(), settings: set.settings.clone(), values })
 }
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {

@@ -125,6 +125,10 @@ since ignoring it would change the result in silence."
     BadCount "E0208" "a count is not possible"
 "Counts (samples, turns, seeds) are whole numbers within the limits that the complaint names."
 
+    ToFillIn "E0209" "a value is still to be filled in"
+"A model that was made from a drawing has \"?\" where a number is due that no drawing tells: masses, inertias, speeds. Write the \
+number with its unit in its place."
+
     ExpressionSyntax "E0301" "a value cannot be read"
 "A value is a number with its unit, \"0.5 mm\" or \"1e-4 kg m^2\", or arithmetic over such values and parameters, \
 \"2 * crank_length + 1 mm\". Known are + - * / ^, parentheses, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, abs, min \
@@ -250,6 +254,15 @@ pose is given by the angle of the drive that the cycle counts."
 "The runs at each point are split into equal replicates, whose spread tells the sampling error: `inner` must be a multiple \
 of `replicates`, best `replicates` times a power of two."
 
+    BadList "E0612" "a list of what is possible is no choice"
+"An epistemic input that is one of a list, any_of = [...], needs at least two members, and each of them once. Where only one is \
+possible, write it in the model file."
+
+    LawNotPossible "E0613" "a law needs what the model does not give"
+"A law of contact can be one of a list, or be set, where the model is complete for it: every law but kelvin-voigt needs \
+restitution, a line-contact law materials and the bearing_length of each of its joints. Linear laws take a stiffness in N/m in \
+place of materials, so that no list can hold them beside others."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
 that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \
@@ -340,6 +353,23 @@ A file with a key `model` at its top is a study."
     ResultNotStorable "E0906" "a result cannot be laid out as a file"
 "A value of the result has no form in JSON, CSV or Parquet, or its columns do not fit together. This is a slip of ours: please \
 report it with the files that lead to it."
+
+    MeasuredTable "E1001" "a table of measured values cannot be used"
+"A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
+the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \
+value that was not measured."
+
+    MeasuredOutside "E1002" "a measured value lies outside what was recorded"
+"Measured values are held against the run at the same time or angle. Times count from the start of the run; angles are moved by \
+whole turns so that the first of them lies in the first recorded turn. Record more turns, or cut the table."
+
+    NotADrawing "E1101" "a drawing cannot be read"
+"`loosepin import` reads DXF files, as text or binary, of any version since R10. The reason is that of the reader, with the line of \
+the file."
+
+    DrawingNotAMechanism "E1102" "a drawing is not a sketch of a mechanism"
+"Lines and polylines are links, circles are joints. Every circle is met by a link, every link meets a circle, and what stands in \
+the ground is on a layer called ground. The complaint gives the place in the coordinates of the drawing."
 }
 
 #[cfg(test)]
@@ -361,6 +391,6 @@ mod tests {
     #[test]
     fn an_unknown_code_is_refused() {
         let error = "E9999".parse::<Code>().expect_err("no such code");
-        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0906");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E1102");
     }
 }

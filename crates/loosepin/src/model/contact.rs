@@ -53,6 +53,7 @@ impl ModelReader {
             _ => self.stiffness(table),
         };
         let damping = self.damping(table, law);
+        let line_damping = damping.flatten().filter(|_| table.has("damping"));
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
         let friction = table.get("friction").and_then(|entry| self.friction(&entry));
@@ -60,6 +61,7 @@ impl ModelReader {
             name: name.to_owned(),
             law: law?,
             damping: damping?,
+            line_damping,
             restitution,
             stiffness: stiffness?,
             damping_coefficient_n_s_m,

@@ -183,6 +183,8 @@ pub struct Contact {
     /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
     /// linear law.
     pub damping: Option<&'static dyn PointLaw>,
+    /// The law named for the energy loss of a line-contact law, whichever law the contact has; none where none is named.
+    pub line_damping: Option<&'static dyn PointLaw>,
     /// Nominal coefficient of restitution c_e in (0, 1]; none where the damping coefficient is given.
     pub restitution: Option<QuantityId>,
     /// Where the stiffness comes from.

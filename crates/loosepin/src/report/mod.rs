@@ -5,6 +5,7 @@ mod answer;
 mod cases_page;
 mod chart;
 mod glossary;
+mod measured_figures;
 mod mechanism_figure;
 mod mechanism_shapes;
 mod motion_page;

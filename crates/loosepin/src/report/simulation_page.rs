@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::answer::turns;
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts, sentences};
@@ -25,6 +26,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     let mut sections = vec![Section::new("outputs", "Outputs over time", outputs(record, &writer))];
     if record.outputs.iter().any(|output| !output.deviation_si.is_empty()) {
         sections.push(Section::new("deviation", "Deviation from the ideal motion", deviations(record, &writer)));
+    }
+    if !record.measured.is_empty() {
+        sections.push(Section::new("measured", "Measured against computed", measured_figures(record, &writer)));
     }
     if !record.extremes.is_empty() {
         sections.push(Section::new("extremes", "Smallest and largest values", extremes(record, &writer)));

@@ -3,9 +3,13 @@
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
 use super::answer::{answer, output_unit, treatment_sentences};
+use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
-use super::wording::{count, counted, deviation_words, output_words, place_words, statistic_words, treatment_words};
+use super::wording::{
+    EQUALLY_PROBABLE, count, counted, deviation_words, has_lists, output_words, place_words, statistic_words,
+    treatment_words, unknown_words,
+};
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
 use crate::simulate::record::{SimulationRecord, StopReason};
@@ -32,7 +36,8 @@ pub fn study_text(result: &StudyResult) -> String {
         .filter(|bound| bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
         .collect();
     if !shown.is_empty() {
-        text.push_str("\nBounds over the interval inputs, widened by their numerical error\n");
+        let unknown = unknown_words(&result.inputs);
+        text.push_str(&format!("\nBounds over the {unknown}, widened by their numerical error\n"));
         let rows = &shown[..shown.len().min(MOST_ROWS)];
         for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
             text.push_str(&format!(
@@ -55,7 +60,8 @@ pub fn study_text(result: &StudyResult) -> String {
             place_words(comparison.at, &writer),
             treatments_table(comparison, &writer)
         ));
-        for sentence in treatment_sentences(comparison, &writer) {
+        let of_lists = has_lists(&result.inputs).then(|| EQUALLY_PROBABLE.to_owned());
+        for sentence in treatment_sentences(comparison, &writer).into_iter().chain(of_lists) {
             text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
         }
     }
@@ -118,6 +124,20 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     push_table(&mut text, &joints);
     if !record.joints.is_empty() {
         text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
+    }
+    let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
+    for curve in &record.measured {
+        measured.add_row([
+            curve.output.clone(),
+            count(curve.at_si.len() as u64, &writer),
+            writer.value(curve.rms_si, &curve.unit),
+            writer.value(curve.largest_si, &curve.unit),
+            at_words(curve, record, &writer),
+        ]);
+    }
+    push_table(&mut text, &measured);
+    if !record.measured.is_empty() {
+        text.push_str("residuals: measured minus computed\n");
     }
     let counters = &record.counters;
     text.push_str(&format!(

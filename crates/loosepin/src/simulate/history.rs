@@ -393,6 +393,7 @@ impl<'a> Recorder<'a> {
             impacts: self.impacts,
             drawing: self.drawing,
             quasi_static_check: Vec::new(),
+            measured: Vec::new(),
         };
         Simulation { record, states: self.states, report }
     }

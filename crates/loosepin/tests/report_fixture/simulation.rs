@@ -91,6 +91,7 @@ pub fn worn_pin() -> SimulationRecord {
         orbits: vec![orbit(&sample, "", TURNS)],
         drawing: drawing(&sample, true),
         quasi_static_check: Vec::new(),
+        measured: Vec::new(),
         time_s,
     }
 }

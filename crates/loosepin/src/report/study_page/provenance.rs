@@ -7,7 +7,7 @@ use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
 use crate::report::still_figures::histogram_figure;
-use crate::report::wording::{count, guarantee_words, listed, reading_words};
+use crate::report::wording::{count, guarantee_words, listed, reading_words, unknown_words};
 use crate::study::result::{EnergyResiduals, InputKind, JointImpacts, StudyResult, TreatmentKind};
 use crate::units::SiUnit;
 
@@ -16,7 +16,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
             (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
-            " values of the interval inputs, each with " (count(result.counts.inner, writer))
+            " values of the " (unknown_words(&result.inputs)) ", each with " (count(result.counts.inner, writer))
             " random samples, the same for every one of them. "
             @if result.counts.failed == 0 { "No run failed. " }
             @else {
@@ -185,7 +185,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
         (
             "Runs".to_owned(),
             html! {
-                (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the interval inputs × "
+                (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the " (unknown_words(&result.inputs)) " × "
                 (count(counts.inner, writer)) " random samples"
                 @if let Some(others) = counts.runs.checked_sub(counts.outer * counts.inner).filter(|&others| others > 0) {
                     " + " (count(others, writer)) " for the two other treatments"
