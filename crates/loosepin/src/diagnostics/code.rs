@@ -180,7 +180,8 @@ the part that does not change: give it a name under [parameter]."
 start_position). A joint with clearance has no such coordinate. The cycle counts the turns of a revolute drive."
 
     DrivenTwice "E0404" "a joint is driven twice"
-"Two drives prescribe the coordinate of one joint. Remove one of them."
+"Two drives prescribe the coordinate of one joint, or a control acts in a joint that a drive or another control moves. Remove \
+one of them."
 
     UnknownPath "E0405" "a path names no quantity"
 "Quantities are named by their place in the model file: `parameter.crank_length`, `body.crank.mass`, \
@@ -277,6 +278,10 @@ computed. Start a few degrees away, or drive another joint."
 "A mechanism that its drives do not move alone needs its state at time zero under [initial]: as many angles or positions as \
 it has freedoms that no drive moves, and as many rates (none at all for a mechanism without drives means at rest). What is \
 given beyond that must agree with the links. Everything else follows from the joints."
+
+    ControlNotPossible "E0707" "a control does not fit the mechanism"
+"A control needs a freedom that no drive moves. Inverse dynamics, fed forward along the references, is worked out for open chains \
+on the ground in which every joint is driven or controlled, so that the motion without play is known."
 
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."

@@ -59,7 +59,7 @@ impl<T: Real> Dynamics<'_, T> {
         let tree = &self.mechanism.real;
         let forces = self.cut_forces_n();
         if let Some(index) = tree.cuts.iter().position(|cut| cut.joint == joint) {
-            return forces[index];
+            return forces[index] + self.actuator_force_n(joint);
         }
         let Some((root, forward)) = tree.links.iter().enumerate().find_map(|(index, link)| match link.attachment {
             Attachment::Revolute { joint: own, forward, .. }
@@ -110,6 +110,20 @@ impl<T: Real> Dynamics<'_, T> {
                 needed -= load.force_n;
             }
         }
+        for ((force, places), control) in
+            self.actuators.iter().zip(&self.control_places).zip(&self.mechanism.model.controls)
+        {
+            // The actuator of this very joint is part of what the joint does.
+            if control.joint != joint {
+                let [first, second] = places[0].slots;
+                if beyond[second] {
+                    needed -= force.on_second_n;
+                }
+                if beyond[first] {
+                    needed += force.on_second_n;
+                }
+            }
+        }
         if forward { needed } else { -needed }
     }
 
@@ -117,6 +131,12 @@ impl<T: Real> Dynamics<'_, T> {
     fn play_force_n(&self, play: usize) -> Vec2<T> {
         let forces = self.contacts.iter().zip(&self.sample.contacts).filter(|(_, at)| at.play == play);
         forces.map(|(force, _)| force.on_journal_n).reduce(|sum, force| sum + force).unwrap_or(Vec2::zero())
+    }
+
+    /// Force of the actuator in `joint` on its second body, N; zero where there is none.
+    fn actuator_force_n(&self, joint: JointId) -> Vec2<T> {
+        let control = self.mechanism.model.controls.iter().position(|control| control.joint == joint);
+        control.map_or(Vec2::zero(), |control| self.actuators[control].on_second_n)
     }
 
     /// Forces of the cut joints on their second bodies, N: λ times the gradient with respect to the second point.

@@ -77,6 +77,20 @@ pub enum MechanismError {
     /// The initial state says what the drives say already.
     #[error("the drives determine the motion; the initial state under [initial] has nothing to say")]
     StartNotNeeded,
+    /// A control where the drives move everything.
+    #[error("control '{control}' has nothing to move: the drives determine the motion")]
+    NothingToControl {
+        /// The control.
+        control: String,
+    },
+    /// Torques that cannot be fed forward.
+    #[error("control '{control}' cannot feed inverse dynamics forward: {reason}")]
+    NoInverseDynamics {
+        /// The control.
+        control: String,
+        /// Why.
+        reason: &'static str,
+    },
     /// A given position that the loops and the other given positions do not allow.
     #[error(
         "{} cannot be {} at the start; the links and what else is given come no closer than {}",

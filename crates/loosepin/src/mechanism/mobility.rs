@@ -68,6 +68,8 @@ pub fn count(
                 return Err(MechanismError::StartNotDetermined { is_rate, bodies: moving(&start) });
             }
         }
+    } else if let Some(control) = model.controls.first() {
+        return Err(MechanismError::NothingToControl { control: control.name.clone() });
     } else if !model.initial.is_empty() {
         return Err(MechanismError::StartNotNeeded);
     }

@@ -7,11 +7,13 @@ mod assembly;
 mod complaint;
 pub mod constraints;
 mod contact_place;
+mod control;
 mod drive;
 mod error;
 mod geometry;
 mod ideal;
 mod initial;
+mod joint_coordinate;
 mod kinematics;
 mod lane_sample;
 mod load;
@@ -23,10 +25,12 @@ mod tree;
 mod ways_on;
 
 pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
+pub use control::{ControlGeometry, KnownChain};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
+pub use joint_coordinate::{JointGeometry, JointPlace};
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{PlayGeometry, Sample};
@@ -62,6 +66,8 @@ pub struct Mechanism {
     pub redundant: Vec<(JointId, usize)>,
     /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
     pub other_assemblies_rad: Vec<Vec<f64>>,
+    /// Along what its controls feed inverse dynamics forward.
+    pub known_chain: Option<KnownChain>,
     /// Coordinates of the ideal tree at the start of the nominal mechanism.
     ideal_start: Vec<f64>,
     /// Independent constraint rows of the ideal tree.
@@ -100,6 +106,7 @@ impl Mechanism {
             dynamic_freedoms: 0,
             redundant,
             other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
+            known_chain: KnownChain::new(model, values)?,
             ideal_start: assembly.coordinates,
             ideal_rows: independent_rows,
             ideal,

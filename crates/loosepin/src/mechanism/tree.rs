@@ -152,7 +152,20 @@ impl Tree {
     /// # Errors
     /// A loop of driven joints alone.
     pub fn new(model: &Model, is_ideal: impl Fn(JointId) -> bool) -> Result<Self, DrivenLoop> {
-        let drive_of = |joint: JointId| (0..model.drives.len()).find(|&d| model.drives[d].joint == joint).map(DriveId);
+        let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
+        Self::with_driven(model, is_ideal, &driven)
+    }
+
+    /// The same, as if there were drives of the joints `driven`.
+    ///
+    /// # Errors
+    /// A loop of driven joints alone.
+    pub fn with_driven(
+        model: &Model,
+        is_ideal: impl Fn(JointId) -> bool,
+        driven: &[JointId],
+    ) -> Result<Self, DrivenLoop> {
+        let drive_of = |joint: JointId| driven.iter().position(|&other| other == joint).map(DriveId);
         let mut order: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| is_ideal(joint)).collect();
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,

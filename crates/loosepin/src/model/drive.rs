@@ -102,14 +102,25 @@ impl DriveLaw {
     }
 }
 
-/// A driven joint, as its drive sees it.
-struct Driven {
+/// A driven or controlled joint, as what moves it sees it.
+pub(super) struct Driven {
     joint: JointId,
     /// Of the coordinate.
     dimension: Dimension,
     kind: &'static str,
     start_key: &'static str,
     other_key: &'static str,
+}
+
+impl Driven {
+    /// A revolute joint by an angle, a prismatic one by a length.
+    pub fn new(joint: JointId, dimension: Dimension) -> Self {
+        if dimension == Dimension::LENGTH {
+            let (start_key, other_key) = ("start_position", "start_angle");
+            return Self { joint, dimension, kind: "prismatic", start_key, other_key };
+        }
+        Self { joint, dimension, kind: "revolute", start_key: "start_angle", other_key: "start_position" }
+    }
 }
 
 impl ModelReader {
@@ -152,16 +163,12 @@ impl ModelReader {
                     self.quantities[clearance.radial_clearance_m].is_settable()
                         && self.quantities.nominal_value(clearance.radial_clearance_m) == 0.0
                 });
-                let (start_key, other_key) = ("start_angle", "start_position");
                 if is_ideal {
-                    return Some(Driven { joint, dimension: Dimension::ANGLE, kind: "revolute", start_key, other_key });
+                    return Some(Driven::new(joint, Dimension::ANGLE));
                 }
                 HAS_PLAY
             }
-            JointKind::Prismatic { .. } => {
-                let (start_key, other_key) = ("start_position", "start_angle");
-                return Some(Driven { joint, dimension: Dimension::LENGTH, kind: "prismatic", start_key, other_key });
-            }
+            JointKind::Prismatic { .. } => return Some(Driven::new(joint, Dimension::LENGTH)),
             JointKind::Rigid { .. } => IS_RIGID,
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why };
@@ -169,7 +176,7 @@ impl ModelReader {
         None
     }
 
-    fn constant_speed(&mut self, entry: &Entry<'_>, table: &Table<'_>, driven: &Driven) -> Option<DriveLaw> {
+    pub(super) fn constant_speed(&mut self, entry: &Entry<'_>, table: &Table<'_>, driven: &Driven) -> Option<DriveLaw> {
         let rate = driven.dimension.over(Dimension::TIME);
         let speed = table.get("speed").and_then(|entry| self.quantity_of(&entry, rate, Rule::Finite));
         if let Some(found) = table.get(driven.other_key) {
@@ -186,7 +193,7 @@ impl ModelReader {
         Some(DriveLaw::Constant { speed: speed?, start: start? })
     }
 
-    fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
+    pub(super) fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
         let kinds: Vec<(&'static str, &'static str)> = MOTION_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
         match self.reader.tag(entry, "kind", &kinds)? {
             "polynomial" => self.polynomial(entry, driven.dimension),

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::control::Control;
 use super::drive::Drive;
 use super::keys::MODEL_KEYS;
 use super::load::Load;
@@ -77,6 +78,7 @@ pub(super) struct ModelReader {
     pub loads: Vec<Load>,
     pub drive_names: NamesOf<DriveId>,
     pub drives: Vec<Drive>,
+    pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
     pub warnings: Vec<Complaint>,
 }
@@ -104,6 +106,7 @@ impl ModelReader {
             loads: Vec::new(),
             drive_names: Vec::new(),
             drives: Vec::new(),
+            controls: Vec::new(),
             used_contacts: Vec::new(),
             warnings: Vec::new(),
         }
@@ -122,13 +125,17 @@ impl ModelReader {
             ("spring", ModelReader::read_springs),
             ("load", ModelReader::read_loads),
             ("drive", ModelReader::read_drives),
+            ("control", ModelReader::read_controls),
         ] {
             if let Some(entry) = root.get(key) {
                 read(&mut self, &entry);
             }
         }
         let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
-        let initial = root.get("initial").map(|entry| self.read_initial(&entry)).unwrap_or_default();
+        let initial = match root.get("initial") {
+            Some(entry) => self.read_initial(&entry),
+            None => self.initial_of_controls(),
+        };
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         self.warn_of_unused();
@@ -143,6 +150,7 @@ impl ModelReader {
                 springs: self.springs,
                 loads: self.loads,
                 drives: self.drives,
+                controls: self.controls,
                 guesses,
                 initial,
                 cycle,

@@ -1,5 +1,6 @@
 //! The keys of a model file.
 
+use super::control_keys::CONTROL_KEYS;
 use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
@@ -422,6 +423,12 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
             "forces and torques from outside, each under [load.NAME]",
         ),
         optional("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional(
+            "control",
+            Kind::Tables { keys: &CONTROL_KEYS, except: &[] },
+            "",
+            "joints whose actuators follow a reference, each under [control.NAME]",
+        ),
         optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),

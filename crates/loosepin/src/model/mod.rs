@@ -5,6 +5,8 @@
 
 mod body;
 mod contact;
+mod control;
+mod control_keys;
 mod cycle;
 mod drive;
 mod drive_keys;
@@ -27,11 +29,12 @@ mod topology;
 
 pub(crate) use crate::document::describe_path;
 pub use crate::units::Rule;
+pub use control::{Control, FeedForward};
 pub use cycle::{Cycle, CycleInput, CycleSpan};
 pub use drive::{Drive, DriveLaw};
 pub use file::model_schema;
 pub use function::Function;
-pub use initial::{InitialOf, InitialValue};
+pub use initial::{InitialNumber, InitialOf, InitialValue};
 pub(crate) use keys::CYCLE_NUMBERS;
 pub use load::{Course, Load, LoadKind};
 pub use problem::ModelProblem;

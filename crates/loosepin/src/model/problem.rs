@@ -188,6 +188,16 @@ pub enum ModelProblem {
         /// The first drive.
         other: String,
     },
+    /// A control of a joint that is moved already.
+    #[error("{entry}: joint '{joint}' is already moved by {other}")]
+    ControlledTwice {
+        /// The control.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// What moves it, in words.
+        other: String,
+    },
     /// A cycle over a drive that does not turn.
     #[error("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted")]
     CycleNeedsTurns {
@@ -268,7 +278,7 @@ impl Problem for ModelProblem {
             | Self::CycleNeedsPeriod { .. } => Code::DriveNotPossible,
             Self::TooFewPoints { .. } => Code::BadCount,
             Self::WrongCoordinate { .. } => Code::ConflictingKeys,
-            Self::DrivenTwice { .. } => Code::DrivenTwice,
+            Self::DrivenTwice { .. } | Self::ControlledTwice { .. } => Code::DrivenTwice,
             Self::GuessOfGround | Self::InitialOfGround => Code::UnknownReference,
             Self::WrongUnit { .. } => Code::WrongDimension,
             Self::Unused { .. } => Code::Unused,

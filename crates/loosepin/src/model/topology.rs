@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::control::Control;
 use super::cycle::Cycle;
 use super::drive::Drive;
 use super::initial::InitialValue;
@@ -59,6 +60,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
+    /// Controls in file order.
+    pub controls: Vec<Control>,
     /// Hints for the assembly, at the start of the cycle.
     pub guesses: Vec<Guess>,
     /// The initial state of what the drives do not move alone.

@@ -1,18 +1,23 @@
-//! Springs and loads in words.
+//! Springs, loads and controls in words.
 
 use std::fmt::Write;
 
-use loosepin::model::{Course, JointId, Load, LoadKind, Model, PointId, Spring, SpringKind, Values};
+use loosepin::model::{
+    Control, Course, FeedForward, JointId, JointKind, Load, LoadKind, Model, PointId, Spring, SpringKind, Values,
+};
 use loosepin::units::{Dimension, format_value};
 
+use super::mechanism::law_words;
 use crate::console::counted;
 
-/// The springs and the loads, each under a line that counts them; nothing where there are none.
+/// The springs, the loads and the controls, each under a line that counts them; nothing where there are none.
 pub fn push_elements(text: &mut String, model: &Model, values: &Values) {
     let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));
     push_list(text, springs.collect(), ("spring", "springs"));
     let loads = model.loads.iter().map(|load| (load.name.as_str(), load_words(model, load, values)));
     push_list(text, loads.collect(), ("load", "loads"));
+    let controls = model.controls.iter().map(|control| (control.name.as_str(), control_words(model, control, values)));
+    push_list(text, controls.collect(), ("control", "controls"));
 }
 
 fn push_list(text: &mut String, items: Vec<(&str, String)>, (one, many): (&str, &str)) {
@@ -106,4 +111,35 @@ fn course_words(
             None => "an expression over time".to_owned(),
         },
     }
+}
+
+fn control_words(model: &Model, control: &Control, values: &Values) -> String {
+    let name = |joint: JointId| &model.joints[joint.0].name;
+    let is_prismatic = |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. });
+    let effort = if is_prismatic(control.joint) { Dimension::FORCE } else { Dimension::TORQUE };
+    let mut words = format!("acts in '{}'", name(control.joint));
+    if control.measured != control.joint {
+        let _ = write!(words, ", measures '{}'", name(control.measured));
+    }
+    let gain = |id| format_value(values[id], model.quantities[id].dimension);
+    let _ = write!(words, ": proportional {}", gain(control.proportional));
+    for (what, id) in [("integral", control.integral), ("derivative", control.derivative)] {
+        if let Some(id) = id {
+            let _ = write!(words, ", {what} {}", gain(id));
+        }
+    }
+    match &control.feed_forward {
+        FeedForward::None => {}
+        FeedForward::InverseDynamics => words.push_str(", inverse dynamics fed forward"),
+        FeedForward::Course(Course::Function(_)) => words.push_str(", an expression fed forward"),
+        FeedForward::Course(Course::Constant(id) | Course::Harmonic { mean: id, .. }) => {
+            let _ = write!(words, ", {} fed forward", format_value(values[*id], effort));
+        }
+    }
+    if let Some(id) = control.limit {
+        let _ = write!(words, ", at most {}", format_value(values[id], effort));
+    }
+    let _ =
+        write!(words, "; the reference goes {}", law_words(&control.reference, is_prismatic(control.measured), values));
+    words
 }
