@@ -203,6 +203,10 @@ no effect. Often an expression names another one by mistake."
     SetTwice "E0409" "a value is set twice"
 "Two settings on the command line give values to one quantity. Neither wins in silence; remove one of them."
 
+    CouplingNotPossible "E0410" "a coupling does not fit its joints"
+"Gears and belts couple two revolute joints, a rack a revolute and a prismatic one, and both wheels hang on one body: the frame, \
+or the carrier of a planetary gear. Angles and positions are counted from that body."
+
     BreaksRule "E0501" "a value is outside its range"
 "Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
 (0, 1], Poisson's ratio in [0, 0.5]. Values outside are refused, never cut or repaired."

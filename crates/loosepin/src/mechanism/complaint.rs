@@ -75,9 +75,8 @@ impl MechanismError {
                 let drives = model.drives.iter().rev().map(|drive| model.place(&format!("drive.{}", drive.name)));
                 labelled(self, drives, "this is driven too")
             }
-            Self::DrivenLoop { joint } | Self::CannotClose { joint, .. } => {
-                Complaint::error(self, model.place(&format!("joint.{joint}")))
-            }
+            Self::DrivenLoop { joint } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
         }
     }
 }
@@ -126,7 +125,7 @@ impl SampleError {
             Self::ClearanceChangesTopology { joint, .. } | Self::ClearanceOutsideFit { joint, .. } => {
                 format!("joint.{joint}.radial_clearance")
             }
-            Self::CannotClose { joint, .. } => format!("joint.{joint}"),
+            Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
             Self::Singular { .. } => match model.cycle.span {
                 CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => format!("drive.{}", model.drives[drive.0].name),

@@ -1,5 +1,6 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
+use super::constraints::Opening;
 use crate::model::{QuantityError, describe_path};
 use crate::units::{Dimension, format_value};
 use thiserror::Error;
@@ -42,26 +43,16 @@ pub enum MechanismError {
         joint: String,
     },
     /// No configuration closes all loops.
-    #[error(
-        "the links cannot close at the start: joint '{joint}' stays {} open at best",
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at the start: {open} at best")]
     CannotClose {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
     },
     /// No configuration closes all loops with the given positions.
-    #[error(
-        "the links cannot close at the start that [initial] gives: joint '{joint}' stays {} open at best",
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at the start that [initial] gives: {open} at best")]
     CannotCloseAsGiven {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
     },
     /// The initial state leaves something open.
     #[error(
@@ -185,16 +176,10 @@ pub enum SampleError {
         fitted_m: [f64; 2],
     },
     /// The loops cannot be closed at this instant.
-    #[error(
-        "the links cannot close at {}: joint '{joint}' stays {} open",
-        format_value(*time_s, Dimension::TIME),
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
     CannotClose {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
         /// The time, s.
         time_s: f64,
     },

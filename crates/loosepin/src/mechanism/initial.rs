@@ -1,10 +1,9 @@
 //! The initial state of a mechanism that its drives do not move alone: loops, drives and given values together.
 
-use super::constraints;
+use super::constraints::{self, Opening};
 use super::drive::Drives;
 use super::error::{MechanismError, SampleError};
 use super::geometry::{Geometry, joint_of};
-use super::ideal::worst_joint;
 use super::kinematics::{Kinematics, moved};
 use super::mobility::RANK_TOLERANCE;
 use super::tree::{Tree, points_of};
@@ -213,8 +212,8 @@ pub fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result
             if worst <= tolerance {
                 break;
             }
-            let (joint, gap_m) = worst_joint(model, tree, &residuals[..loops]);
-            return Err(SampleError::CannotClose { joint, gap_m, time_s: 0.0 });
+            let open = Opening::worst(model, tree, &residuals[..loops]);
+            return Err(SampleError::CannotClose { open, time_s: 0.0 });
         }
         polished = worst <= tolerance;
         steps += 1;

@@ -2,6 +2,7 @@
 
 use super::contact_place::PlayShape;
 use super::control::ControlGeometry;
+use super::coupling::CouplingGeometry;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
@@ -56,6 +57,7 @@ impl<T: Real> Sample<T> {
             }
             cut.eccentricity_m.visit(visit);
         }
+        self.real.couplings.iter_mut().for_each(|coupling| coupling.visit(visit));
         for play in &mut self.plays {
             play.bearing_arm_m.visit(visit);
             play.journal_arm_m.visit(visit);
@@ -114,6 +116,7 @@ impl<T: Real> Geometry<T> {
                     eccentricity_m: vector(cut.eccentricity_m),
                 })
                 .collect(),
+            couplings: from.couplings.iter().map(CouplingGeometry::broadcast).collect(),
             gravity_m_s2: vector(from.gravity_m_s2),
         }
     }

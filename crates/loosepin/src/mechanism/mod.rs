@@ -8,6 +8,7 @@ mod complaint;
 pub mod constraints;
 mod contact_place;
 mod control;
+mod coupling;
 mod drive;
 mod error;
 mod geometry;
@@ -25,7 +26,9 @@ mod tree;
 mod ways_on;
 
 pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
+pub use constraints::RowOwner;
 pub use control::{ControlGeometry, KnownChain};
+pub use coupling::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
@@ -62,8 +65,8 @@ pub struct Mechanism {
     pub degrees_of_freedom: usize,
     /// Degrees of freedom that move dynamically: those that play opens, without the driven ones.
     pub dynamic_freedoms: usize,
-    /// Joints that repeat what others impose already, with the number of their redundant constraints.
-    pub redundant: Vec<(JointId, usize)>,
+    /// Joints and couplings that repeat what others impose already, with the number of their redundant constraints.
+    pub redundant: Vec<(RowOwner, usize)>,
     /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
     pub other_assemblies_rad: Vec<Vec<f64>>,
     /// Along what its controls feed inverse dynamics forward.

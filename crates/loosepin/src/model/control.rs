@@ -120,7 +120,7 @@ impl ModelReader {
     }
 
     /// A joint that has a coordinate.
-    fn moving_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
+    pub(super) fn moving_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
         let name = self.reader.text(entry)?.to_owned();
         let joint = self.named(entry, "joint", &name, |file| &file.joint_names)?;
         if coordinate_and_effort(&self.joints[joint.0].kind).is_none() {

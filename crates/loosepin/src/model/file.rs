@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::control::Control;
+use super::coupling::Coupling;
 use super::drive::Drive;
 use super::keys::MODEL_KEYS;
 use super::load::Load;
@@ -74,6 +75,7 @@ pub(super) struct ModelReader {
     pub contacts: Vec<Contact>,
     pub joint_names: NamesOf<JointId>,
     pub joints: Vec<Joint>,
+    pub couplings: Vec<Coupling>,
     pub springs: Vec<Spring>,
     pub loads: Vec<Load>,
     pub drive_names: NamesOf<DriveId>,
@@ -102,6 +104,7 @@ impl ModelReader {
             contacts: Vec::new(),
             joint_names: Vec::new(),
             joints: Vec::new(),
+            couplings: Vec::new(),
             springs: Vec::new(),
             loads: Vec::new(),
             drive_names: Vec::new(),
@@ -122,6 +125,7 @@ impl ModelReader {
             ("body", ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
             ("contact", ModelReader::read_contacts),
             ("joint", ModelReader::read_joints),
+            ("coupling", ModelReader::read_couplings),
             ("spring", ModelReader::read_springs),
             ("load", ModelReader::read_loads),
             ("drive", ModelReader::read_drives),
@@ -147,6 +151,7 @@ impl ModelReader {
                 bodies: self.bodies,
                 contacts: self.contacts,
                 joints: self.joints,
+                couplings: self.couplings,
                 springs: self.springs,
                 loads: self.loads,
                 drives: self.drives,

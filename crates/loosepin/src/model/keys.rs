@@ -1,6 +1,7 @@
 //! The keys of a model file.
 
 use super::control_keys::CONTROL_KEYS;
+use super::coupling_keys::COUPLING_KINDS;
 use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
@@ -410,6 +411,12 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
         ),
         optional("contact", Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "", "contacts, shared by joints"),
         optional("joint", Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "", "the joints"),
+        optional(
+            "coupling",
+            Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS },
+            "",
+            "gears, belts, racks and other ratios of two joints, each under [coupling.NAME]",
+        ),
         optional(
             "spring",
             Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS },

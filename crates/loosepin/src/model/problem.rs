@@ -188,6 +188,34 @@ pub enum ModelProblem {
         /// The first drive.
         other: String,
     },
+    /// A coupling of a joint to itself.
+    #[error("{entry} couples joint '{joint}' to itself")]
+    SameJoint {
+        /// The coupling.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A joint of another kind than a coupling needs.
+    #[error("{entry}: joint '{joint}' is not {due}")]
+    WrongJoint {
+        /// The entry.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// Revolute or prismatic.
+        due: &'static str,
+    },
+    /// Wheels without a common carrier.
+    #[error("{entry}: joints '{first}' and '{second}' must have exactly one body in common, which carries both wheels")]
+    NoCarrier {
+        /// The coupling.
+        entry: String,
+        /// The first joint.
+        first: String,
+        /// The second joint.
+        second: String,
+    },
     /// A control of a joint that is moved already.
     #[error("{entry}: joint '{joint}' is already moved by {other}")]
     ControlledTwice {
@@ -262,7 +290,8 @@ impl Problem for ModelProblem {
             Self::BadParameterName { .. } => Code::BadName,
             Self::ParameterCycle { .. } => Code::ParameterCycle,
             Self::UnknownReference { .. } | Self::NotAPoint { .. } => Code::UnknownReference,
-            Self::SameBody { .. } => Code::SameBody,
+            Self::SameBody { .. } | Self::SameJoint { .. } => Code::SameBody,
+            Self::WrongJoint { .. } | Self::NoCarrier { .. } => Code::CouplingNotPossible,
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
@@ -324,6 +353,10 @@ impl Problem for ModelProblem {
             Self::NotDrivable { why, .. } if *why == HAS_PLAY => {
                 Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
             }
+            Self::NoCarrier { .. } => Some(
+                "hang both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
+                    .to_owned(),
+            ),
             Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
             Self::CycleNeedsTurns { .. } => {
                 Some("name a drive of a revolute joint, or give duration in place of drive".to_owned())

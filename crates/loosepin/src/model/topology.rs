@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::control::Control;
+use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
 use super::initial::InitialValue;
@@ -54,6 +55,8 @@ pub struct Model {
     pub contacts: Vec<Contact>,
     /// Joints in file order.
     pub joints: Vec<Joint>,
+    /// Couplings in file order.
+    pub couplings: Vec<Coupling>,
     /// Springs in file order.
     pub springs: Vec<Spring>,
     /// Loads in file order.

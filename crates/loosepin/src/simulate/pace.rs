@@ -1,8 +1,8 @@
 //! How fast a mechanism moves, before it has moved: the scale of steps and of the errors of velocities.
 
 use super::motion::Motion;
-use crate::mechanism::{Mechanism, Sample};
-use crate::model::{DriveId, JointId, JointKind};
+use crate::mechanism::{CouplingGeometry, Mechanism, Sample};
+use crate::model::{Coupling, DriveId, JointId, JointKind};
 
 /// Rate of the fastest drive or reference between time zero and `end_s`, rad/s; driven lengths count as angles over the size of the
 /// mechanism.
@@ -20,6 +20,12 @@ pub fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>, end_s: f
         });
     let fastest = drives.chain(controls).fold(0.0, f64::max);
     let is_constant = (0..model.drives.len()).all(|index| sample.drives.constant_speed(DriveId(index)).is_some());
+    // What a coupling gears up is as fast as that.
+    let gear = |numbers: &CouplingGeometry<f64>, coupling: &Coupling| {
+        numbers.law.steepest() * scale(coupling.first) / scale(coupling.second)
+    };
+    let gears = sample.ideal.couplings.iter().zip(&model.couplings).map(|(numbers, coupling)| gear(numbers, coupling));
+    let fastest = fastest * gears.fold(1.0, f64::max);
     // A motion that only stands still, or no drive: nothing is slower than the run is long.
     if is_constant && fastest > 0.0 { fastest } else { fastest.max(std::f64::consts::TAU / end_s) }
 }

@@ -1,6 +1,7 @@
 //! Springs, dampers, loads, motions of drives and initial states against closed forms and against the energy account.
 
 mod control;
+mod couplings;
 mod drives;
 mod initial;
 mod loads;

@@ -1,17 +1,23 @@
-//! Springs, loads and controls in words.
+//! Couplings, springs, loads and controls in words.
 
 use std::fmt::Write;
 
 use loosepin::model::{
-    Control, Course, FeedForward, JointId, JointKind, Load, LoadKind, Model, PointId, Spring, SpringKind, Values,
+    Control, Coupling, CouplingLaw, Course, FeedForward, JointId, JointKind, Load, LoadKind, Model, PointId,
+    QuantityId, Ratio, Spring, SpringKind, Values,
 };
 use loosepin::units::{Dimension, format_value};
 
 use super::mechanism::law_words;
 use crate::console::counted;
 
-/// The springs, the loads and the controls, each under a line that counts them; nothing where there are none.
+/// The couplings, the springs, the loads and the controls, each under a line that counts them; nothing where there are none.
 pub fn push_elements(text: &mut String, model: &Model, values: &Values) {
+    let couplings = model.couplings.iter().map(|coupling| {
+        let name = coupling.path.rsplit('.').next().unwrap_or_default();
+        (name, coupling_words(model, coupling, values))
+    });
+    push_list(text, couplings.collect(), ("coupling", "couplings"));
     let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));
     push_list(text, springs.collect(), ("spring", "springs"));
     let loads = model.loads.iter().map(|load| (load.name.as_str(), load_words(model, load, values)));
@@ -141,5 +147,24 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     }
     let _ =
         write!(words, "; the reference goes {}", law_words(&control.reference, is_prismatic(control.measured), values));
+    words
+}
+
+fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String {
+    let [first, second] = [coupling.first, coupling.second].map(|joint| &model.joints[joint.0].name);
+    let CouplingLaw::Ratio { ratio, offset } = &coupling.law;
+    let value = |id: QuantityId| format_value(values[id], model.quantities[id].dimension);
+    let sign = |is_reversed: bool| if is_reversed { "-" } else { "" };
+    let factor = match *ratio {
+        Ratio::Given(id) => value(id),
+        Ratio::Wheels { sizes, is_reversed } => {
+            format!("{}{} / {}", sign(is_reversed), value(sizes[0]), value(sizes[1]))
+        }
+        Ratio::Rack { radius_m, is_reversed } => format!("{}{} / rad", sign(is_reversed), value(radius_m)),
+    };
+    let mut words = format!("'{second}' follows '{first}' times {factor}");
+    if values[*offset] != 0.0 {
+        let _ = write!(words, ", plus {}", value(*offset));
+    }
     words
 }

@@ -257,11 +257,11 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }
-    for (joint, count) in &mechanism.redundant {
+    for (owner, count) in &mechanism.redundant {
         let _ = writeln!(
             text,
-            "joint {} repeats what the others impose already: {} of it {} redundant",
-            name(joint),
+            "{} repeats what the others impose already: {} of it {} redundant",
+            owner.words(model),
             counted(*count, "constraint", "constraints"),
             if *count == 1 { "is" } else { "are" }
         );
