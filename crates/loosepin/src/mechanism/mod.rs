@@ -25,8 +25,8 @@ mod table;
 mod tree;
 mod ways_on;
 
-pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
 pub use constraints::RowOwner;
+pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
 pub use control::{ControlGeometry, KnownChain};
 pub use coupling::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
