@@ -339,3 +339,66 @@ fn peer_backlash_keeps_a_servo_swinging() {
     let last = record.controls[0].error_si[record.controls[0].error_si.len() - 1];
     assert!(last.abs() < 1e-6, "without play it comes to rest: {last}");
 }
+
+/// Contact and friction are internal as well: with an arm that hangs on its base with play, linear and angular momentum are kept to
+/// round-off.
+#[test]
+fn identity_a_free_floating_arm_with_friction_in_its_joint_keeps_its_momentum() {
+    let built = build(
+        r#"
+name = "free-floating arm"
+gravity = "0 m/s^2"
+[body.ground]
+points = { o = ["0 mm", "0 mm"] }
+[body.base]
+mass = "4 kg"
+inertia = "0.05 kg m^2"
+centre_of_mass = ["20 mm", "-10 mm"]
+points = { hinge = ["120 mm", "30 mm"] }
+[body.arm]
+mass = "0.7 kg"
+inertia = "2e-3 kg m^2"
+centre_of_mass = ["80 mm", "-4 mm"]
+points = { eye = ["0 mm", "0 mm"], tip = ["190 mm", "0 mm"] }
+[contact.bush]
+restitution = 0.6
+stiffness = "3e8 N/m^1.5"
+exponent = 1.5
+friction = { coefficient = 0.13 }
+[joint.hinge]
+kind = "revolute"
+bearing = "base.hinge"
+journal = "arm.eye"
+bearing_radius = "8 mm"
+radial_clearance = "0.2 mm"
+contact = "bush"
+[control.hinge]
+joint = "hinge"
+proportional = "3 N m/rad"
+derivative = "0.1 N m s/rad"
+motion = { kind = "harmonic", mean = "10 deg", amplitude = "30 deg", frequency = "4 Hz" }
+[initial.body.base]
+position = ["30 mm", "50 mm"]
+velocity = ["0.2 m/s", "-0.1 m/s"]
+angle = "20 deg"
+angular_velocity = "0.7 rad/s"
+[initial.joint.hinge]
+angle = "-10 deg"
+angular_velocity = "0.3 rad/s"
+[cycle]
+duration = "0.3 s"
+"#,
+    );
+    assert_eq!((built.mechanism.degrees_of_freedom, built.mechanism.dynamic_freedoms), (4, 6));
+    let (found, report) = looked(&built, 0.3, momentum);
+    assert!(report.plays[0].contacts > 2, "{:?}", report.plays);
+    let start = found[0].1;
+    let largest = start.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
+    for (t, momentum) in &found {
+        let departs = momentum.iter().zip(start).fold(0.0_f64, |most, (now, then)| most.max((now - then).abs()));
+        // Round-off of a few thousand steps.
+        assert!(departs < 1e-12 * largest, "at {t}: {departs} {momentum:?} {start:?}");
+    }
+    let account = report.energy.expect("it is integrated");
+    assert!(account.relative_residual() < ACCOUNT && account.friction_loss_j > 1e-6, "{account:?}");
+}
