@@ -10,7 +10,7 @@ use loosepin::simulate::record::SimulationRecord;
 use loosepin::simulate::{Plan, Settings, history_csv, impacts_csv, simulate};
 use loosepin::units::Dimension;
 
-use super::inputs::{overrides, read_model};
+use super::inputs::{add_model, overrides, read_model};
 use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::SimulateArguments;
 use crate::console;
@@ -90,7 +90,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
 
 fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Simulation);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     for set in &arguments.set {
         hasher.add("set", set);
     }

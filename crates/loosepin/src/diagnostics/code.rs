@@ -207,6 +207,10 @@ no effect. Often an expression names another one by mistake."
 "Gears and belts couple two revolute joints, a rack a revolute and a prismatic one, and both wheels hang on one body: the frame, \
 or the carrier of a planetary gear. Angles and positions are counted from that body."
 
+    TableNotReadable "E0411" "a table in a CSV file cannot be read"
+"A CSV table has two columns, separated by a comma, with names and units in its first row (`time [s], angle [deg]`) and plain numbers \
+below, the first column increasing. Lines that begin with # are comments."
+
     BreaksRule "E0501" "a value is outside its range"
 "Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
 (0, 1], Poisson's ratio in [0, 0.5]. Values outside are refused, never cut or repaired."

@@ -29,8 +29,20 @@ pub fn describe_path(dotted: &str) -> String {
 }
 
 /// Tables whose entries are tables under names of the person's choosing.
-const NAMED: [&str; 11] =
-    ["coupling", "control", "body", "contact", "joint", "spring", "load", "drive", "output", "random", "epistemic"];
+const NAMED: [&str; 12] = [
+    "coupling",
+    "cam",
+    "control",
+    "body",
+    "contact",
+    "joint",
+    "spring",
+    "load",
+    "drive",
+    "output",
+    "random",
+    "epistemic",
+];
 
 fn describe(keys: &[&str]) -> String {
     match keys {

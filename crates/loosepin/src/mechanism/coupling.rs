@@ -1,5 +1,6 @@
 //! Couplings as constraints: Φ = q_2 - f(q_1).
 
+use super::cam::CamProfile;
 use super::joint_coordinate::{JointGeometry, JointPlace};
 use super::kinematics::Kinematics;
 use super::tree::Tree;
@@ -28,11 +29,19 @@ pub enum CouplingNumbers<T> {
         /// Value at zero.
         offset: T,
     },
+    /// The profile of a cam.
+    Cam(CamProfile<T>),
 }
 
 impl<T: Real> CouplingNumbers<T> {
     fn new(law: &CouplingLaw, number: &dyn Fn(QuantityId) -> T) -> Self {
-        let CouplingLaw::Ratio { ratio, offset } = law;
+        let (ratio, offset) = match law {
+            CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
+            CouplingLaw::Cam { points } => {
+                let points: Vec<[T; 2]> = points.iter().map(|point| point.map(number)).collect();
+                return Self::Cam(CamProfile::new(&points));
+            }
+        };
         let signed = |value: T, is_reversed: bool| if is_reversed { -value } else { value };
         let ratio = match *ratio {
             Ratio::Given(id) => number(id),
@@ -44,17 +53,43 @@ impl<T: Real> CouplingNumbers<T> {
         Self::Ratio { ratio, offset: number(*offset) }
     }
 
-    /// The largest |f'|, about.
-    pub fn steepest(&self) -> T {
-        let Self::Ratio { ratio, .. } = self;
-        ratio.abs()
+    fn broadcast(from: &CouplingNumbers<f64>) -> Self {
+        match from {
+            CouplingNumbers::Ratio { ratio, offset } => {
+                Self::Ratio { ratio: T::from_f64(*ratio), offset: T::from_f64(*offset) }
+            }
+            CouplingNumbers::Cam(profile) => Self::Cam(CamProfile::broadcast(profile)),
+        }
+    }
+
+    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        match self {
+            Self::Ratio { ratio, offset } => [ratio, offset].into_iter().for_each(visit),
+            Self::Cam(profile) => profile.visit(visit),
+        }
     }
 
     /// f, f' and f'' at `coordinate`.
     #[inline(always)]
     pub fn at(&self, coordinate: T) -> [T; 3] {
-        let Self::Ratio { ratio, offset } = self;
-        [ratio.mul_add(coordinate, *offset), *ratio, T::zero()]
+        match self {
+            Self::Ratio { ratio, offset } => [ratio.mul_add(coordinate, *offset), *ratio, T::zero()],
+            Self::Cam(profile) => profile.at(coordinate),
+        }
+    }
+}
+
+impl CouplingNumbers<f64> {
+    /// How much faster than the first coordinate the second one changes, about, where a unit of the second counts `scale` of the
+    /// first. Eight points to a wave of a profile.
+    pub fn gain(&self, scale: f64) -> f64 {
+        match self {
+            Self::Ratio { ratio, .. } => ratio.abs() * scale,
+            Self::Cam(profile) => {
+                let [steepest, density] = profile.steepness();
+                (steepest * scale).max(density * std::f64::consts::TAU / 8.0)
+            }
+        }
     }
 }
 
@@ -69,19 +104,16 @@ impl<T: Real> CouplingGeometry<T> {
 
     /// The same numbers in every lane.
     pub fn broadcast(from: &CouplingGeometry<f64>) -> Self {
-        let CouplingNumbers::Ratio { ratio, offset } = &from.law;
         Self {
             joints: [0, 1].map(|side| JointGeometry::broadcast(&from.joints[side])),
-            law: CouplingNumbers::Ratio { ratio: T::from_f64(*ratio), offset: T::from_f64(*offset) },
+            law: CouplingNumbers::broadcast(&from.law),
         }
     }
 
     /// Shows every number.
     pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
         self.joints.iter_mut().for_each(|joint| joint.visit(visit));
-        let CouplingNumbers::Ratio { ratio, offset } = &mut self.law;
-        visit(ratio);
-        visit(offset);
+        self.law.visit(visit);
     }
 
     /// Φ, rad or m.

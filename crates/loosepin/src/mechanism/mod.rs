@@ -4,6 +4,7 @@
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
 mod assembly;
+mod cam;
 mod complaint;
 pub mod constraints;
 mod contact_place;
@@ -19,6 +20,7 @@ mod kinematics;
 mod lane_sample;
 mod load;
 mod mobility;
+mod pieces;
 mod sample;
 mod spring;
 mod table;

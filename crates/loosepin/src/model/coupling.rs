@@ -1,6 +1,6 @@
 //! Couplings: the coordinate of one joint follows that of another.
 
-use super::coupling_keys::{BELT_KEYS, COUPLING_KINDS, GEARS_KEYS, RACK_KEYS, RATIO_KEYS};
+use super::coupling_keys::{BELT_KEYS, CAM_KEYS, COUPLING_KINDS, GEARS_KEYS, RACK_KEYS, RATIO_KEYS};
 use super::file::ModelReader;
 use super::problem::ModelProblem;
 use super::quantity::QuantityId;
@@ -32,6 +32,11 @@ pub enum CouplingLaw {
         /// Where the first joint is at zero, rad or m.
         offset: QuantityId,
     },
+    /// A periodic cubic spline: the profile of a cam.
+    Cam {
+        /// Coordinates of the first joint, increasing, and of the second.
+        points: Vec<[QuantityId; 2]>,
+    },
 }
 
 /// Where a ratio comes from.
@@ -58,7 +63,10 @@ pub enum Ratio {
 impl CouplingLaw {
     /// The quantities that shape it.
     pub fn quantities(&self) -> Vec<QuantityId> {
-        let Self::Ratio { ratio, offset } = self;
+        let (ratio, offset) = match self {
+            Self::Ratio { ratio, offset } => (ratio, offset),
+            Self::Cam { points } => return points.iter().flatten().copied().collect(),
+        };
         let mut quantities = match *ratio {
             Ratio::Given(id) => vec![id],
             Ratio::Wheels { sizes, .. } => sizes.to_vec(),
@@ -90,11 +98,7 @@ impl ModelReader {
         };
         let table = self.reader.table(entry, keys)?;
         let [first, second] = self.two_joints(&table, ["first", "second"], kind)?;
-        let dimension = |joint: JointId| match self.joints[joint.0].kind {
-            JointKind::Prismatic { .. } => Dimension::LENGTH,
-            _ => Dimension::ANGLE,
-        };
-        let (from, to) = (dimension(first), dimension(second));
+        let (from, to) = (self.coordinate_of(first), self.coordinate_of(second));
         let ratio = match kind {
             "gears" | "belt" => {
                 let way = if kind == "gears" {
@@ -127,6 +131,31 @@ impl ModelReader {
             None => self.default_quantity(&table.path.join("offset"), to, Rule::Finite, 0.0),
         };
         Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Ratio { ratio, offset } })
+    }
+
+    /// Reads the table of cams.
+    pub fn read_cams(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.named(entry, "a cam") {
+            self.remember(&entry);
+            let cam = self.reader.table(&entry, &CAM_KEYS).and_then(|table| self.cam(&entry, &table));
+            self.couplings.extend(cam);
+        }
+    }
+
+    fn cam(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Coupling> {
+        let joints = self.two_joints(table, ["joint", "follower"], "cam");
+        let [first, second] = joints?;
+        let [from, to] = [first, second].map(|joint| self.coordinate_of(joint));
+        let points = self.table_points(table, [("cam", from), ("follower", to)])?;
+        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points } })
+    }
+
+    /// What the coordinate of a joint measures.
+    fn coordinate_of(&self, joint: JointId) -> Dimension {
+        match self.joints[joint.0].kind {
+            JointKind::Prismatic { .. } => Dimension::LENGTH,
+            _ => Dimension::ANGLE,
+        }
     }
 
     /// Two joints that a coupling of a kind may have.

@@ -1,5 +1,6 @@
 //! The keys of couplings.
 
+use super::table_points::CSV;
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -98,3 +99,21 @@ pub(super) static RATIO_KEYS: Keys = Keys::new(
 
 pub(super) static COUPLING_KINDS: &[(&str, &Keys)] =
     &[("gears", &GEARS_KEYS), ("belt", &BELT_KEYS), ("rack", &RACK_KEYS), ("ratio", &RATIO_KEYS)];
+
+pub(super) static CAM_KEYS: Keys = Keys::new(
+    "a cam: the follower goes along a smooth profile over the angle (or position) of the cam's joint, again and again, each time from \
+     where the last one ended",
+    &[
+        required("joint", Kind::Reference("joint"), "\"cam\"", "the joint of the cam"),
+        required("follower", Kind::Reference("joint"), "\"lifter\"", "the joint of the follower"),
+        optional(
+            "points",
+            Kind::List(&Kind::List(&Kind::AnyQuantity)),
+            "[[\"0 deg\", \"0 mm\"], [\"120 deg\", \"8 mm\"], [\"360 deg\", \"0 mm\"]]",
+            "pairs of an angle (or position) of the cam and that of the follower there, the first ones increasing; from the first \
+             to the last is a period",
+        ),
+        CSV,
+    ],
+)
+.with_exactly_one(&[&["points", "csv"]]);

@@ -3,7 +3,7 @@
 use super::drive_keys::{
     CYCLOIDAL_KEYS, DRIVE_KEYS, EXPRESSION_KEYS, HARMONIC_KEYS, MOTION_KINDS, POLYNOMIAL_KEYS, TABLE_KEYS,
 };
-use super::file::{ModelReader, UNREAD};
+use super::file::ModelReader;
 use super::function::{Changing, Function, TIME};
 use super::problem::{HAS_PLAY, IS_RIGID, ModelProblem};
 use super::quantity::QuantityId;
@@ -249,38 +249,13 @@ impl ModelReader {
     }
 
     fn table_motion(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        /// A cubic spline needs two intervals to have a bend.
-        const LEAST_POINTS: usize = 3;
         let table = self.reader.table(entry, &TABLE_KEYS)?;
         let is_periodic = match table.get("ends") {
             Some(entry) => self.reader.choice(&entry, &[("clamped", false), ("periodic", true)]),
             None => None,
         };
-        let list = table.get("points")?;
-        let elements = self.reader.list(&list)?;
-        if elements.len() < LEAST_POINTS {
-            let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: LEAST_POINTS };
-            self.reader.complain(&problem, list.span);
-            return None;
-        }
-        let mut points: Vec<[QuantityId; 2]> = Vec::new();
-        let mut is_sound = true;
-        for element in &elements {
-            let Some([mut time, mut value]) = self.reader.pair(element) else {
-                is_sound = false;
-                continue;
-            };
-            time.path = element.path.join("time");
-            value.path = element.path.join("position");
-            let time_s = self.quantity_of(&time, Dimension::TIME, Rule::Finite).unwrap_or(UNREAD);
-            let value_id = self.quantity_of(&value, dimension, Rule::Finite).unwrap_or(UNREAD);
-            is_sound &= time_s != UNREAD && value_id != UNREAD;
-            if is_sound && let Some([before, _]) = points.last() {
-                is_sound &= self.demand_order(*before, time_s, time.span);
-            }
-            points.push([time_s, value_id]);
-        }
+        let points = self.table_points(&table, [("time", Dimension::TIME), ("position", dimension)])?;
         let is_periodic = is_periodic?;
-        is_sound.then_some(DriveLaw::Table { points, is_periodic })
+        Some(DriveLaw::Table { points, is_periodic })
     }
 }

@@ -82,6 +82,7 @@ pub(super) struct ModelReader {
     pub drives: Vec<Drive>,
     pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
+    pub tables: Vec<Arc<Source>>,
     pub warnings: Vec<Complaint>,
 }
 
@@ -111,6 +112,7 @@ impl ModelReader {
             drives: Vec::new(),
             controls: Vec::new(),
             used_contacts: Vec::new(),
+            tables: Vec::new(),
             warnings: Vec::new(),
         }
     }
@@ -126,6 +128,7 @@ impl ModelReader {
             ("contact", ModelReader::read_contacts),
             ("joint", ModelReader::read_joints),
             ("coupling", ModelReader::read_couplings),
+            ("cam", ModelReader::read_cams),
             ("spring", ModelReader::read_springs),
             ("load", ModelReader::read_loads),
             ("drive", ModelReader::read_drives),
@@ -162,6 +165,7 @@ impl ModelReader {
                 outputs,
                 warnings: self.warnings,
                 source: self.reader.source,
+                tables: self.tables,
                 places: self.places,
             }),
             // What looks unused may be so only because of an error, so warnings wait until there is none.

@@ -1,7 +1,7 @@
 //! The keys of a model file.
 
 use super::control_keys::CONTROL_KEYS;
-use super::coupling_keys::COUPLING_KINDS;
+use super::coupling_keys::{CAM_KEYS, COUPLING_KINDS};
 use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
@@ -416,6 +416,12 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
             Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS },
             "",
             "gears, belts, racks and other ratios of two joints, each under [coupling.NAME]",
+        ),
+        optional(
+            "cam",
+            Kind::Tables { keys: &CAM_KEYS, except: &[] },
+            "",
+            "cams with a profile by points, each under [cam.NAME]",
         ),
         optional(
             "spring",

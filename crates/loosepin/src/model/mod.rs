@@ -27,6 +27,7 @@ mod set_values;
 mod setting;
 mod spring;
 mod spring_keys;
+mod table_points;
 mod topology;
 
 pub(crate) use crate::document::describe_path;

@@ -77,6 +77,8 @@ pub struct Model {
     pub warnings: Vec<Complaint>,
     /// The file.
     pub(super) source: Arc<Source>,
+    /// The CSV files that it names, in the order of the file.
+    pub(super) tables: Vec<Arc<Source>>,
     /// Places of its tables by dotted path, for complaints about what they mean together.
     pub(super) places: HashMap<String, Span>,
 }
@@ -85,6 +87,11 @@ impl Model {
     /// The file that the model was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source
+    }
+
+    /// The CSV files that were read with it: inputs like the file itself.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        &self.tables
     }
 
     /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,

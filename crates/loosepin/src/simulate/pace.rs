@@ -22,7 +22,7 @@ pub fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>, end_s: f
     let is_constant = (0..model.drives.len()).all(|index| sample.drives.constant_speed(DriveId(index)).is_some());
     // What a coupling gears up is as fast as that.
     let gear = |numbers: &CouplingGeometry<f64>, coupling: &Coupling| {
-        numbers.law.steepest() * scale(coupling.first) / scale(coupling.second)
+        numbers.law.gain(scale(coupling.first) / scale(coupling.second))
     };
     let gears = sample.ideal.couplings.iter().zip(&model.couplings).map(|(numbers, coupling)| gear(numbers, coupling));
     let fastest = fastest * gears.fold(1.0, f64::max);

@@ -152,7 +152,12 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
 
 fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String {
     let [first, second] = [coupling.first, coupling.second].map(|joint| &model.joints[joint.0].name);
-    let CouplingLaw::Ratio { ratio, offset } = &coupling.law;
+    let (ratio, offset) = match &coupling.law {
+        CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
+        CouplingLaw::Cam { points } => {
+            return format!("'{second}' follows '{first}' by a cam of {} points", points.len());
+        }
+    };
     let value = |id: QuantityId| format_value(values[id], model.quantities[id].dimension);
     let sign = |is_reversed: bool| if is_reversed { "-" } else { "" };
     let factor = match *ratio {
