@@ -39,7 +39,7 @@ pub use joint_coordinate::{JointGeometry, JointPlace};
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{PlayGeometry, Sample};
-pub use spring::SpringGeometry;
+pub use spring::{ElasticNumbers, SpringGeometry};
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
 pub use ways_on::WaysOn;
 

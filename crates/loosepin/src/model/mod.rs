@@ -45,7 +45,7 @@ pub use problem::ModelProblem;
 pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, Values};
 pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
-pub use spring::{Spring, SpringKind};
+pub use spring::{Elasticity, Spring, SpringCurve, SpringKind};
 pub use topology::{
     Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, Joint, JointId, JointKind,
     Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use loosepin::model::{
-    Control, Coupling, CouplingLaw, Course, FeedForward, JointId, JointKind, Load, LoadKind, Model, PointId,
-    QuantityId, Ratio, Spring, SpringKind, Values,
+    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, JointKind, Load, LoadKind, Model,
+    PointId, QuantityId, Ratio, Spring, SpringCurve, SpringKind, Values,
 };
 use loosepin::units::{Dimension, format_value};
 
@@ -58,17 +58,25 @@ fn spring_words(model: &Model, spring: &Spring, values: &Values) -> String {
             Dimension::TORQUE,
         ),
     };
-    let mut words = format!(
-        "{place}, {}, {} {}",
-        format_value(values[spring.stiffness], stiffness),
-        free.0,
-        format_value(values[spring.free], free.1)
-    );
+    let (elastic, preload_si) = match &spring.elasticity {
+        Elasticity::Linear { stiffness: id, free: free_id, preload } => {
+            let stiffness = format_value(values[*id], stiffness);
+            (format!("{stiffness}, {} {}", free.0, format_value(values[*free_id], free.1)), values[*preload])
+        }
+        Elasticity::Table { points, curve } => {
+            let curve = match curve {
+                SpringCurve::Monotone => "monotone",
+                SpringCurve::Spline => "a spline",
+            };
+            (format!("by a table of {} points, {curve}", points.len()), 0.0)
+        }
+    };
+    let mut words = format!("{place}, {elastic}");
     if let Some(id) = spring.damping {
         let _ = write!(words, ", damping {}", format_value(values[id], damping));
     }
-    if values[spring.preload] != 0.0 {
-        let _ = write!(words, ", preload {}", format_value(values[spring.preload], preload));
+    if preload_si != 0.0 {
+        let _ = write!(words, ", preload {}", format_value(preload_si, preload));
     }
     words
 }
