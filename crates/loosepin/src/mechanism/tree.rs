@@ -265,6 +265,7 @@ impl Tree {
                 scales[first + 1] = [first, first + 1];
             }
         }
+        scales.extend((scales.len()..self.constraint_rows()).map(|row| [row, row]));
         scales
     }
 
