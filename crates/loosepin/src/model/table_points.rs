@@ -148,18 +148,18 @@ impl ModelReader {
 
 /// Cells of all rows that are neither empty nor comments, as ranges of the text without the blanks around them.
 fn rows(source: &Source) -> Vec<Vec<std::ops::Range<usize>>> {
+    let is_blank = |c: char| c.is_whitespace() || matches!(c, '"' | '\u{feff}');
     let text = source.text();
     let mut rows = Vec::new();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
-        let bare = line.trim_start_matches('\u{feff}').trim();
+        let bare = line.trim_matches(is_blank);
         if !bare.is_empty() && !bare.starts_with('#') {
             let mut at = start;
             let cells = line.split(',').map(|cell| {
-                let begin = at + (cell.len() - cell.trim_start_matches(['\u{feff}', ' ', '\t', '"']).len());
-                let inside = cell.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\u{feff}');
+                let begin = at + (cell.len() - cell.trim_start_matches(is_blank).len());
                 at += cell.len() + 1;
-                begin..begin + inside.len()
+                begin..begin + cell.trim_matches(is_blank).len()
             });
             rows.push(cells.collect());
         }

@@ -117,7 +117,8 @@ fn from_file() -> String {
     format!("{before}csv = \"profile.csv\"\n{after}")
 }
 
-const TABLE: &str = "# measured\ncam [deg], lift [mm]\n10, 2\n80, 3\n 150 , 14\n220,11\n300,\"4\"\n\n370, 2.0e0\n";
+const TABLE: &str =
+    "\u{feff}# measured\ncam [deg], lift [mm]\r\n10,\u{a0}2\u{a0}\n80, 3\n 150 , 14\n220,11\n300,\"4\"\n\n370, 2.0e0\n";
 
 #[test]
 fn identity_a_table_in_a_file_is_the_table_in_the_model() {

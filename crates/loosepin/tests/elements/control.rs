@@ -220,7 +220,7 @@ pub(super) fn momentum(dynamics: &Dynamics<'_, f64>) -> [f64; 3] {
         let (pose, twist) = (&dynamics.kinematics.poses[index + 1], &dynamics.kinematics.twists[index + 1]);
         let arm = pose.turn(numbers.centre_of_mass_m);
         let velocity = twist.at(arm);
-        linear = linear + velocity * numbers.mass_kg;
+        linear += velocity * numbers.mass_kg;
         angular += numbers.mass_kg * (pose.position_m + arm).cross(velocity) + numbers.inertia_kg_m2 * twist.angular;
     }
     [linear.x, linear.y, angular]
