@@ -123,8 +123,8 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
-/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all.
-const CASES: [(&str, f64); 11] = [
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam.
+const CASES: [(&str, f64); 14] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -136,6 +136,9 @@ const CASES: [(&str, f64); 11] = [
     ("slider_crank_elements.toml", 0.1),
     ("slider_crank_table_drive.toml", 0.3),
     ("pendulum_on_a_spring.toml", 0.3),
+    ("backlash.toml", 0.05),
+    ("geared_pendulum.toml", 0.3),
+    ("cam_lifter.toml", 0.4),
 ];
 
 #[test]

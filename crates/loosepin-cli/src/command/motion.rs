@@ -9,7 +9,7 @@ use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
-use super::inputs::{overrides, warn};
+use super::inputs::{add_model, overrides, warn};
 use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::MotionArguments;
 use crate::console;
@@ -97,7 +97,7 @@ fn scatter(file: &InputFile) -> Vec<Scatter> {
 
 fn inputs(model: &Model, file: &InputFile, arguments: &MotionArguments) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Motion);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     if let InputFile::Study(study) = file {
         hasher.add("study", study.source().text());
     }

@@ -11,7 +11,7 @@ use loosepin::simulate::record::SimulationRecord;
 use loosepin::simulate::{Plan, Settings, columns, history_csv, impacts_csv, simulate};
 use loosepin::units::Dimension;
 
-use super::inputs::{overrides, read_model};
+use super::inputs::{add_model, overrides, read_model};
 use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::SimulateArguments;
 use crate::console;
@@ -106,7 +106,7 @@ fn measured(arguments: &SimulateArguments) -> Result<Vec<MeasuredTable>, Failure
 
 fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan, measured: &[MeasuredTable]) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Simulation);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     for set in &arguments.set {
         hasher.add("set", set);
     }

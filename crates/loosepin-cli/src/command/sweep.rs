@@ -10,7 +10,7 @@ use loosepin::sweep::record::SweepRecord;
 use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
 use loosepin::units::Dimension;
 
-use super::inputs::{overrides, read_model};
+use super::inputs::{add_model, overrides, read_model};
 use super::signals::stop_on_signals;
 use super::stored::{place, read_json, tell_again, to_json};
 use super::threads::threads;
@@ -106,7 +106,7 @@ fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<Set
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Sweep);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     for set in &arguments.set {
         hasher.add("set", set);
     }

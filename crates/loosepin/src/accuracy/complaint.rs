@@ -41,7 +41,7 @@ impl AccuracyError {
             Self::NotDriven => Complaint::error(self, model.place("initial")),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
             Self::BadStandardDeviation { path, .. } => Complaint::error(self, model.place(path)),
-            Self::CannotCloseWithPlay { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::CannotCloseWithPlay { open } => Complaint::error(self, model.place(&open.path)),
             Self::TooFewPositions { .. } | Self::SingularWithPlay => Complaint::error(self, None),
         }
     }

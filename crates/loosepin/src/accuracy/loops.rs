@@ -3,7 +3,8 @@
 use super::error::AccuracyError;
 use super::position::PositionReading;
 use crate::math::{Dual, Vec2, determinant, solve_square};
-use crate::mechanism::{Geometry, Kinematics, Mechanism, constraints, point_m};
+use crate::mechanism::constraints::{self, Opening};
+use crate::mechanism::{Geometry, Kinematics, Mechanism, point_m};
 use crate::model::{PointId, Values};
 
 /// Newton steps from one displacement to the next; from nearby two or three are enough.
@@ -252,13 +253,7 @@ impl<'a> DisplacedLoops<'a> {
 
     fn cannot_close(&self) -> AccuracyError {
         let tree = &self.mechanism.ideal;
-        let (mut row, mut worst) = (0, -1.0);
-        for (index, residual) in self.residuals.iter().enumerate() {
-            if residual.abs() > worst || residual.is_nan() {
-                (row, worst) = (index, residual.abs());
-            }
-        }
-        let joint = tree.cuts[constraints::cut_of_row(tree, row)].joint;
-        AccuracyError::CannotCloseWithPlay { joint: self.mechanism.model.joints[joint.0].name.clone(), gap_m: worst }
+        let open = Opening::worst(&self.mechanism.model, tree, &self.residuals);
+        AccuracyError::CannotCloseWithPlay { open }
     }
 }

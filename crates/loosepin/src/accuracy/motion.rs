@@ -230,10 +230,9 @@ fn mobility_words(mechanism: &Mechanism) -> String {
         counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
         counted(mechanism.model.drives.len(), "drive", "drives")
     );
-    for (joint, constraints) in &mechanism.redundant {
-        let name = &mechanism.model.joints[joint.0].name;
-        words
-            .push_str(&format!("; {} of joint '{name}' redundant", counted(*constraints, "constraint", "constraints")));
+    for (owner, constraints) in &mechanism.redundant {
+        let counted = counted(*constraints, "constraint", "constraints");
+        words.push_str(&format!("; {counted} of {} redundant", owner.words(&mechanism.model)));
     }
     words
 }

@@ -184,7 +184,8 @@ the part that does not change: give it a name under [parameter]."
 start_position). A joint with clearance has no such coordinate. The cycle counts the turns of a revolute drive."
 
     DrivenTwice "E0404" "a joint is driven twice"
-"Two drives prescribe the coordinate of one joint. Remove one of them."
+"Two drives prescribe the coordinate of one joint, or a control acts in a joint that a drive or another control moves. Remove \
+one of them."
 
     UnknownPath "E0405" "a path names no quantity"
 "Quantities are named by their place in the model file: `parameter.crank_length`, `body.crank.mass`, \
@@ -205,6 +206,14 @@ no effect. Often an expression names another one by mistake."
 
     SetTwice "E0409" "a value is set twice"
 "Two settings on the command line give values to one quantity. Neither wins in silence; remove one of them."
+
+    CouplingNotPossible "E0410" "a coupling does not fit its joints"
+"Gears and belts couple two revolute joints, a rack a revolute and a prismatic one, and both wheels hang on one body: the frame, \
+or the carrier of a planetary gear. Angles and positions are counted from that body."
+
+    TableNotReadable "E0411" "a table in a CSV file cannot be read"
+"A CSV table has two columns, separated by a comma, with names and units in its first row (`time [s], angle [deg]`) and plain numbers \
+below, the first column increasing. Lines that begin with # are comments."
 
     BreaksRule "E0501" "a value is outside its range"
 "Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
@@ -290,6 +299,10 @@ computed. Start a few degrees away, or drive another joint."
 "A mechanism that its drives do not move alone needs its state at time zero under [initial]: as many angles or positions as \
 it has freedoms that no drive moves, and as many rates (none at all for a mechanism without drives means at rest). What is \
 given beyond that must agree with the links. Everything else follows from the joints."
+
+    ControlNotPossible "E0707" "a control does not fit the mechanism"
+"A control needs a freedom that no drive moves. Inverse dynamics, fed forward along the references, is worked out for open chains \
+on the ground in which every joint is driven or controlled, so that the motion without play is known."
 
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."

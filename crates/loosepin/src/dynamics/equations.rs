@@ -1,14 +1,17 @@
 //! Mass matrix, forces and accelerations.
 
 use super::contact::{ContactForce, ContactUnknowns, GapMotion};
+use super::control::ActuatorForce;
+use super::inverse::InverseDynamics;
 use super::load::LoadForce;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
-    Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room, turned_by,
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room,
+    turned_by,
 };
-use crate::model::Course;
+use crate::model::{Course, FeedForward};
 
 /// Powers that the energy account integrates, W.
 #[derive(Debug, Clone, Copy)]
@@ -17,6 +20,8 @@ pub struct Powers<T> {
     pub drives_w: T,
     /// Supplied by all loads.
     pub loads_w: T,
+    /// Supplied by the actuators of all controls.
+    pub controls_w: T,
     /// Turned into heat by normal contact.
     pub contact_loss_w: T,
     /// Turned into heat by friction.
@@ -51,10 +56,20 @@ pub struct Dynamics<'a, T> {
     pub(super) loads: Vec<LoadForce<T>>,
     /// Power of the loads at the last evaluation, W.
     pub(super) loads_w: T,
-    /// Room for the functions of loads.
+    /// Places of the actuator's and of the measured joint of each control.
+    pub(super) control_places: Vec<[JointPlace; 2]>,
+    /// Actuators at the last evaluation.
+    pub(super) actuators: Vec<ActuatorForce<T>>,
+    /// Integrals of the errors of the controls, rad s or m s.
+    pub(super) error_integrals: Vec<T>,
+    /// Power of the actuators at the last evaluation, W.
+    pub(super) controls_w: T,
+    /// What controls feed forward.
+    pub(super) inverse: Option<InverseDynamics<'a, T>>,
+    /// Room for the functions of loads and controls.
     pub(super) function_room: Vec<T>,
     /// Room for the functions of drives.
-    drive_room: Vec<TimeDual<T>>,
+    pub(super) drive_room: Vec<TimeDual<T>>,
     /// Time of the last state, s.
     pub(super) time_s: T,
     /// Free accelerations q̈.
@@ -105,7 +120,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
             torque_n_m: T::zero(),
         });
         let loads = loads.collect();
-        let steps = mechanism.model.loads.iter().map(|load| match &load.course {
+        let fed_forward = mechanism.model.controls.iter().filter_map(|control| match &control.feed_forward {
+            FeedForward::Course(course) => Some(course),
+            FeedForward::None | FeedForward::InverseDynamics => None,
+        });
+        let courses = mechanism.model.loads.iter().map(|load| &load.course).chain(fed_forward);
+        let steps = courses.map(|course| match course {
             Course::Function(function) => function.steps(),
             _ => 0,
         });
@@ -124,6 +144,11 @@ impl<'a, T: Real> Dynamics<'a, T> {
             damping_loss_w: T::zero(),
             loads,
             loads_w: T::zero(),
+            control_places: mechanism.control_places(),
+            actuators: vec![ActuatorForce::none(); mechanism.model.controls.len()],
+            error_integrals: vec![T::zero(); mechanism.model.controls.len()],
+            controls_w: T::zero(),
+            inverse: mechanism.known_chain.as_ref().map(InverseDynamics::new),
             function_room: vec![T::zero(); function_steps],
             drive_room: vec![Dual::constant(Dual::constant(T::zero())); room(&mechanism.model)],
             time_s: T::zero(),
@@ -189,6 +214,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 self.add_bodies();
                 self.add_springs();
                 self.add_loads();
+                self.add_controls();
                 self.add_plays();
                 self.solve();
             },
@@ -308,6 +334,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let mut powers = Powers {
             drives_w: T::zero(),
             loads_w: self.loads_w,
+            controls_w: self.controls_w,
             contact_loss_w: T::zero(),
             friction_loss_w: T::zero(),
             damping_loss_w: self.damping_loss_w,

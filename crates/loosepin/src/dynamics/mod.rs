@@ -4,8 +4,10 @@
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
 mod contact;
+mod control;
 mod energy;
 mod equations;
+mod inverse;
 mod linear_spring;
 mod load;
 mod pin;
@@ -16,6 +18,7 @@ mod torsional_spring;
 
 pub use crate::contact::PlayState;
 pub use contact::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion};
+pub use control::ActuatorForce;
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
 pub use load::LoadForce;

@@ -19,5 +19,5 @@ pub use hermite::Quintic;
 pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};
 pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
 pub use real::Real;
-pub use spline::{clamped_spline, cubic_piece, periodic_spline};
+pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};
 pub use vector::Vec2;

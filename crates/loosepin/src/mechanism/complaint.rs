@@ -17,6 +17,7 @@ impl Problem for MechanismError {
             | Self::StartNotNeeded
             | Self::StartContradicts { .. }
             | Self::CannotCloseAsGiven { .. } => Code::StartNotPossible,
+            Self::NothingToControl { .. } | Self::NoInverseDynamics { .. } => Code::ControlNotPossible,
         }
     }
 
@@ -34,6 +35,11 @@ impl Problem for MechanismError {
             Self::StartNotNeeded => "remove [initial], or a drive",
             Self::StartContradicts { .. } => "leave it out: it follows from the others; or change those",
             Self::CannotCloseAsGiven { .. } => "leave out what follows from the other values under [initial]",
+            Self::NothingToControl { .. } => "remove the drive of what the control is to move, or the control",
+            Self::NoInverseDynamics { .. } => {
+                "it is worked out for open chains on the ground whose every joint is driven or controlled; feed forward an \
+                 expression over time instead, or nothing"
+            }
             Self::TooManyDrives { .. } => "remove a drive",
             Self::DrivenLoop { .. } => "remove one of the drives of this loop",
             Self::CannotClose { .. } => {
@@ -61,14 +67,16 @@ impl MechanismError {
             ),
             Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Complaint::error(self, model.place("initial")),
             Self::StartContradicts { path, .. } => Complaint::error(self, model.place(path)),
+            Self::NothingToControl { control } | Self::NoInverseDynamics { control, .. } => {
+                Complaint::error(self, model.place(&format!("control.{control}")))
+            }
             Self::TooManyDrives { .. } => {
                 // The last drive is as good as any; the others are shown beside it.
                 let drives = model.drives.iter().rev().map(|drive| model.place(&format!("drive.{}", drive.name)));
                 labelled(self, drives, "this is driven too")
             }
-            Self::DrivenLoop { joint } | Self::CannotClose { joint, .. } => {
-                Complaint::error(self, model.place(&format!("joint.{joint}")))
-            }
+            Self::DrivenLoop { joint } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
         }
     }
 }
@@ -117,7 +125,7 @@ impl SampleError {
             Self::ClearanceChangesTopology { joint, .. } | Self::ClearanceOutsideFit { joint, .. } => {
                 format!("joint.{joint}.radial_clearance")
             }
-            Self::CannotClose { joint, .. } => format!("joint.{joint}"),
+            Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
             Self::Singular { .. } => match model.cycle.span {
                 CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => format!("drive.{}", model.drives[drive.0].name),

@@ -1,12 +1,15 @@
-//! The constraints of ideal joints that close loops: residual, Jacobian and acceleration bias.
+//! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
 
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, acceleration_at, moved};
 use super::tree::{CutKind, Tree};
 use crate::math::{Real, Vec2};
+use crate::model::{JointId, JointKind, Model, describe_path};
+use crate::units::{Dimension, format_value};
+use std::fmt;
 
 /// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line, sine of the
-/// angle for bodies that should not turn against each other.
+/// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
 #[inline(always)]
 pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
@@ -26,6 +29,9 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
             out[row + cut.kind.rows() - 1] = turn.sin_cos().0;
         }
         row += cut.kind.rows();
+    }
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+        *out = numbers.residual(places, kinematics);
     }
 }
 
@@ -70,6 +76,10 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
         }
         row += cut.kind.rows();
     }
+    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+        numbers.add_gradient(places, tree, kinematics, &mut out[row * columns..(row + 1) * columns]);
+        row += 1;
+    }
 }
 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
@@ -106,16 +116,83 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         }
         row += cut.kind.rows();
     }
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+        *out = numbers.bias(places, kinematics);
+    }
 }
 
-/// Names the joint that constraint row `row` belongs to, as an index into `tree.cuts`.
-pub fn cut_of_row(tree: &Tree, row: usize) -> usize {
-    let mut first = 0;
-    for (index, cut) in tree.cuts.iter().enumerate() {
-        first += cut.kind.rows();
-        if row < first {
-            return index;
+/// What imposes a constraint row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowOwner {
+    /// A cut joint.
+    Joint(JointId),
+    /// A coupling, by its index in the model.
+    Coupling(usize),
+}
+
+impl RowOwner {
+    /// The owner of constraint row `row` of `tree`.
+    pub fn of(tree: &Tree, row: usize) -> Self {
+        let mut first = 0;
+        for cut in &tree.cuts {
+            first += cut.kind.rows();
+            if row < first {
+                return Self::Joint(cut.joint);
+            }
+        }
+        Self::Coupling(row - first)
+    }
+
+    /// Path of its table in the file.
+    pub fn path(self, model: &Model) -> String {
+        match self {
+            Self::Joint(joint) => format!("joint.{}", model.joints[joint.0].name),
+            Self::Coupling(index) => model.couplings[index].path.clone(),
         }
     }
-    tree.cuts.len() - 1
+
+    /// What it is in words, for example `joint 'rod'`.
+    pub fn words(self, model: &Model) -> String {
+        describe_path(&self.path(model))
+    }
+
+    /// What a residual of it measures. Rows that say that two bodies do not turn against each other count as lengths here.
+    pub fn dimension(self, model: &Model) -> Dimension {
+        match self {
+            Self::Joint(_) => Dimension::LENGTH,
+            Self::Coupling(index) => match model.joints[model.couplings[index].second.0].kind {
+                JointKind::Prismatic { .. } => Dimension::LENGTH,
+                _ => Dimension::ANGLE,
+            },
+        }
+    }
+}
+
+/// The constraint that is furthest from being met.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Opening {
+    /// Path of the joint or coupling.
+    pub path: String,
+    /// How far it stays open, m or rad.
+    pub gap: f64,
+    /// What that measures.
+    pub dimension: Dimension,
+}
+
+impl Opening {
+    /// The worst of `residuals` of the constraint rows of `tree`; none where there are none.
+    pub fn worst(model: &Model, tree: &Tree, residuals: &[f64]) -> Self {
+        let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
+        let Some(row) = worst else {
+            return Self { path: "joint".to_owned(), gap: 0.0, dimension: Dimension::LENGTH };
+        };
+        let owner = RowOwner::of(tree, row);
+        Self { path: owner.path(model), gap: residuals[row].abs(), dimension: owner.dimension(model) }
+    }
+}
+
+impl fmt::Display for Opening {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} stays {} open", describe_path(&self.path), format_value(self.gap, self.dimension))
+    }
 }

@@ -1,5 +1,6 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
+use super::constraints::Opening;
 use crate::model::{QuantityError, describe_path};
 use crate::units::{Dimension, format_value};
 use thiserror::Error;
@@ -42,26 +43,16 @@ pub enum MechanismError {
         joint: String,
     },
     /// No configuration closes all loops.
-    #[error(
-        "the links cannot close at the start: joint '{joint}' stays {} open at best",
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at the start: {open} at best")]
     CannotClose {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
     },
     /// No configuration closes all loops with the given positions.
-    #[error(
-        "the links cannot close at the start that [initial] gives: joint '{joint}' stays {} open at best",
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at the start that [initial] gives: {open} at best")]
     CannotCloseAsGiven {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
     },
     /// The initial state leaves something open.
     #[error(
@@ -77,6 +68,20 @@ pub enum MechanismError {
     /// The initial state says what the drives say already.
     #[error("the drives determine the motion; the initial state under [initial] has nothing to say")]
     StartNotNeeded,
+    /// A control where the drives move everything.
+    #[error("control '{control}' has nothing to move: the drives determine the motion")]
+    NothingToControl {
+        /// The control.
+        control: String,
+    },
+    /// Torques that cannot be fed forward.
+    #[error("control '{control}' cannot feed inverse dynamics forward: {reason}")]
+    NoInverseDynamics {
+        /// The control.
+        control: String,
+        /// Why.
+        reason: &'static str,
+    },
     /// A given position that the loops and the other given positions do not allow.
     #[error(
         "{} cannot be {} at the start; the links and what else is given come no closer than {}",
@@ -171,16 +176,10 @@ pub enum SampleError {
         fitted_m: [f64; 2],
     },
     /// The loops cannot be closed at this instant.
-    #[error(
-        "the links cannot close at {}: joint '{joint}' stays {} open",
-        format_value(*time_s, Dimension::TIME),
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
     CannotClose {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
         /// The time, s.
         time_s: f64,
     },

@@ -1,5 +1,6 @@
 //! The numbers of one sample, laid out for a tree: arms, angles, masses.
 
+use super::coupling::CouplingGeometry;
 use super::tree::{Attachment, Tree, points_of};
 use crate::math::{Real, Vec2};
 use crate::model::{JointId, JointKind, Model, PointId, QuantityId, Values};
@@ -49,6 +50,8 @@ pub struct Geometry<T> {
     pub links: Vec<LinkGeometry<T>>,
     /// One for each cut joint.
     pub cuts: Vec<CutGeometry<T>>,
+    /// One for each coupling.
+    pub couplings: Vec<CouplingGeometry<T>>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Vec2<T>,
 }
@@ -109,7 +112,8 @@ impl<T: Real> Geometry<T> {
             })
             .collect();
         let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
-        Self { links, cuts, gravity_m_s2 }
+        let couplings = model.couplings.iter().map(|coupling| CouplingGeometry::new(model, coupling, number)).collect();
+        Self { links, cuts, couplings, gravity_m_s2 }
     }
 
     /// Displaces the journal of a revolute `joint` from its bearing by `eccentricity_m`, given in the ground's frame.

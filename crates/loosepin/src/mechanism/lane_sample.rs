@@ -1,6 +1,8 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
 use super::contact_place::PlayShape;
+use super::control::ControlGeometry;
+use super::coupling::CouplingGeometry;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
@@ -13,13 +15,15 @@ impl<T: Real> Sample<T> {
     /// The same sample in every lane.
     pub fn broadcast(sample: &Sample<f64>) -> Self {
         Self {
-            ideal: geometry(&sample.ideal),
-            real: geometry(&sample.real),
+            ideal: Geometry::broadcast(&sample.ideal),
+            real: Geometry::broadcast(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
             contacts: sample.contacts.clone(),
             springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
             loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
             drives: Drives::broadcast(&sample.drives),
+            controls: sample.controls.iter().map(ControlGeometry::broadcast).collect(),
+            references: Drives::broadcast(&sample.references),
             initial: sample.initial.clone(),
         }
     }
@@ -53,6 +57,7 @@ impl<T: Real> Sample<T> {
             }
             cut.eccentricity_m.visit(visit);
         }
+        self.real.couplings.iter_mut().for_each(|coupling| coupling.visit(visit));
         for play in &mut self.plays {
             play.bearing_arm_m.visit(visit);
             play.journal_arm_m.visit(visit);
@@ -67,6 +72,8 @@ impl<T: Real> Sample<T> {
         self.springs.iter_mut().for_each(|spring| spring.visit(visit));
         self.loads.iter_mut().for_each(|load| load.visit(visit));
         self.drives.visit(visit);
+        self.controls.iter_mut().for_each(|control| control.visit(visit));
+        self.references.visit(visit);
     }
 }
 
@@ -79,35 +86,39 @@ impl Sample<f64> {
     }
 }
 
-fn geometry<T: Real>(from: &Geometry<f64>) -> Geometry<T> {
-    let (number, vector) = (T::from_f64, Vec2::from_f64);
-    Geometry {
-        links: from
-            .links
-            .iter()
-            .map(|link| LinkGeometry {
-                parent_arm_m: vector(link.parent_arm_m),
-                own_arm_m: vector(link.own_arm_m),
-                parent_angle_rad: number(link.parent_angle_rad),
-                own_angle_rad: number(link.own_angle_rad),
-                parent_direction: vector(link.parent_direction),
-                turn_from_parent: vector(link.turn_from_parent),
-                eccentricity_m: vector(link.eccentricity_m),
-                centre_of_mass_m: vector(link.centre_of_mass_m),
-                mass_kg: number(link.mass_kg),
-                inertia_kg_m2: number(link.inertia_kg_m2),
-            })
-            .collect(),
-        cuts: from
-            .cuts
-            .iter()
-            .map(|cut| CutGeometry {
-                arms_m: cut.arms_m.map(vector),
-                angles_rad: cut.angles_rad.map(number),
-                eccentricity_m: vector(cut.eccentricity_m),
-            })
-            .collect(),
-        gravity_m_s2: vector(from.gravity_m_s2),
+impl<T: Real> Geometry<T> {
+    /// The same numbers in every lane.
+    pub fn broadcast(from: &Geometry<f64>) -> Self {
+        let (number, vector) = (T::from_f64, Vec2::from_f64);
+        Self {
+            links: from
+                .links
+                .iter()
+                .map(|link| LinkGeometry {
+                    parent_arm_m: vector(link.parent_arm_m),
+                    own_arm_m: vector(link.own_arm_m),
+                    parent_angle_rad: number(link.parent_angle_rad),
+                    own_angle_rad: number(link.own_angle_rad),
+                    parent_direction: vector(link.parent_direction),
+                    turn_from_parent: vector(link.turn_from_parent),
+                    eccentricity_m: vector(link.eccentricity_m),
+                    centre_of_mass_m: vector(link.centre_of_mass_m),
+                    mass_kg: number(link.mass_kg),
+                    inertia_kg_m2: number(link.inertia_kg_m2),
+                })
+                .collect(),
+            cuts: from
+                .cuts
+                .iter()
+                .map(|cut| CutGeometry {
+                    arms_m: cut.arms_m.map(vector),
+                    angles_rad: cut.angles_rad.map(number),
+                    eccentricity_m: vector(cut.eccentricity_m),
+                })
+                .collect(),
+            couplings: from.couplings.iter().map(CouplingGeometry::broadcast).collect(),
+            gravity_m_s2: vector(from.gravity_m_s2),
+        }
     }
 }
 

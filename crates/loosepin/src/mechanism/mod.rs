@@ -4,33 +4,42 @@
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
 mod assembly;
+mod cam;
 mod complaint;
 pub mod constraints;
 mod contact_place;
+mod control;
+mod coupling;
 mod drive;
 mod error;
 mod geometry;
 mod ideal;
 mod initial;
+mod joint_coordinate;
 mod kinematics;
 mod lane_sample;
 mod load;
 mod mobility;
+mod pieces;
 mod sample;
 mod spring;
 mod table;
 mod tree;
 mod ways_on;
 
+pub use constraints::RowOwner;
 pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
+pub use control::{ControlGeometry, KnownChain};
+pub use coupling::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
+pub use joint_coordinate::{JointGeometry, JointPlace};
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{PlayGeometry, Sample};
-pub use spring::SpringGeometry;
+pub use spring::{ElasticNumbers, SpringGeometry};
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
 pub use ways_on::WaysOn;
 
@@ -58,10 +67,12 @@ pub struct Mechanism {
     pub degrees_of_freedom: usize,
     /// Degrees of freedom that move dynamically: those that play opens, without the driven ones.
     pub dynamic_freedoms: usize,
-    /// Joints that repeat what others impose already, with the number of their redundant constraints.
-    pub redundant: Vec<(JointId, usize)>,
+    /// Joints and couplings that repeat what others impose already, with the number of their redundant constraints.
+    pub redundant: Vec<(RowOwner, usize)>,
     /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
     pub other_assemblies_rad: Vec<Vec<f64>>,
+    /// Along what its controls feed inverse dynamics forward.
+    pub known_chain: Option<KnownChain>,
     /// Coordinates of the ideal tree at the start of the nominal mechanism.
     ideal_start: Vec<f64>,
     /// Independent constraint rows of the ideal tree.
@@ -100,6 +111,7 @@ impl Mechanism {
             dynamic_freedoms: 0,
             redundant,
             other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
+            known_chain: KnownChain::new(model, values)?,
             ideal_start: assembly.coordinates,
             ideal_rows: independent_rows,
             ideal,

@@ -1,6 +1,7 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
 use super::contact_place::{ContactPlace, PlayShape};
+use super::control::ControlGeometry;
 use super::drive::Drives;
 use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
@@ -57,6 +58,10 @@ pub struct Sample<T> {
     pub loads: Vec<LoadGeometry<T>>,
     /// Drives, in the order of the model.
     pub drives: Drives<T>,
+    /// Controls, in the order of the model.
+    pub controls: Vec<ControlGeometry<T>>,
+    /// References of the controls, in the order of the model.
+    pub references: Drives<T>,
     /// The given numbers of the initial state, in the order of the model.
     pub initial: Vec<f64>,
 }
@@ -101,8 +106,25 @@ impl<T: Real> Sample<T> {
             springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
             loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
             drives,
+            controls: model.controls.iter().map(|control| ControlGeometry::new(model, control, values)).collect(),
+            references: Drives::broadcast(&Drives::of_controls(model, values)),
             initial: initial_numbers(model, values),
         })
+    }
+}
+
+impl Sample<f64> {
+    /// The first time after `time_s` at which the pieces of a motion of a drive or a reference meet, s; infinite where there is
+    /// none.
+    pub fn next_break_s(&self, time_s: f64) -> f64 {
+        self.drives.next_break_s(time_s).min(self.references.next_break_s(time_s))
+    }
+
+    /// Puts every table of a drive or a reference into the piece that holds `time_s`. True where there are tables.
+    pub fn take_pieces_at(&mut self, time_s: f64) -> bool {
+        let [drives, references] =
+            [&mut self.drives, &mut self.references].map(|motions| motions.take_pieces_at(time_s));
+        drives || references
     }
 }
 

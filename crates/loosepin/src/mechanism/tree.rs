@@ -1,5 +1,7 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
+use super::coupling::CouplingPlace;
+use super::joint_coordinate::JointPlace;
 use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PointId};
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
@@ -131,6 +133,8 @@ pub struct Tree {
     pub drives: Vec<DriveId>,
     /// Ideal joints that close loops, in file order.
     pub cuts: Vec<Cut>,
+    /// Places of all couplings of the model, in its order.
+    pub couplings: Vec<CouplingPlace>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
 }
@@ -152,7 +156,20 @@ impl Tree {
     /// # Errors
     /// A loop of driven joints alone.
     pub fn new(model: &Model, is_ideal: impl Fn(JointId) -> bool) -> Result<Self, DrivenLoop> {
-        let drive_of = |joint: JointId| (0..model.drives.len()).find(|&d| model.drives[d].joint == joint).map(DriveId);
+        let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
+        Self::with_driven(model, is_ideal, &driven)
+    }
+
+    /// The same, as if there were drives of the joints `driven`.
+    ///
+    /// # Errors
+    /// A loop of driven joints alone.
+    pub fn with_driven(
+        model: &Model,
+        is_ideal: impl Fn(JointId) -> bool,
+        driven: &[JointId],
+    ) -> Result<Self, DrivenLoop> {
+        let drive_of = |joint: JointId| driven.iter().position(|&other| other == joint).map(DriveId);
         let mut order: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| is_ideal(joint)).collect();
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
@@ -178,6 +195,7 @@ impl Tree {
             free: 0,
             drives: Vec::new(),
             cuts: Vec::new(),
+            couplings: Vec::new(),
             floating_roots: Vec::new(),
         };
         tree.slot_of_body[0] = 0;
@@ -214,6 +232,10 @@ impl Tree {
                 },
             });
         }
+        let couplings = model.couplings.iter();
+        let places = couplings
+            .map(|coupling| [coupling.first, coupling.second].map(|joint| JointPlace::new(model, &tree, joint)));
+        tree.couplings = places.collect();
         Ok(tree)
     }
 
@@ -222,8 +244,13 @@ impl Tree {
         self.free + self.drives.len()
     }
 
-    /// Number of scalar constraints of the cut joints.
+    /// Number of scalar constraints: those of the cut joints, then one for each coupling.
     pub fn constraint_rows(&self) -> usize {
+        self.cut_rows() + self.couplings.len()
+    }
+
+    /// Number of scalar constraints of the cut joints.
+    pub fn cut_rows(&self) -> usize {
         self.cuts.iter().map(|cut| cut.kind.rows()).sum()
     }
 
@@ -238,6 +265,7 @@ impl Tree {
                 scales[first + 1] = [first, first + 1];
             }
         }
+        scales.extend((scales.len()..self.constraint_rows()).map(|row| [row, row]));
         scales
     }
 

@@ -1,5 +1,7 @@
 //! The keys of a model file.
 
+use super::control_keys::CONTROL_KEYS;
+use super::coupling_keys::{CAM_KEYS, COUPLING_KINDS};
 use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
@@ -410,6 +412,18 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
         optional("contact", Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "", "contacts, shared by joints"),
         optional("joint", Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "", "the joints"),
         optional(
+            "coupling",
+            Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS },
+            "",
+            "gears, belts, racks and other ratios of two joints, each under [coupling.NAME]",
+        ),
+        optional(
+            "cam",
+            Kind::Tables { keys: &CAM_KEYS, except: &[] },
+            "",
+            "cams with a profile by points, each under [cam.NAME]",
+        ),
+        optional(
             "spring",
             Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS },
             "",
@@ -422,6 +436,12 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
             "forces and torques from outside, each under [load.NAME]",
         ),
         optional("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional(
+            "control",
+            Kind::Tables { keys: &CONTROL_KEYS, except: &[] },
+            "",
+            "joints whose actuators follow a reference, each under [control.NAME]",
+        ),
         optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),

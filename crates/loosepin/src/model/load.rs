@@ -143,7 +143,7 @@ impl ModelReader {
     }
 
     /// What expressions may read: the time, and coordinate and rate of a joint.
-    fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
+    pub(super) fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
         let mut variables = vec![TIME];
         match joint.map(|joint| &self.joints[joint.0].kind) {
             Some(JointKind::Prismatic { .. }) => {

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
 use crate::document::listed;
+use crate::units::Dimension;
 
 /// What can be wrong with a model file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -188,6 +189,70 @@ pub enum ModelProblem {
         /// The first drive.
         other: String,
     },
+    /// A CSV file with other than two columns.
+    #[error("a row has {found} {}; two are due", if *found == 1 { "column" } else { "columns" })]
+    CsvColumns {
+        /// Columns of the row.
+        found: usize,
+    },
+    /// A header without units.
+    #[error("the header is '{text}'; must be a name with a unit in brackets")]
+    CsvHeader {
+        /// The cell.
+        text: String,
+    },
+    /// A unit of something else.
+    #[error("the column '{text}' must hold {due}")]
+    CsvDimension {
+        /// The cell.
+        text: String,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A cell that is no number.
+    #[error("'{text}' is not a number")]
+    CsvNumber {
+        /// The cell.
+        text: String,
+    },
+    /// A coupling of a joint to itself.
+    #[error("{entry} couples joint '{joint}' to itself")]
+    SameJoint {
+        /// The coupling.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A joint of another kind than a coupling needs.
+    #[error("{entry}: joint '{joint}' is not {due}")]
+    WrongJoint {
+        /// The entry.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// Revolute or prismatic.
+        due: &'static str,
+    },
+    /// Wheels without a common carrier.
+    #[error("{entry}: joints '{first}' and '{second}' must have exactly one body in common, which carries both wheels")]
+    NoCarrier {
+        /// The coupling.
+        entry: String,
+        /// The first joint.
+        first: String,
+        /// The second joint.
+        second: String,
+    },
+    /// A control of a joint that is moved already.
+    #[error("{entry}: joint '{joint}' is already moved by {other}")]
+    ControlledTwice {
+        /// The control.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// What moves it, in words.
+        other: String,
+    },
     /// A cycle over a drive that does not turn.
     #[error("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted")]
     CycleNeedsTurns {
@@ -252,7 +317,11 @@ impl Problem for ModelProblem {
             Self::BadParameterName { .. } => Code::BadName,
             Self::ParameterCycle { .. } => Code::ParameterCycle,
             Self::UnknownReference { .. } | Self::NotAPoint { .. } => Code::UnknownReference,
-            Self::SameBody { .. } => Code::SameBody,
+            Self::CsvColumns { .. } | Self::CsvHeader { .. } | Self::CsvDimension { .. } | Self::CsvNumber { .. } => {
+                Code::TableNotReadable
+            }
+            Self::SameBody { .. } | Self::SameJoint { .. } => Code::SameBody,
+            Self::WrongJoint { .. } | Self::NoCarrier { .. } => Code::CouplingNotPossible,
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
@@ -268,7 +337,7 @@ impl Problem for ModelProblem {
             | Self::CycleNeedsPeriod { .. } => Code::DriveNotPossible,
             Self::TooFewPoints { .. } => Code::BadCount,
             Self::WrongCoordinate { .. } => Code::ConflictingKeys,
-            Self::DrivenTwice { .. } => Code::DrivenTwice,
+            Self::DrivenTwice { .. } | Self::ControlledTwice { .. } => Code::DrivenTwice,
             Self::GuessOfGround | Self::InitialOfGround => Code::UnknownReference,
             Self::WrongUnit { .. } => Code::WrongDimension,
             Self::Unused { .. } => Code::Unused,
@@ -314,6 +383,14 @@ impl Problem for ModelProblem {
             Self::NotDrivable { why, .. } if *why == HAS_PLAY => {
                 Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
             }
+            Self::CsvColumns { .. } | Self::CsvHeader { .. } => {
+                Some("for example: time [s], angle [deg]".to_owned())
+            }
+            Self::CsvNumber { .. } => Some("with a point and no thousands separator, for example 0.25 or 1e-3".to_owned()),
+            Self::NoCarrier { .. } => Some(
+                "hang both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
+                    .to_owned(),
+            ),
             Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
             Self::CycleNeedsTurns { .. } => {
                 Some("name a drive of a revolute joint, or give duration in place of drive".to_owned())

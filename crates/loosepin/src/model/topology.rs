@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::control::Control;
+use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
 use super::initial::InitialValue;
@@ -53,12 +55,16 @@ pub struct Model {
     pub contacts: Vec<Contact>,
     /// Joints in file order.
     pub joints: Vec<Joint>,
+    /// Couplings in file order.
+    pub couplings: Vec<Coupling>,
     /// Springs in file order.
     pub springs: Vec<Spring>,
     /// Loads in file order.
     pub loads: Vec<Load>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
+    /// Controls in file order.
+    pub controls: Vec<Control>,
     /// Hints for the assembly, at the start of the cycle.
     pub guesses: Vec<Guess>,
     /// The initial state of what the drives do not move alone.
@@ -71,6 +77,8 @@ pub struct Model {
     pub warnings: Vec<Complaint>,
     /// The file.
     pub(super) source: Arc<Source>,
+    /// The CSV files that it names, in the order of the file.
+    pub(super) tables: Vec<Arc<Source>>,
     /// Places of its tables by dotted path, for complaints about what they mean together.
     pub(super) places: HashMap<String, Span>,
 }
@@ -79,6 +87,11 @@ impl Model {
     /// The file that the model was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source
+    }
+
+    /// The CSV files that were read with it: inputs like the file itself.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        &self.tables
     }
 
     /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,

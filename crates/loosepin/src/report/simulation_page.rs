@@ -12,7 +12,8 @@ use super::script_data::rounded;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed};
 use crate::simulate::record::{
-    ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare, SimulationRecord, StopReason,
+    ControlHistory, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare, SimulationRecord,
+    StopReason, SwingCourse,
 };
 use crate::units::SiUnit;
 
@@ -35,6 +36,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     if !record.joints.is_empty() {
         sections.push(Section::new("contact", "Contact and impacts", contact(record, &writer)));
+    }
+    if !record.controls.is_empty() {
+        sections.push(Section::new("control", "Controls", controls(record, &writer)));
     }
     if !record.orbits.is_empty() {
         sections.push(Section::new(
@@ -118,6 +122,9 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
+    for control in &record.controls {
+        sentences.extend(control_sentences(control, writer));
+    }
     sentences.push(format!(
         "The energy account of the run closes to {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
@@ -155,6 +162,36 @@ fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> 
         ));
     }
     Some(sentence)
+}
+
+/// How a control followed its reference, and whether it keeps moving where it ought to rest.
+fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let mut sentences = vec![format!(
+        "{}: {} departs from its reference by {} at most, with up to {} in {}.",
+        control.name,
+        control.measured,
+        writer.value(largest(&control.error_si), &control.unit),
+        writer.value(largest(&control.effort_si), &control.effort_unit),
+        control.joint,
+    )];
+    if let Some(swing) = &control.swing {
+        let amplitude = writer.value(swing.amplitude_si, &control.unit);
+        let period = writer.value(swing.period_s, &SiUnit::TIME);
+        sentences.push(match swing.course {
+            SwingCourse::Steady => format!(
+                "{}: {} does not come to rest although its reference does: it keeps swinging by {amplitude} either way, once \
+                 in {period} (a limit cycle, over {} swings).",
+                control.name, control.measured, swing.swings
+            ),
+            SwingCourse::Grows => format!(
+                "{}: {} swings more and more although its reference rests: by {amplitude} either way in the end, once in \
+                 {period}.",
+                control.name, control.measured
+            ),
+        });
+    }
+    sentences
 }
 
 /// A chart over time with the angle of the drive in the caption.
@@ -323,6 +360,36 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
     };
     chart.alternative = "Chart of the normal contact force of each joint with play over time.".to_owned();
     chart
+}
+
+fn controls(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, control) in record.controls.iter().enumerate() {
+            h3 { (control.name) }
+            @let about = html! { strong { "Error." } " Reference minus " (control.measured) "." };
+            (control_chart(record, format!("control-error-{index}"), "error", (&control.error_si, &control.unit), about, writer))
+            @let about = html! { strong { "Effort." } " What the actuator does in " (control.joint) "." };
+            (control_chart(record, format!("control-effort-{index}"), "effort", (&control.effort_si, &control.effort_unit), about, writer))
+        }
+    }
+}
+
+fn control_chart(
+    record: &SimulationRecord,
+    id: String,
+    label: &str,
+    (values_si, unit): (&[f64], &SiUnit),
+    caption: Markup,
+    writer: &NumberWriter,
+) -> Markup {
+    let mut chart = time_chart(record, id, writer);
+    chart.height = 220;
+    chart.y_label = label.to_owned();
+    chart.y_symbol = writer.symbol(unit);
+    chart.entries.push(line(label, Role::Mixed, false, values_si, unit, writer));
+    chart.caption = caption;
+    chart.alternative = format!("Chart of the {label} of a control over time.");
+    chart.figure()
 }
 
 fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Markup)> {

@@ -1,6 +1,7 @@
 //! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
 
 use super::column::{Arms, Column, columns};
+use super::control_history::ControlRecorder;
 use super::drawing::{add_pose, skeleton};
 use super::engine::run;
 use super::failure::RunFailure;
@@ -127,6 +128,7 @@ struct Recorder<'a> {
     energy: EnergyAccount,
     energy_at_zero_j: Option<f64>,
     contact_forces: Vec<Vec<f64>>,
+    controls: ControlRecorder,
     impacts: Vec<ImpactRecord>,
     /// Index of the impact at hand, by contact.
     open_impacts: Vec<Option<usize>>,
@@ -181,6 +183,7 @@ impl<'a> Recorder<'a> {
             },
             energy_at_zero_j: None,
             contact_forces: vec![Vec::new(); contacts],
+            controls: ControlRecorder::new(mechanism, plan.settings.tolerance_m),
             impacts: Vec::new(),
             open_impacts: vec![None; contacts],
             peak_forces_n: vec![0.0; contacts],
@@ -309,6 +312,9 @@ impl<'a> Recorder<'a> {
         if self.has_dampers {
             self.energy.damping_loss_j.push(account.damping_loss_j);
         }
+        if !self.controls.is_empty() {
+            self.controls.record(step.evaluate(time_s));
+        }
         if let Some(states) = &mut self.states {
             let dynamics = step.evaluate(time_s);
             states.rows.push(body_states(self.mechanism, self.values, dynamics));
@@ -388,6 +394,7 @@ impl<'a> Recorder<'a> {
                     y_m: self.orbits[play].1.clone(),
                 })
                 .collect(),
+            controls: self.controls.into_histories(&self.sample_times_s),
             time_s: self.sample_times_s,
             energy: self.energy,
             impacts: self.impacts,

@@ -2,6 +2,7 @@
 
 mod batch;
 mod column;
+mod control_history;
 mod core;
 mod drawing;
 mod engine;
@@ -22,6 +23,7 @@ mod reference;
 mod report;
 mod search;
 mod settings;
+mod swing;
 mod tables;
 mod work;
 

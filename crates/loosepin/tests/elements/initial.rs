@@ -48,7 +48,7 @@ stiffness = "350 N/m"
 free_length = "90 mm"
 "#;
 
-fn simulated(built: &Built) -> Simulation {
+pub(super) fn simulated(built: &Built) -> Simulation {
     let plan = Plan {
         cycle: built.mechanism.model.cycle.clone(),
         settings: Settings::for_simulation(),

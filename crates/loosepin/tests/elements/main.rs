@@ -1,5 +1,8 @@
 //! Springs, dampers, loads, motions of drives and initial states against closed forms and against the energy account.
 
+mod cams;
+mod control;
+mod couplings;
 mod drives;
 mod initial;
 mod loads;

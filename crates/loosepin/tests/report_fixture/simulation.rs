@@ -87,6 +87,7 @@ pub fn worn_pin() -> SimulationRecord {
         drive_angle_rad: angles.clone(),
         outputs,
         contact_forces: vec![ContactForceHistory { joint: "gudgeon".to_owned(), force_n: forces }],
+        controls: Vec::new(),
         impacts,
         orbits: vec![orbit(&sample, "", TURNS)],
         drawing: drawing(&sample, true),

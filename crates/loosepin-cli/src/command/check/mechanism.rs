@@ -96,12 +96,19 @@ fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
 
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
     let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
-    let (speed, start) = match model.joints[joint.0].kind {
-        JointKind::Prismatic { .. } => (Dimension::VELOCITY, Dimension::LENGTH),
-        _ => (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE),
+    let is_prismatic = matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. });
+    format!(", driven by '{}' {}", drive.name, law_words(&drive.law, is_prismatic, values))
+}
+
+/// A motion in words, of a position or of an angle.
+pub fn law_words(law: &DriveLaw, is_prismatic: bool, values: &Values) -> String {
+    let (speed, start) = if is_prismatic {
+        (Dimension::VELOCITY, Dimension::LENGTH)
+    } else {
+        (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE)
     };
     let value = |id, dimension| format_value(values[id], dimension);
-    let law = match &drive.law {
+    match law {
         DriveLaw::Constant { speed: id, start: from } => {
             format!("at {} from {}", value(*id, speed), value(*from, start))
         }
@@ -123,8 +130,7 @@ fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
             format!("by a table of {} points, {}", points.len(), if *is_periodic { "again and again" } else { "once" })
         }
         DriveLaw::Function(_) => "by an expression over time".to_owned(),
-    };
-    format!(", driven by '{}' {law}", drive.name)
+    }
 }
 
 fn play_lines(
@@ -251,11 +257,11 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }
-    for (joint, count) in &mechanism.redundant {
+    for (owner, count) in &mechanism.redundant {
         let _ = writeln!(
             text,
-            "joint {} repeats what the others impose already: {} of it {} redundant",
-            name(joint),
+            "{} repeats what the others impose already: {} of it {} redundant",
+            owner.words(model),
             counted(*count, "constraint", "constraints"),
             if *count == 1 { "is" } else { "are" }
         );

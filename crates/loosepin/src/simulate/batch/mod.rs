@@ -148,11 +148,16 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             self.view.evaluate(0.0, state);
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
         }
-        let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        let mut energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        if !(energy_j > 0.0) || !sample.controls.is_empty() {
+            // What starts at rest will move at about its rate.
+            let masses_kg = sample.real.links.iter().map(|link| link.mass_kg).sum::<f64>();
+            energy_j = energy_j.max(0.5 * masses_kg * (self.mechanism.size_m * rate_1_s).powi(2));
+        }
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
-        let stop_s = sample.drives.next_break_s(0.0).min(window.end_s);
+        let stop_s = sample.next_break_s(0.0).min(window.end_s);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),

@@ -52,10 +52,10 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             return self.succeed(lane, queue);
         }
         run.phase = Phase::Stepping;
-        run.stop_s = run.sample.drives.next_break_s(time_s).min(run.window.end_s);
+        run.stop_s = run.sample.next_break_s(time_s).min(run.window.end_s);
         let place = self.core.equations.motion.layout.time();
         self.core.stepper.start_mut()[place].set_lane(lane, time_s);
-        if run.sample.drives.take_pieces_at(time_s) {
+        if run.sample.take_pieces_at(time_s) {
             self.core.equations.load(lane, &run.sample, &run.arms);
             // Whoever looks inside a step must see the new pieces.
             self.viewed = 0;
