@@ -20,6 +20,7 @@ mod dubowsky_freudenstein;
 mod esdu;
 mod exact_linear_restitution;
 mod exact_restitution;
+mod film;
 mod flores;
 mod friction;
 mod gonthier;
@@ -49,6 +50,10 @@ mod stribeck;
 mod threlfall;
 mod zhiying_qishao;
 
+pub use film::{
+    FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure, OcvirkFilm,
+    OcvirkPrintedFilm, PinkusSternlichtFilm,
+};
 pub use friction::{
     BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
 };
