@@ -3,13 +3,17 @@
 //! One film a file: a struct over [`Real`] that implements [`FilmPressure`], its `DESCRIPTION`, and one line in the list at the end
 //! of this file. [`Film`] adds what all of them share: the moments, the cap of the eccentricity, and the fading in dry contact.
 
+mod axial;
+mod finite_length;
 mod motion;
 mod ocvirk;
 mod ocvirk_printed;
 mod pinkus_sternlicht;
+mod reynolds;
 #[cfg(test)]
 mod tests;
 
+pub use finite_length::FiniteLengthFilm;
 pub use motion::{FilmForce, FilmMotion};
 pub use ocvirk::OcvirkFilm;
 pub use ocvirk_printed::OcvirkPrintedFilm;
@@ -210,4 +214,5 @@ film_laws! {
     Ocvirk(OcvirkFilm),
     OcvirkPrinted(OcvirkPrintedFilm),
     PinkusSternlicht(PinkusSternlichtFilm),
+    FiniteLength(FiniteLengthFilm),
 }

@@ -35,6 +35,12 @@ pub struct FilmForce<T> {
 }
 
 impl<T: Real> FilmForce<T> {
+    /// Its magnitude, N.
+    #[inline(always)]
+    pub fn size_n(&self) -> T {
+        (self.radial_n * self.radial_n + self.tangential_n * self.tangential_n).sqrt()
+    }
+
     /// The force times a number.
     #[inline(always)]
     pub fn times(self, factor: T) -> Self {

@@ -11,8 +11,11 @@ use crate::math::Real;
 /// |ε̇|, the sign of π turned, and g = k/(k + 3/2).
 ///
 /// k grows without limit where ε or ε̇ is zero, so that κ = k ε |ε̇| = √S V/2 takes its place: k ε² |ε̇| = ε κ,
-/// g = (κ + 3ε max(ε̇, 0))/(κ + 3/2 ε|ε̇|). Exact for ε̇ = 0 (half-Sommerfeld film). With squeeze an approximation: on approach within 16 %
-/// of the half-Sommerfeld film up to ε = 0.9, 3.7 % above it in pure squeeze there; where the journal moves away, several times too large.
+/// g = (κ + 3ε max(ε̇, 0))/(κ + 3/2 ε|ε̇|).
+///
+/// Without squeeze this is the half-Sommerfeld film. With squeeze it is the authors' approximation: 3.4 % above -12π M ε̇/S^1.5 in pure
+/// squeeze at ε = 0.9; on approach up to 16 % off the film whose negative pressure is dropped, up to ε = 0.9; where the journal moves
+/// away, up to thirty times the small force of that film. [`super::FiniteLengthFilm`] has no such error for any L/D.
 #[derive(Debug, Clone, Copy)]
 pub struct PinkusSternlichtFilm<T> {
     /// M = μ L R³/c², N s.
