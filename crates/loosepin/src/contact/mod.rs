@@ -8,7 +8,7 @@
 //!
 //! What the equations of motion evaluate are the numbers of a law: [`NormalLaw`] and [`FrictionLaw`], enums with one struct
 //! for each form of the force. A new form is one file with one struct that implements [`NormalContact`] or [`Friction`],
-//! and one line in the list at the end of `normal.rs` or `friction.rs`.
+//! and one line in the list at the end of `normal.rs` or `friction.rs`. Films of oil are in `film/`, with a list of their own.
 
 mod ambrosio;
 mod anagnostopoulos;

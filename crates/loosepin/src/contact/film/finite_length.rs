@@ -12,15 +12,16 @@ const CROSSOVER: f64 = 0.5;
 const DEGREE: usize = 8;
 /// Pairs (i, j).
 const TERMS: usize = (DEGREE + 1) * (DEGREE + 2) / 2;
-/// The sums are made for eccentricity ratios up to this one.
-pub const LARGEST_RATIO: f64 = 0.998;
+/// The sums are made for films down to this share of the clearance, so for eccentricity ratios up to [`LARGEST_RATIO`].
+const THINNEST_SHARE: f64 = 0.002;
+const LARGEST_RATIO: f64 = 1.0 - THINNEST_SHARE;
 /// Eccentricity ratios and directions of the velocity that the equation is solved for.
 const RATIOS: usize = 20;
 const DIRECTIONS: usize = 33;
 /// The relative error of a force counts with the root of its share of the largest at the same ε, and never less than this.
 const SMALLEST_WEIGHT: f64 = 0.1;
 
-/// Bearing of any length: the solution of the Reynolds equation ([`Reynolds`], half-Sommerfeld), in numbers that are made for Λ = L/D
+/// Bearing of any length: the solution of the Reynolds equation (`Reynolds`, half-Sommerfeld), in numbers that are made for Λ = L/D
 /// when the numbers of a run are laid out.
 ///
 /// As a complex number F = F_r + i F_t is Ocvirk's F₀ ([`OcvirkFilm`]) over what the length takes away. With X + i Y = ε F₀/|F₀|, κ = ½,
@@ -52,6 +53,7 @@ impl FiniteLengthFilm<f64> {
     pub const DESCRIPTION: FilmDescription = FilmDescription {
         name: "finite-length",
         source: "own solution of the Reynolds equation for any length: half-Sommerfeld, after Gümbel 1914",
+        thinnest_share: THINNEST_SHARE,
         law: |bearing| FilmLaw::FiniteLength(Self::new(bearing)),
     };
 

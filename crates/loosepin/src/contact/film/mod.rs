@@ -64,8 +64,17 @@ pub struct FilmDescription {
     pub name: &'static str,
     /// Author, year, and what it assumes.
     pub source: &'static str,
+    /// The thinnest film that it holds for, as a share of the clearance.
+    pub thinnest_share: f64,
     /// The film of a bearing.
     pub law: fn(&FilmBearing) -> FilmLaw<f64>,
+}
+
+impl FilmDescription {
+    /// Smallest and largest roughness that goes with a radial clearance, m.
+    pub fn roughness_m(&self, clearance_m: f64) -> [f64; 2] {
+        [self.thinnest_share * clearance_m, 0.5 * clearance_m]
+    }
 }
 
 /// The forces and the loss of a film in a joint.

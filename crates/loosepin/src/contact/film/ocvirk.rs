@@ -26,6 +26,7 @@ impl OcvirkFilm<f64> {
     pub const DESCRIPTION: FilmDescription = FilmDescription {
         name: "ocvirk",
         source: "Ocvirk 1953, infinitely short, the positive half of the film from atan2(2ε̇, wε)",
+        thinnest_share: 0.0,
         law: |bearing| FilmLaw::Ocvirk(Self::new(bearing)),
     };
 

@@ -27,6 +27,7 @@ impl PinkusSternlichtFilm<f64> {
     pub const DESCRIPTION: FilmDescription = FilmDescription {
         name: "pinkus-sternlicht",
         source: "Pinkus and Sternlicht 1961, infinitely long with squeeze, half-Sommerfeld",
+        thinnest_share: 0.0,
         law: |bearing| FilmLaw::PinkusSternlicht(Self::new(bearing)),
     };
 

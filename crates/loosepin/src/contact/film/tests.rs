@@ -243,7 +243,12 @@ fn analytic_a_centred_journal_is_pushed_against_its_velocity_whatever_direction_
 fn identity_the_preferred_short_film_does_not_jump_where_w_changes_its_sign() {
     let jump = |film: &dyn Fn(f64) -> FilmForce<f64>| film(1e-9).tangential_n - film(-1e-9).tangential_n;
     assert!(jump(&|w| SHORT.force(&motion(0.6, 0.3, w))).abs() < 1e-7);
-    assert!(jump(&|w| PRINTED.force(&motion(0.6, 0.3, w))) > 1.0);
+    // The printed one goes from one side to the other where |wε| < |ε̇|/20: by 2 · 2εε̇/S².
+    let (edge, expected) = (0.05 * 0.3 / 0.6, 4.0 * 0.6 * 0.3 / (1.0 - 0.36_f64).powi(2));
+    let tangential = |w: f64| PRINTED.force(&motion(0.6, 0.3, w)).tangential_n;
+    let without = PI * 0.6 * edge / (4.0 * (1.0 - 0.36_f64).powf(1.5));
+    assert!((tangential(edge) - tangential(-edge) - 2.0 * without - expected).abs() < 1e-13 * expected);
+    assert_eq!(tangential(0.0), 0.0);
 }
 
 #[test]
@@ -255,7 +260,7 @@ fn analytic_the_film_is_smooth_at_its_cap_and_where_it_fades() {
     let cap = film.capped_ratio(BEARING.clearance_m, BEARING.clearance_m);
     assert!((cap - (1.0 - thinnest)).abs() < 1e-15);
     assert_eq!(film.capped_ratio(BEARING.clearance_m, 0.3 * BEARING.clearance_m), 0.3);
-    for e in [1.0 - 1.5 * thinnest, 1.0 - 0.5 * thinnest, 1.0, 1.0 + thinnest] {
+    for e in [1.0 - 1.5 * thinnest, 1.0 - thinnest, 1.0 - 0.5 * thinnest, 1.0, 1.0 + thinnest] {
         // One-sided slopes over a step that is small against h_min.
         let step = 1e-4 * thinnest;
         let (left, right) = ((force(e) - force(e - step)) / step, (force(e + step) - force(e)) / step);
