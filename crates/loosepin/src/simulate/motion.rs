@@ -1,8 +1,8 @@
 //! The state vector of a run, or of one run a lane, and its derivative.
 //!
 //! One integrates over s with dt/ds = w. Mostly w = 1 and s is the time. During a contact whose law is K δ^1.5 without
-//! friction, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
-//! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
+//! friction or oil, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning
+//! of the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
 use crate::contact::NormalContact;
@@ -41,7 +41,8 @@ impl Layout {
                 dimension - 1
             })
         };
-        let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
+        let has_root =
+            |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts() && play.film.is_none();
         let contacts = 0..sample.contacts.len();
         let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
         let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();
@@ -84,7 +85,7 @@ pub struct Account<T> {
     pub supplied_j: T,
     /// Turned into heat by normal contact.
     pub contact_loss_j: T,
-    /// Turned into heat by friction.
+    /// Turned into heat by friction and by films of oil.
     pub friction_loss_j: T,
     /// Turned into heat by dampers.
     pub damping_loss_j: T,
@@ -221,7 +222,7 @@ impl<T: Real> System<T> for Motion<'_, T> {
 ///
 /// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
 /// that rate. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every step. Deflections of bristles: the same
-/// share of their largest in steady sliding as a length has of the size. With friction, whose kinks the work of friction shows
+/// share of their largest in steady sliding as a length has of the size. With oil and with friction, whose kinks the work of friction shows
 /// one derivative earlier than the velocities, and with forces that begin as abruptly, also the energy account: the same share of `energy_j` as a length has of the
 /// size.
 pub fn tolerances<T: Real>(
@@ -253,7 +254,7 @@ pub fn tolerances<T: Real>(
             tolerances[*place] = local_rad * sample.play_of(contact).friction.largest_deflection_m();
         }
     }
-    if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
+    if sample.plays.iter().any(|play| play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset()) {
         tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances
