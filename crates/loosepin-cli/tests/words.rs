@@ -17,6 +17,18 @@ fn check_says_in_words_what_a_mechanism_is() {
 }
 
 #[test]
+fn check_says_what_film_of_oil_is_in_a_joint() {
+    let desk = Desk::new();
+    let text = case_text("slider_crank_5000", "model.toml")
+        .replace("[joint.main]", "film = { viscosity = \"0.04 Pa s\", roughness = \"2 um\" }\n[joint.main]")
+        .replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
+    desk.write("oiled.toml", &text);
+    let said = desk.succeed(&["check", "oiled.toml"]).output;
+    let line = "film of oil by finite-length: viscosity 0.04 Pa s, roughness 0.002 mm, 20 mm of bearing\n";
+    assert!(said.contains(line), "{said}");
+}
+
+#[test]
 fn check_says_what_a_study_comes_to() {
     let desk = Desk::with_model("slider_crank_5000");
     desk.write("study.toml", include_str!("expected/study.toml"));

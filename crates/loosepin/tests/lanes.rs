@@ -1,6 +1,6 @@
 //! Runs on lanes against runs alone: the same bits, whatever the instructions, the lane, the neighbours and the order.
 
-use loosepin::contact::{FRICTION_LAWS, NormalDescription};
+use loosepin::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin::math::Vectors;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{JointKind, Model};
@@ -222,6 +222,36 @@ fn identity_every_contact_law_keeps_the_energy_account_and_its_bits_in_lanes() {
             let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
             for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
                 assert_eq!(one, other, "{contact}\nrun {index}, machine code {machine_code}");
+            }
+        }
+    }
+}
+
+#[test]
+fn identity_films_of_oil_keep_the_energy_account_and_their_bits_in_lanes() {
+    const STEEL: &str = "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
+    /// As for dry contact.
+    const ENERGY_RESIDUAL: f64 = 1e-7;
+    /// The gudgeon oscillates within that, so that w goes through zero.
+    const TURNS: f64 = 0.03;
+    let settings = Settings::for_study();
+    // A thick oil, and one so thin that the pin breaks through it, with friction then.
+    let thick = FILM_LAWS.iter().map(|law| format!("law = \"{}\", viscosity = \"0.4 Pa s\"", law.name));
+    let films = thick.chain(["viscosity = \"0.003 Pa s\"".to_owned()]);
+    for film in films {
+        let friction = "friction = { coefficient = 0.06 }";
+        let case = slider_crank_with(&format!("{STEEL}\n{friction}\nfilm = {{ {film}, roughness = \"9 um\" }}"));
+        let order: Vec<usize> = (0..RUNS).collect();
+        let alone = conducted(&case, order.clone(), TURNS, Vectors::None, &settings);
+        for seen in &alone {
+            let residual = seen.report.as_ref().and_then(|report| report.energy).expect("a report").relative_residual();
+            assert!(seen.steps.len() > 3 && residual < ENERGY_RESIDUAL, "{film}\nhas a residual of {residual:e}");
+        }
+        for machine_code in [true, false] {
+            let settings = Settings { machine_code, ..settings };
+            let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
+            for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                assert_eq!(one, other, "{film}\nrun {index}, machine code {machine_code}");
             }
         }
     }

@@ -8,7 +8,7 @@
 //!
 //! What the equations of motion evaluate are the numbers of a law: [`NormalLaw`] and [`FrictionLaw`], enums with one struct
 //! for each form of the force. A new form is one file with one struct that implements [`NormalContact`] or [`Friction`],
-//! and one line in the list at the end of `normal.rs` or `friction.rs`.
+//! and one line in the list at the end of `normal.rs` or `friction.rs`. Films of oil are in `film/`, with a list of their own.
 
 mod ambrosio;
 mod anagnostopoulos;
@@ -20,6 +20,7 @@ mod dubowsky_freudenstein;
 mod esdu;
 mod exact_linear_restitution;
 mod exact_restitution;
+mod film;
 mod flores;
 mod friction;
 mod gonthier;
@@ -49,6 +50,10 @@ mod stribeck;
 mod threlfall;
 mod zhiying_qishao;
 
+pub use film::{
+    FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure,
+    FiniteLengthFilm, OcvirkFilm, OcvirkPrintedFilm, PinkusSternlichtFilm,
+};
 pub use friction::{
     BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
 };

@@ -344,6 +344,11 @@ or look whether the parts are far too soft or the drive far too fast."
 "The law of Pereira, Ramalho and Ambrósio is a formula fitted to computed contacts, for radial clearances from 0.005 to 10 mm. \
 Outside it means nothing, so such a clearance is refused. In a study, a run with such a clearance fails by this reason."
 
+    RoughnessOutsideFilm "E0811" "a roughness that does not go with a film of oil"
+"The roughness of a film is the thickness below which it no longer stiffens. It must be less than half of the radial clearance, or \
+there is hardly a film at all; and the film of finite length is computed for films down to 0.002 of the clearance. In a study, a \
+run outside of that fails by this reason."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

@@ -1,5 +1,6 @@
 //! Forces where the two bodies of a joint with play touch.
 
+use super::film;
 use super::pin;
 use super::play::PlayMotion;
 use crate::contact::{NormalContact, PlayState};
@@ -66,7 +67,7 @@ pub struct ContactForce<T> {
     pub moment_on_bearing_n_m: T,
     /// Power that the normal contact turns into heat: -(F_el - F_N) δ̇ = (F_N - F_el) δ̇, W.
     pub contact_loss_w: T,
-    /// Power that friction turns into heat: -F_T v_T with the material sliding velocity, W.
+    /// Power that friction turns into heat, -F_T v_T with the material sliding velocity, and a film of oil, W.
     pub friction_loss_w: T,
     /// Normal force F_N, N.
     pub normal_n: T,
@@ -105,7 +106,7 @@ impl<T: Real> PlayMotion<T> {
     }
 
     /// The force at `place` with the penetration and the bristles read off the motion. In flight (`state.contact` zero)
-    /// everything is zero.
+    /// everything is zero but the film of oil, where there is one.
     #[inline(always)]
     pub fn force(&self, play: &PlayGeometry<T>, place: usize, state: &PlayState<T>) -> ContactForce<T> {
         self.force_with_unknowns(play, place, state, &ContactUnknowns::none())
@@ -165,6 +166,9 @@ impl<T: Real> PlayMotion<T> {
             result.moment_on_journal_n_m = arms_m[1] * friction_n;
             result.moment_on_bearing_n_m = -(arms_m[0] * friction_n);
             result.friction_loss_w = -(friction_n * material_m_s);
+        }
+        if let Some(film) = &play.film {
+            film::add(self, film, play.clearance_m, &mut result);
         }
         result
     }

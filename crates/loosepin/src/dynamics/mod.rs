@@ -7,6 +7,7 @@ mod contact;
 mod control;
 mod energy;
 mod equations;
+mod film;
 mod inverse;
 mod linear_spring;
 mod load;

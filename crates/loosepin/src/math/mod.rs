@@ -1,6 +1,7 @@
 //! Numbers that the equations run on: plain, dual (exact derivatives), and small geometry and linear algebra over them.
 
 mod angle;
+mod arctangent;
 mod dual;
 mod exponential;
 mod gram;
@@ -12,6 +13,7 @@ mod spline;
 mod vector;
 
 pub use angle::sin_cos;
+pub use arctangent::arctangent;
 pub use dual::Dual;
 pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm};
 pub use gram::GramSystem;

@@ -93,6 +93,7 @@ impl Problem for SampleError {
             Self::Quantity(error) => error.code(),
             Self::ClearanceChangesTopology { .. } => Code::ClearanceTouchesZero,
             Self::ClearanceOutsideFit { .. } => Code::ClearanceOutsideFit,
+            Self::RoughnessOutsideFilm { .. } => Code::RoughnessOutsideFilm,
             Self::CannotClose { .. } => Code::CannotClose,
             Self::StartContradicts { .. } => Code::StartNotPossible,
             Self::Singular { .. } => Code::SingularPosition,
@@ -106,6 +107,9 @@ impl Problem for SampleError {
                 Some("with and without play are two mechanisms; run them one by one".to_owned())
             }
             Self::ClearanceOutsideFit { .. } => Some("take another law for this clearance".to_owned()),
+            Self::RoughnessOutsideFilm { .. } => {
+                Some("the roughness is the thickness below which the film no longer stiffens".to_owned())
+            }
             Self::CannotClose { .. } => {
                 Some("the lengths do not allow the whole turn; check them, or drive another joint".to_owned())
             }
@@ -122,9 +126,9 @@ impl SampleError {
     pub fn complaint(&self, model: &Model) -> Complaint {
         let path = match self {
             Self::Quantity(error) => return Complaint::error(error, model.place(error.path())),
-            Self::ClearanceChangesTopology { joint, .. } | Self::ClearanceOutsideFit { joint, .. } => {
-                format!("joint.{joint}.radial_clearance")
-            }
+            Self::ClearanceChangesTopology { joint, .. }
+            | Self::ClearanceOutsideFit { joint, .. }
+            | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
             Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
             Self::Singular { .. } => match model.cycle.span {

@@ -175,6 +175,26 @@ pub enum SampleError {
         /// Smallest and largest clearance of the fit, m.
         fitted_m: [f64; 2],
     },
+    /// A roughness that does not go with the film of oil in a clearance.
+    #[error(
+        "joint '{joint}' has a film by {law} with a roughness of {} at a radial clearance of {}; must lie between {} and {}",
+        format_value(*roughness_m, Dimension::LENGTH),
+        format_value(*clearance_m, Dimension::LENGTH),
+        format_value(allowed_m[0], Dimension::LENGTH),
+        format_value(allowed_m[1], Dimension::LENGTH)
+    )]
+    RoughnessOutsideFilm {
+        /// The joint.
+        joint: String,
+        /// The film.
+        law: &'static str,
+        /// The roughness in this sample, m.
+        roughness_m: f64,
+        /// The clearance in this sample, m.
+        clearance_m: f64,
+        /// Smallest and largest roughness at this clearance, m.
+        allowed_m: [f64; 2],
+    },
     /// The loops cannot be closed at this instant.
     #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
     CannotClose {

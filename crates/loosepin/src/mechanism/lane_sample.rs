@@ -8,7 +8,7 @@ use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
 use super::sample::{PlayGeometry, Sample};
 use super::spring::SpringGeometry;
-use crate::contact::{FrictionLaw, NormalContact, NormalLaw};
+use crate::contact::{Film, FrictionLaw, NormalContact, NormalLaw};
 use crate::math::{Real, Vec2};
 
 impl<T: Real> Sample<T> {
@@ -67,6 +67,9 @@ impl<T: Real> Sample<T> {
             visit(&mut play.clearance_m);
             play.normal.visit(visit);
             play.friction.visit(visit);
+            if let Some(film) = &mut play.film {
+                film.visit(visit);
+            }
             visit(&mut play.minimum_impact_speed_m_s);
         }
         self.springs.iter_mut().for_each(|spring| spring.visit(visit));
@@ -133,6 +136,7 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
         clearance_m: number(from.clearance_m),
         normal: NormalLaw::broadcast(&from.normal),
         friction: FrictionLaw::broadcast(&from.friction),
+        film: from.film.as_ref().map(Film::broadcast),
         sliding_velocity: from.sliding_velocity,
         minimum_impact_speed_m_s: number(from.minimum_impact_speed_m_s),
         largest_valid_impact_speed_m_s: from.largest_valid_impact_speed_m_s,

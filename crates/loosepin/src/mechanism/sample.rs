@@ -10,8 +10,9 @@ use super::load::LoadGeometry;
 use super::spring::SpringGeometry;
 use super::{Mechanism, tree::points_of};
 use crate::contact::{
-    FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact, compliance_1_pa,
-    cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s, restitution_of_damping_ratio,
+    Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact,
+    compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
+    restitution_of_damping_ratio,
 };
 use crate::math::{Real, Vec2};
 use crate::model::{Clearance, Contact, JointId, JointKind, SlidingVelocity, Stiffness, Values};
@@ -31,6 +32,8 @@ pub struct PlayGeometry<T> {
     pub normal: NormalLaw<T>,
     /// Friction.
     pub friction: FrictionLaw<T>,
+    /// Film of oil, if any.
+    pub film: Option<Film<T>>,
     /// Reading of eq. (7).
     pub sliding_velocity: SlidingVelocity,
     /// Floor v_min of the impact speed, m/s.
@@ -71,7 +74,8 @@ impl<T: Real> Sample<T> {
     ///
     /// # Errors
     /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
-    /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance.
+    /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance,
+    /// [`SampleError::RoughnessOutsideFilm`] where no film goes with a roughness.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
         let model = &mechanism.model;
         for (index, joint) in model.joints.iter().enumerate() {
@@ -85,7 +89,11 @@ impl<T: Real> Sample<T> {
                         compiled_with_play,
                     });
                 }
-                let law = model.contacts[clearance.contact.0].law;
+                let contact = &model.contacts[clearance.contact.0];
+                if clearance_m > 0.0 {
+                    refuse_roughness_outside_film(&joint.name, contact, clearance_m, values)?;
+                }
+                let law = contact.law;
                 if let NormalDescription::Line(law) = law
                     && let Some(fitted_m) = law.fitted_clearances_m()
                     && clearance_m > 0.0
@@ -141,6 +149,22 @@ impl<T: Real> Sample<T> {
     }
 }
 
+/// A film needs a roughness that goes with the clearance.
+fn refuse_roughness_outside_film(
+    joint: &str,
+    contact: &Contact,
+    clearance_m: f64,
+    values: &Values,
+) -> Result<(), SampleError> {
+    let Some(film) = &contact.film else { return Ok(()) };
+    let (roughness_m, allowed_m) = (values[film.roughness_m], film.law.roughness_m(clearance_m));
+    if (allowed_m[0]..=allowed_m[1]).contains(&roughness_m) {
+        return Ok(());
+    }
+    let (joint, law) = (joint.to_owned(), film.law.name);
+    Err(SampleError::RoughnessOutsideFilm { joint, law, roughness_m, clearance_m, allowed_m })
+}
+
 fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Option<PlayGeometry<T>> {
     let model = &mechanism.model;
     let kind = &model.joints[joint.0].kind;
@@ -161,11 +185,25 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         clearance_m: T::from_f64(clearance_m),
         normal: NormalLaw::broadcast(&normal),
         friction: FrictionLaw::broadcast(&friction),
+        film: film(contact, clearance, values).as_ref().map(Film::broadcast),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
         delivered_restitution: delivered(&normal, contact, values),
     })
+}
+
+/// The film of oil with its numbers.
+fn film(contact: &Contact, clearance: &Clearance, values: &Values) -> Option<Film<f64>> {
+    let (film, length) = contact.film.as_ref().zip(clearance.bearing_length_m)?;
+    let bearing = FilmBearing {
+        viscosity_pa_s: values[film.viscosity_pa_s],
+        radius_m: values[clearance.bearing_radius_m],
+        length_m: values[length],
+        clearance_m: values[clearance.radial_clearance_m],
+        roughness_m: values[film.roughness_m],
+    };
+    Some(Film::new(film.law, &bearing))
 }
 
 /// The normal force law with its numbers: stiffness for this clearance, or as given, and energy loss.

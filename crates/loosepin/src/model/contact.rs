@@ -1,11 +1,13 @@
 //! Contacts between pin and hole.
 
 use super::file::{ModelReader, UNREAD};
-use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
+use super::keys::{CONTACT_KEYS, FILM_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
-use crate::contact::{FRICTION_LAWS, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw};
+use super::topology::{Contact, ContactId, Friction, Lubrication, SlidingVelocity, Stiffness};
+use crate::contact::{
+    FILM_LAWS, FRICTION_LAWS, FilmDescription, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw,
+};
 use crate::contact::{friction_law, point_law};
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Rule};
@@ -16,6 +18,8 @@ const DEFAULT_LAW: &str = "lankarani-nikravesh";
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
 /// The friction law where the file names none.
 const DEFAULT_FRICTION_LAW: &str = "ambrosio";
+/// The film where the file names none: the one for bearings of any length.
+const DEFAULT_FILM_LAW: &str = "finite-length";
 
 impl ModelReader {
     /// Reads the table of contacts.
@@ -57,6 +61,7 @@ impl ModelReader {
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
         let friction = table.get("friction").and_then(|entry| self.friction(&entry));
+        let film = table.get("film").map(|entry| self.film(&entry));
         Some(Contact {
             name: name.to_owned(),
             law: law?,
@@ -68,6 +73,7 @@ impl ModelReader {
             minimum_impact_speed_m_s: minimum_impact_speed_m_s?,
             density_kg_m3,
             friction,
+            film: film.map_or(Some(None), |film| film.map(Some))?,
         })
     }
 
@@ -256,5 +262,18 @@ impl ModelReader {
         }
         let numbers = numbers.into_iter().collect::<Option<Vec<QuantityId>>>()?;
         Some(Friction { law, numbers, sliding_velocity: sliding_velocity? })
+    }
+
+    fn film(&mut self, entry: &Entry<'_>) -> Option<Lubrication> {
+        let table = self.reader.table(entry, &FILM_KEYS)?;
+        let choices = FILM_LAWS.iter().map(|law| (law.name, law));
+        let choices: Vec<(&'static str, &'static FilmDescription)> = choices.collect();
+        let law = match table.get("law") {
+            Some(entry) => self.reader.choice(&entry, &choices),
+            None => choices.iter().find(|(name, _)| *name == DEFAULT_FILM_LAW).map(|(_, law)| *law),
+        };
+        let viscosity_pa_s = self.quantity(&table, "viscosity");
+        let roughness_m = self.quantity(&table, "roughness");
+        Some(Lubrication { law: law?, viscosity_pa_s: viscosity_pa_s?, roughness_m: roughness_m? })
     }
 }

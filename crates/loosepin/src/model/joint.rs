@@ -88,9 +88,15 @@ impl ModelReader {
         }
         let contact = contact?;
         // A length that is there and could not be read was complained about.
-        if matches!(self.contacts[contact.0].law, NormalDescription::Line(_)) && !table.has("bearing_length") {
-            let needs = vec!["bearing_length"];
-            let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key: "contact", needs };
+        let has_line_law = matches!(self.contacts[contact.0].law, NormalDescription::Line(_));
+        let has_film = self.contacts[contact.0].film.is_some();
+        if (has_line_law || has_film) && !table.has("bearing_length") {
+            let entry = table.path.describe();
+            let problem = if has_line_law {
+                ModelProblem::NeedsKeys { entry, key: "contact", needs: vec!["bearing_length"] }
+            } else {
+                ModelProblem::FilmNeedsLength { entry }
+            };
             self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
             return None;
         }

@@ -5,7 +5,7 @@ use super::coupling_keys::{CAM_KEYS, COUPLING_KINDS};
 use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
-use crate::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -43,6 +43,29 @@ fn damping_names() -> Vec<&'static str> {
 fn friction_law_names() -> Vec<&'static str> {
     FRICTION_LAWS.iter().map(|law| law.name).collect()
 }
+
+fn film_law_names() -> Vec<&'static str> {
+    FILM_LAWS.iter().map(|law| law.name).collect()
+}
+
+pub(super) static FILM_KEYS: Keys = Keys::new(
+    "a film of oil between pin and hole",
+    &[
+        optional(
+            "law",
+            Kind::ChoiceOf(film_law_names),
+            "\"finite-length\"",
+            "how the pressure follows from the motion; finite-length if left out",
+        ),
+        required("viscosity", quantity(D::VISCOSITY, Rule::Positive), "\"0.04 Pa s\"", "dynamic viscosity of the oil"),
+        required(
+            "roughness",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"2 um\"",
+            "thickness below which the film no longer stiffens; beyond the clearance it fades over as much",
+        ),
+    ],
+);
 
 pub(super) static FRICTION_KEYS: Keys = Keys::new(
     "friction between pin and hole",
@@ -188,6 +211,12 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
             "density, to say which impacts are too fast for the law",
         ),
         optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
+        optional(
+            "film",
+            Kind::Table(&FILM_KEYS),
+            "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }",
+            "film of oil, for joints with a bearing_length; none if left out",
+        ),
     ],
 );
 
@@ -208,7 +237,7 @@ pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
             "bearing_length",
             quantity(D::LENGTH, Rule::Positive),
             "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws",
+            "length of the bearing along its axis, for line-contact laws and films of oil",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
     ],

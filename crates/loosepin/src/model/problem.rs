@@ -89,6 +89,12 @@ pub enum ModelProblem {
         /// What is missing.
         needs: Vec<&'static str>,
     },
+    /// A film of oil in a bearing without a length.
+    #[error("{entry}: 'contact' needs 'bearing_length'")]
+    FilmNeedsLength {
+        /// The joint.
+        entry: String,
+    },
     /// A key without effect in this combination.
     #[error("{entry}: '{key}' has no meaning beside '{beside}'")]
     KeyWithoutEffect {
@@ -325,6 +331,7 @@ impl Problem for ModelProblem {
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
+            | Self::FilmNeedsLength { .. }
             | Self::KeyWithoutEffect { .. }
             | Self::JointNotRead { .. } => Code::ConflictingKeys,
             Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
@@ -367,6 +374,9 @@ impl Problem for ModelProblem {
             }
             Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"bearing_length") => {
                 Some("the contact has a line-contact law, whose force is proportional to the length".to_owned())
+            }
+            Self::FilmNeedsLength { .. } => {
+                Some("the contact has a film of oil, whose force depends on the length of the bearing".to_owned())
             }
             Self::NeedsKeys { key: "radial_clearance", .. } => {
                 Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())

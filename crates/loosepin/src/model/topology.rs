@@ -11,7 +11,7 @@ use super::initial::InitialValue;
 use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
-use crate::contact::{FrictionDescription, LinearLaw, NormalDescription, PointLaw};
+use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
 
@@ -210,6 +210,19 @@ pub struct Contact {
     pub density_kg_m3: Option<QuantityId>,
     /// Friction, if any.
     pub friction: Option<Friction>,
+    /// Film of oil, if any.
+    pub film: Option<Lubrication>,
+}
+
+/// A film of oil between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Lubrication {
+    /// The film.
+    pub law: &'static FilmDescription,
+    /// Viscosity of the oil, Pa s, > 0.
+    pub viscosity_pa_s: QuantityId,
+    /// The thinnest film, m, > 0.
+    pub roughness_m: QuantityId,
 }
 
 /// Where the contact stiffness comes from.

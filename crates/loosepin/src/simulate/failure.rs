@@ -91,7 +91,7 @@ pub enum RunFailure {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 13] = [
+const CODES: [&str; 14] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -105,6 +105,7 @@ const CODES: [&str; 13] = [
     "beyond_contact_law",
     "clearance_outside_fit",
     "start_contradicts",
+    "roughness_outside_film",
 ];
 
 impl RunFailure {
@@ -129,6 +130,7 @@ impl RunFailure {
             Self::BeyondLaw { .. } => 10,
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
             Self::Sample(SampleError::StartContradicts { .. }) => 12,
+            Self::Sample(SampleError::RoughnessOutsideFilm { .. }) => 13,
         }
     }
 

@@ -1,8 +1,8 @@
 //! The state vector of a run, or of one run a lane, and its derivative.
 //!
 //! One integrates over s with dt/ds = w. Mostly w = 1 and s is the time. During a contact whose law is K δ^1.5 without
-//! friction, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
-//! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
+//! friction or oil, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning
+//! of the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
 use crate::contact::NormalContact;
@@ -44,7 +44,8 @@ impl Layout {
                 dimension - 1
             })
         };
-        let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
+        let has_root =
+            |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts() && play.film.is_none();
         let contacts = 0..sample.contacts.len();
         let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
         let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();
@@ -89,7 +90,7 @@ pub struct Account<T> {
     pub supplied_j: T,
     /// Turned into heat by normal contact.
     pub contact_loss_j: T,
-    /// Turned into heat by friction.
+    /// Turned into heat by friction and by films of oil.
     pub friction_loss_j: T,
     /// Turned into heat by dampers.
     pub damping_loss_j: T,
@@ -238,9 +239,10 @@ impl<T: Real> System<T> for Motion<'_, T> {
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
 /// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
-/// that rate, and so integrals of errors of controls. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every step. Deflections of bristles: the same
-/// share of their largest in steady sliding as a length has of the size. With friction, whose kinks the work of friction shows
-/// one derivative earlier than the velocities, with forces that begin as abruptly, and with actuators that meet their limits, also the energy account: the same share of `energy_j` as a length has of the
+/// that rate, and so integrals of errors of controls. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every
+/// step. Deflections of bristles: the same share of their largest in steady sliding as a length has of the size. With oil, with
+/// friction, whose kinks the work of friction shows one derivative earlier than the velocities, with forces that begin as
+/// abruptly, and with actuators that meet their limits, also the energy account: the same share of `energy_j` as a length has of the
 /// size.
 pub fn tolerances<T: Real>(
     motion: &Motion<'_, T>,
@@ -280,7 +282,10 @@ pub fn tolerances<T: Real>(
         }
     }
     let has_limits = sample.controls.iter().any(|control| control.limit.is_some());
-    if has_limits || sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
+    let is_abrupt = |play: &PlayGeometry<f64>| {
+        play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset()
+    };
+    if has_limits || sample.plays.iter().any(is_abrupt) {
         tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances

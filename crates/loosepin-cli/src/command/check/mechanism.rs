@@ -170,6 +170,15 @@ fn play_lines(
         Some(friction) => friction_words(model, friction, values),
     };
     lines.push(format!("{stiffness}{friction}"));
+    if let Some(film) = &contact.film {
+        let bearing = clearance.bearing_length_m.map_or(String::new(), |id| format!(", {} of bearing", length(id)));
+        lines.push(format!(
+            "film of oil by {}: viscosity {}, roughness {}{bearing}",
+            film.law.name,
+            format_value(values[film.viscosity_pa_s], Dimension::VISCOSITY),
+            length(film.roughness_m)
+        ));
+    }
     if let Some(limit_m_s) =
         numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
     {
