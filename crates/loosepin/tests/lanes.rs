@@ -107,6 +107,7 @@ impl Queue for Waiting<'_> {
             arms: Arms::new(&self.case.mechanism, &values),
             window: Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s },
             observer: Watcher { index, seen: Seen::default(), looks_inside: index.is_multiple_of(2) },
+            resume: None,
         })
     }
 

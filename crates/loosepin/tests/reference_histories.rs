@@ -47,7 +47,7 @@ fn run(folder: &Path, reference: &Reference, tolerance_m: f64) -> Simulation {
     let rows = reference.time_s.len() - 1;
     cycle.samples_per_turn = (rows as f64 / cycle.recorded_turns).round() as usize;
     let settings = Settings { tolerance_m, ..Settings::for_simulation() };
-    let plan = Plan { cycle, settings, with_states: true, overrides: Vec::new() };
+    let plan = Plan { cycle, settings, with_states: true, lyapunov_turns: None, overrides: Vec::new() };
     simulate(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
 }
 

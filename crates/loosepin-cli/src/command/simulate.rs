@@ -84,6 +84,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         cycle,
         settings: Settings { tolerance_m, ..Settings::for_simulation() },
         with_states: arguments.states,
+        lyapunov_turns: arguments.lyapunov,
         overrides: overrides(&arguments.set),
     })
 }
@@ -93,6 +94,9 @@ fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan) -> InputsHa
     hasher.add("model", model.source().text());
     for set in &arguments.set {
         hasher.add("set", set);
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        hasher.add("lyapunov_turns", turns.to_string());
     }
     hasher
         .add_number("transient_turns", plan.cycle.transient_turns)

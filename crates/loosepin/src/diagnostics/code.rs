@@ -318,6 +318,10 @@ or look whether the parts are far too soft or the drive far too fast."
 "The law of Pereira, Ramalho and Ambrósio is a formula fitted to computed contacts, for radial clearances from 0.005 to 10 mm. \
 Outside it means nothing, so such a clearance is refused. In a study, a run with such a clearance fails by this reason."
 
+    NothingIsFree "E0811" "a motion has no neighbours"
+"A Lyapunov exponent tells how fast neighbouring motions part. Where ideal joints leave no motion beside the one that the \
+drives prescribe, there are no neighbours: the mechanism follows its drives exactly."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

@@ -6,6 +6,7 @@ mod chart;
 mod glossary;
 mod mechanism_figure;
 mod mechanism_shapes;
+mod motion_kind_section;
 mod motion_page;
 mod number;
 mod page;

@@ -88,10 +88,13 @@ pub enum RunFailure {
         /// The limit.
         most: usize,
     },
+    /// The drives leave nothing free that a neighbouring motion could differ in.
+    #[error("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent")]
+    NothingIsFree,
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 13] = [
+const CODES: [&str; 14] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -105,6 +108,7 @@ const CODES: [&str; 13] = [
     "beyond_contact_law",
     "clearance_outside_fit",
     "start_contradicts",
+    "nothing_is_free",
 ];
 
 impl RunFailure {
@@ -129,6 +133,7 @@ impl RunFailure {
             Self::BeyondLaw { .. } => 10,
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
             Self::Sample(SampleError::StartContradicts { .. }) => 12,
+            Self::NothingIsFree => 13,
         }
     }
 
@@ -149,6 +154,7 @@ impl Problem for RunFailure {
             Self::TooManyRows { .. } => Code::BadCount,
             Self::LeavesBearing { .. } => Code::PinLeavesBearing,
             Self::BeyondLaw { .. } => Code::BeyondContactLaw,
+            Self::NothingIsFree => Code::NothingIsFree,
         }
     }
 
@@ -165,6 +171,7 @@ impl Problem for RunFailure {
             Self::LeavesBearing { .. } => {
                 Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
             }
+            Self::NothingIsFree => Some("leave --lyapunov out, or give a joint some play".to_owned()),
             Self::BeyondLaw { .. } => Some("take a law without such a limit, liu or bai-zhao".to_owned()),
         }
     }
@@ -183,6 +190,7 @@ impl RunFailure {
                 Complaint::error(self, None)
             }
             Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
+            Self::NothingIsFree => Complaint::error(self, None),
         }
     }
 }

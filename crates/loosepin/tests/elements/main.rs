@@ -3,6 +3,7 @@
 mod drives;
 mod initial;
 mod loads;
+mod neighbours;
 mod springs;
 
 use loosepin::mechanism::{Mechanism, Sample};

@@ -24,6 +24,7 @@ use crate::simulate::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::simulate::projection::Projection;
 use crate::simulate::reads::ReadLayout;
 use crate::simulate::report::{Counters, PlaySummary, RunReport};
+use crate::simulate::resume::MotionState;
 use crate::simulate::settings::{Settings, Window};
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
@@ -44,6 +45,8 @@ pub struct Run<O> {
     pub window: Window,
     /// Who looks at it.
     pub observer: O,
+    /// Where it goes on from; without, it starts at time zero in the ideal position.
+    pub resume: Option<MotionState>,
 }
 
 /// Runs that wait for a lane, and where they go when they are over.
@@ -126,33 +129,46 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         }
     }
 
-    /// Starts `run` in `lane` at its ideal position and velocities, journals centred.
+    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or where it goes on.
     fn start(&mut self, lane: usize, run: Run<O>, queue: &mut dyn Queue<Observer = O>) {
-        let Run { sample, arms, window, observer } = run;
-        let (coordinates, rates) = match self.mechanism.start(&sample) {
-            Ok(start) => start,
-            Err(error) => return queue.finished(observer, Err(error.into())),
-        };
+        let Run { mut sample, arms, window, observer, resume } = run;
         let n = self.mechanism.real.free;
         let state = &mut self.view_state;
-        state.fill(0.0);
-        state[..n].copy_from_slice(&coordinates[..n]);
-        state[n..2 * n].copy_from_slice(&rates[..n]);
+        let mut start_s = 0.0;
+        match &resume {
+            Some(resume) => {
+                start_s = resume.time_s(&self.view.layout);
+                sample.drives.take_pieces_at(start_s);
+                state.copy_from_slice(&resume.state);
+            }
+            None => {
+                let (coordinates, rates) = match self.mechanism.start(&sample) {
+                    Ok(start) => start,
+                    Err(error) => return queue.finished(observer, Err(error.into())),
+                };
+                state.fill(0.0);
+                state[..n].copy_from_slice(&coordinates[..n]);
+                state[n..2 * n].copy_from_slice(&rates[..n]);
+            }
+        }
         let mut rate_1_s = fastest_drive_rad_s(self.mechanism, &sample, window.end_s);
         self.started += 1;
         self.viewed = self.started;
         self.view.dynamics.sample_mut().clone_from(&sample);
-        self.view.set_state(0.0, state);
+        self.view.set_state(start_s, state);
         if !self.mechanism.is_driven() {
             self.view.states.fill(PlayState::flight());
-            self.view.evaluate(0.0, state);
+            self.view.evaluate(start_s, state);
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
         }
         let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
+        if let Some(resume) = &resume {
+            self.core.resume(lane, resume);
+        }
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
-        let stop_s = sample.drives.next_break_s(0.0).min(window.end_s);
+        let stop_s = sample.drives.next_break_s(start_s).min(window.end_s);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
