@@ -124,8 +124,9 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
-/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all.
-const CASES: [(&str, f64); 11] = [
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all,
+/// friction in ideal joints.
+const CASES: [(&str, f64); 12] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -137,6 +138,7 @@ const CASES: [(&str, f64); 11] = [
     ("slider_crank_elements.toml", 0.1),
     ("slider_crank_table_drive.toml", 0.3),
     ("pendulum_on_a_spring.toml", 0.3),
+    ("slider_crank_joint_friction.toml", 0.1),
 ];
 
 #[test]

@@ -278,6 +278,10 @@ computed. Start a few degrees away, or drive another joint."
 it has freedoms that no drive moves, and as many rates (none at all for a mechanism without drives means at rest). What is \
 given beyond that must agree with the links. Everything else follows from the joints."
 
+    FrictionNotPossible "E0707" "friction in a joint cannot be computed"
+"Friction in an ideal joint is as large as what the joint carries. Where constraints repeat each other, rigid bodies do not say \
+how they share the force."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 
@@ -321,6 +325,11 @@ Outside it means nothing, so such a clearance is refused. In a study, a run with
     NothingIsFree "E0811" "a motion has no neighbours"
 "A Lyapunov exponent tells how fast neighbouring motions part. Where ideal joints leave no motion beside the one that the \
 drives prescribe, there are no neighbours: the mechanism follows its drives exactly."
+
+    Jams "E0812" "friction in a joint has no solution"
+"Friction in an ideal joint is as large as what the joint carries, and what it carries depends on the friction. With much \
+friction, a long arm or a short guide no friction force fits any more (jamming, Painlevé's paradox): a rigid body has no motion \
+then."
 
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \

@@ -6,6 +6,7 @@
 mod contact;
 mod energy;
 mod equations;
+mod joint_friction;
 mod linear_spring;
 mod load;
 mod pin;

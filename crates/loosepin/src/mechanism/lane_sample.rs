@@ -3,6 +3,7 @@
 use super::contact_place::PlayShape;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
+use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::sample::{PlayGeometry, Sample};
 use super::spring::SpringGeometry;
@@ -17,6 +18,7 @@ impl<T: Real> Sample<T> {
             real: geometry(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
             contacts: sample.contacts.clone(),
+            frictions: sample.frictions.iter().map(JointFriction::broadcast).collect(),
             springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
             loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
             drives: Drives::broadcast(&sample.drives),
@@ -64,6 +66,7 @@ impl<T: Real> Sample<T> {
             play.friction.visit(visit);
             visit(&mut play.minimum_impact_speed_m_s);
         }
+        self.frictions.iter_mut().for_each(|friction| friction.visit(visit));
         self.springs.iter_mut().for_each(|spring| spring.visit(visit));
         self.loads.iter_mut().for_each(|load| load.visit(visit));
         self.drives.visit(visit);

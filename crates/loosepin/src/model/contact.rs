@@ -7,7 +7,7 @@ use super::quantity::{Origin, QuantityId};
 use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
 use crate::contact::{FRICTION_LAWS, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw};
 use crate::contact::{friction_law, point_law};
-use crate::document::{Entry, Table};
+use crate::document::{Entry, Keys, Table};
 use crate::units::{Dimension, Rule};
 
 /// The law where the file names none: that of the source paper.
@@ -55,7 +55,7 @@ impl ModelReader {
         let damping = self.damping(table, law);
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
-        let friction = table.get("friction").and_then(|entry| self.friction(&entry));
+        let friction = table.get("friction").and_then(|entry| self.friction(&entry, &FRICTION_KEYS));
         Some(Contact {
             name: name.to_owned(),
             law: law?,
@@ -207,8 +207,9 @@ impl ModelReader {
         Some(Stiffness::Given { stiffness_n_m_n, exponent })
     }
 
-    fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
-        let table = self.reader.table(entry, &FRICTION_KEYS)?;
+    /// Reads a friction law with its numbers.
+    pub(super) fn friction(&mut self, entry: &Entry<'_>, keys: &'static Keys) -> Option<Friction> {
+        let table = self.reader.table(entry, keys)?;
         let law = match table.get("law") {
             Some(entry) => {
                 let choices: Vec<(&'static str, &'static FrictionDescription)> =
@@ -217,7 +218,9 @@ impl ModelReader {
             }
             None => friction_law(DEFAULT_FRICTION_LAW),
         };
-        let sliding_velocity = match table.get("sliding_velocity") {
+        let has_readings = keys.find("sliding_velocity").is_some();
+        let reading = if has_readings { table.get("sliding_velocity") } else { None };
+        let sliding_velocity = match reading {
             Some(entry) => {
                 let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
                 self.reader.choice(&entry, &readings)
@@ -226,12 +229,12 @@ impl ModelReader {
         };
         let Some(law) = law else {
             // What is wrong with the numbers is said nevertheless.
-            for key in FRICTION_KEYS.keys {
+            for key in keys.keys {
                 self.quantity(&table, key.name);
             }
             return None;
         };
-        for key in FRICTION_KEYS.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
+        for key in keys.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
             let is_taken = law.numbers.iter().any(|number| number.key == key.name);
             if let Some(entry) = table.get(key.name).filter(|_| !is_taken) {
                 let entry_words = table.path.describe();

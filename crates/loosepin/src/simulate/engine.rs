@@ -1,6 +1,6 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run};
+use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run};
 use super::column::{Arms, Reading};
 use super::failure::RunFailure;
 use super::gap::GapJet;
@@ -169,7 +169,19 @@ fn run_kinematics(
             return Err(error.into());
         }
         match &mut account {
-            Some(account) => account.close_step(&mut motion, &mut ideal, start_s, end_s)?,
+            Some(account) => {
+                account.close_step(&mut motion, &mut ideal, start_s, end_s)?;
+                let mut jams = None;
+                motion.dynamics.joint_friction_residuals(|index, residual| {
+                    if !(residual <= LARGEST_RESIDUAL) {
+                        jams = jams.or(Some(index));
+                    }
+                });
+                if let Some(index) = jams {
+                    let joint = mechanism.model.joints[sample.frictions[index].joint.0].name.clone();
+                    return Err(RunFailure::Jams { joint, time_s: end_s });
+                }
+            }
             None => ideal.move_to(end_s)?,
         }
         start_s = end_s;

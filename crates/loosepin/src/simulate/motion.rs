@@ -24,6 +24,8 @@ pub struct Layout {
     pub roots: Vec<Option<usize>>,
     /// Place of the deflection of the bristles of each contact whose friction law has them.
     pub bristles: Vec<Option<usize>>,
+    /// Place of the deflection of the bristles of each ideal joint whose friction law has them.
+    pub joint_bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
     /// Whether the loss of dampers is an integral as well, the last one.
@@ -45,8 +47,9 @@ impl Layout {
         let contacts = 0..sample.contacts.len();
         let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
         let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();
+        let joint_bristles = sample.frictions.iter().map(|friction| place_if(friction.law.has_bristle())).collect();
         let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
-        Self { freedoms, roots, bristles, dimension, has_dampers }
+        Self { freedoms, roots, bristles, joint_bristles, dimension, has_dampers }
     }
 
     /// Place of the time.
@@ -154,6 +157,11 @@ impl<'a, T: Real> Motion<'a, T> {
                 *bristle_m = state[place];
             }
         }
+        for (index, place) in self.layout.joint_bristles.iter().enumerate() {
+            if let Some(place) = place {
+                self.dynamics.set_joint_bristle(index, state[*place]);
+            }
+        }
         self.dynamics.evaluate_with_unknowns(time_s, &state[..n], &state[n..2 * n], &self.states, &self.unknowns);
     }
 
@@ -203,6 +211,11 @@ impl<T: Real> System<T> for Motion<'_, T> {
                     self.dynamics.contacts()[contact].bristle_rate_m_s * pace * self.states[contact].contact;
             }
         }
+        for (index, place) in self.layout.joint_bristles.iter().enumerate() {
+            if let Some(place) = place {
+                slope[*place] = self.dynamics.joint_bristle_rate_m_s(index) * pace;
+            }
+        }
         let powers = self.dynamics.powers();
         let account = self.layout.dimension;
         slope[account] = powers.drives_w * pace;
@@ -216,6 +229,9 @@ impl<T: Real> System<T> for Motion<'_, T> {
         }
     }
 }
+
+/// Share of the kinetic energy at the rate of the motion that the energy account is held to, at least.
+const RESTING_SHARE: f64 = 1e-6;
 
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
@@ -253,7 +269,17 @@ pub fn tolerances<T: Real>(
             tolerances[*place] = local_rad * sample.play_of(contact).friction.largest_deflection_m();
         }
     }
-    if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
+    for (place, friction) in motion.layout.joint_bristles.iter().zip(&sample.frictions) {
+        if let Some(place) = place {
+            tolerances[*place] = local_rad * friction.law.largest_deflection_m();
+        }
+    }
+    if !sample.frictions.is_empty() {
+        // A mechanism at rest has no energy yet: a share of what its masses have at the rate of its motion.
+        let masses_kg: f64 = sample.real.links.iter().map(|link| link.mass_kg).sum();
+        let at_rate_j = RESTING_SHARE * masses_kg * (mechanism.size_m * rate_1_s).powi(2);
+        tolerances.extend(vec![local_rad * energy_j.max(at_rate_j); motion.layout.integrals()]);
+    } else if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
         tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances

@@ -33,6 +33,7 @@ impl MotionState {
 
     /// Places of coordinates, rates and deflections of bristles.
     pub(super) fn places(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
-        (0..layout.time()).chain(layout.bristles.iter().flatten().copied())
+        let bristles = layout.bristles.iter().chain(&layout.joint_bristles);
+        (0..layout.time()).chain(bristles.flatten().copied())
     }
 }

@@ -2,6 +2,7 @@
 
 mod drives;
 mod initial;
+mod joint_friction;
 mod loads;
 mod neighbours;
 mod springs;

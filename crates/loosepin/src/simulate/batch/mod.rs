@@ -6,7 +6,7 @@
 mod depth;
 mod switch;
 
-pub use depth::DepthLimit;
+pub use depth::{DepthLimit, LARGEST_RESIDUAL};
 
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -299,6 +299,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let error = self.core.errors.lane(lane);
         let step = self.core.steps.lane(lane);
         let [time_s, pace, change] = self.times(lane)[0].jet;
+        let friction = self.check_joint_friction(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         run.counters.rejections += 1;
         run.was_rejected = true;
@@ -307,7 +308,11 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         run.next = step * factor;
         let next_s = run.next * (pace + 0.5 * run.next * change).abs();
         let smallest_s = run.smallest_s.max(8.0 * f64::EPSILON * time_s);
-        let failure = if next_s < smallest_s && error.is_finite() {
+        let failure = if next_s < smallest_s
+            && let Err(jams) = friction
+        {
+            jams
+        } else if next_s < smallest_s && error.is_finite() {
             RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
         } else if next_s < smallest_s {
             RunFailure::NotFinite { time_s }
@@ -325,6 +330,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
         let start_s = self.core.start[ReadLayout::TIME].lane(lane);
         self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
+        self.check_joint_friction(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
         let end_s = if run.reaches_stop { run.stop_s } else { end_s };
