@@ -140,6 +140,9 @@ pub struct SimulateArguments {
     /// Rows to record in a turn, 1 to 1000000 [default: as in the model]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), allow_negative_numbers = true)]
     pub samples: Option<u32>,
+    /// Also measure over N turns how fast neighbouring motions part (largest Lyapunov exponent), 20 to 1000000
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=1_000_000), allow_negative_numbers = true)]
+    pub lyapunov: Option<u32>,
     /// Accuracy of positions over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,

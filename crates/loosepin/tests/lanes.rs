@@ -107,6 +107,7 @@ impl Queue for Waiting<'_> {
             arms: Arms::new(&self.case.mechanism, &values),
             window: Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s },
             observer: Watcher { index, seen: Seen::default(), looks_inside: index.is_multiple_of(2) },
+            resume: None,
         })
     }
 
@@ -123,8 +124,9 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
-/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam.
-const CASES: [(&str, f64); 14] = [
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
+/// friction in ideal joints.
+const CASES: [(&str, f64); 15] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -139,6 +141,7 @@ const CASES: [(&str, f64); 14] = [
     ("backlash.toml", 0.05),
     ("geared_pendulum.toml", 0.3),
     ("cam_lifter.toml", 0.4),
+    ("slider_crank_joint_friction.toml", 0.1),
 ];
 
 #[test]

@@ -95,6 +95,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         cycle,
         settings: Settings { tolerance_m, ..Settings::for_simulation() },
         with_states: arguments.states,
+        lyapunov_turns: arguments.lyapunov,
         overrides: overrides(&arguments.set),
     })
 }
@@ -112,6 +113,9 @@ fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan, measured: &
     }
     for table in measured {
         hasher.add("measured", table.text());
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        hasher.add("lyapunov_turns", turns.to_string());
     }
     hasher
         .add_number("transient_turns", plan.cycle.transient_turns)

@@ -304,6 +304,10 @@ given beyond that must agree with the links. Everything else follows from the jo
 "A control needs a freedom that no drive moves. Inverse dynamics, fed forward along the references, is worked out for open chains \
 on the ground in which every joint is driven or controlled, so that the motion without play is known."
 
+    FrictionNotPossible "E0708" "friction in a joint cannot be computed"
+"Friction in an ideal joint is as large as what the joint carries. Where constraints repeat each other, rigid bodies do not say \
+how they share the force."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 
@@ -348,6 +352,15 @@ Outside it means nothing, so such a clearance is refused. In a study, a run with
 "The roughness of a film is the thickness below which it no longer stiffens. It must be less than half of the radial clearance, or \
 there is hardly a film at all; and the film of finite length is computed for films down to 0.002 of the clearance. In a study, a \
 run outside of that fails by this reason."
+
+    NothingIsFree "E0812" "a motion has no neighbours"
+"A Lyapunov exponent tells how fast neighbouring motions part. Where ideal joints leave no motion beside the one that the \
+drives prescribe, there are no neighbours: the mechanism follows its drives exactly."
+
+    Jams "E0813" "friction in a joint has no solution"
+"Friction in an ideal joint is as large as what the joint carries, and what it carries depends on the friction. With much \
+friction, a long arm or a short guide no friction force fits any more (jamming, Painlevé's paradox): a rigid body has no motion \
+then."
 
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \

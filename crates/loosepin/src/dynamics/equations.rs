@@ -3,6 +3,7 @@
 use super::contact::{ContactForce, ContactUnknowns, GapMotion};
 use super::control::ActuatorForce;
 use super::inverse::InverseDynamics;
+use super::joint_friction::JointFrictions;
 use super::load::LoadForce;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
@@ -81,13 +82,15 @@ pub struct Dynamics<'a, T> {
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
-    forces: Vec<T>,
+    pub(super) forces: Vec<T>,
     /// Partial velocities of the centre of mass of the link at hand.
     centre_partials: Vec<Vec2<T>>,
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
     /// J M⁻¹ Jᵀ.
     pub(super) gram: GramSystem<T>,
+    /// Friction in ideal joints, where there is any.
+    pub(super) joint_frictions: Option<JointFrictions<T>>,
 }
 
 impl<'a, T: Real> Dynamics<'a, T> {
@@ -161,6 +164,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             jacobian: vec![T::zero(); rows * z],
             constraint_biases: vec![T::zero(); rows],
             gram: GramSystem::new(tree.constraint_scales(), n),
+            joint_frictions: JointFrictions::new(mechanism, sample),
         }
     }
 
@@ -211,12 +215,16 @@ impl<'a, T: Real> Dynamics<'a, T> {
             || {
                 self.set_motion(time_s, free_coordinates, free_rates);
                 self.set_forces(states, unknowns);
+                if let Some(frictions) = &mut self.joint_frictions {
+                    frictions.begin(&self.kinematics, &self.sample.frictions);
+                }
                 self.add_bodies();
                 self.add_springs();
                 self.add_loads();
                 self.add_controls();
                 self.add_plays();
                 self.solve();
+                self.add_joint_friction();
             },
         );
     }
@@ -293,6 +301,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
         if slot == 0 {
             return;
         }
+        if let Some(frictions) = &mut self.joint_frictions {
+            frictions.take_force(slot, self.kinematics.poses[slot].position_m + arm_m, force_n, moment_n_m);
+        }
         let about_origin = moment_n_m + arm_m.cross(force_n);
         let partials = self.kinematics.partials(slot);
         for (dependence, partial) in self.mechanism.real.links[slot - 1].dependences.iter().zip(partials) {
@@ -342,6 +353,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
         for force in &self.contacts {
             powers.contact_loss_w += force.contact_loss_w;
             powers.friction_loss_w += force.friction_loss_w;
+        }
+        if self.joint_frictions.is_some() {
+            powers.friction_loss_w += self.joint_friction_loss_w();
         }
         let tree = &self.mechanism.real;
         for k in 0..tree.drives.len() {

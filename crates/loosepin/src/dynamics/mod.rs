@@ -9,6 +9,7 @@ mod energy;
 mod equations;
 mod film;
 mod inverse;
+mod joint_friction;
 mod linear_spring;
 mod load;
 mod pin;

@@ -174,7 +174,7 @@ impl<T: Real> Dynamics<'_, T> {
                     CutKind::Prismatic => {
                         let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
                         let (sine, cosine) = angle.sin_cos();
-                        Vec2::new(-sine, cosine) * first
+                        Vec2::new(-sine, cosine) * first + self.guide_friction_n(cut.joint)
                     }
                 };
                 row += cut.kind.rows();

@@ -11,6 +11,7 @@ impl Problem for MechanismError {
             Self::TooFewDrives { .. } => Code::TooFewDrives,
             Self::TooManyDrives { .. } => Code::TooManyDrives,
             Self::DrivenLoop { .. } => Code::DrivenLoop,
+            Self::CarriedNotDetermined { .. } => Code::FrictionNotPossible,
             Self::CannotClose { .. } => Code::CannotClose,
             Self::SingularStart { .. } => Code::SingularPosition,
             Self::StartNotDetermined { .. }
@@ -41,6 +42,7 @@ impl Problem for MechanismError {
                  expression over time instead, or nothing"
             }
             Self::TooManyDrives { .. } => "remove a drive",
+            Self::CarriedNotDetermined { .. } => "remove what holds the mechanism twice, or the friction",
             Self::DrivenLoop { .. } => "remove one of the drives of this loop",
             Self::CannotClose { .. } => {
                 "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the \
@@ -75,7 +77,9 @@ impl MechanismError {
                 let drives = model.drives.iter().rev().map(|drive| model.place(&format!("drive.{}", drive.name)));
                 labelled(self, drives, "this is driven too")
             }
-            Self::DrivenLoop { joint } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::DrivenLoop { joint } | Self::CarriedNotDetermined { joint } => {
+                Complaint::error(self, model.place(&format!("joint.{joint}")))
+            }
             Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
         }
     }

@@ -82,6 +82,60 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
     }
 }
 
+/// dΦ for a motion of the bodies that `moves` names, each with a velocity of the origin of its frame and an angular velocity.
+/// A cut both of whose bodies move does not feel it where they move as one.
+#[inline(always)]
+pub fn gradient<T: Real>(
+    tree: &Tree,
+    geometry: &Geometry<T>,
+    kinematics: &Kinematics<T>,
+    moves: impl Fn(usize) -> bool,
+    motion: impl Fn(usize) -> (Vec2<T>, T),
+    out: &mut [T],
+) {
+    out.fill(T::zero());
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let sides = cut.slots.map(&moves);
+        if sides[0] != sides[1] {
+            let (side, sign) = if sides[1] { (1, T::one()) } else { (0, -T::one()) };
+            let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+            let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
+            let (linear, spin) = motion(cut.slots[side]);
+            let velocity = linear.plus(arms[side].turned(), spin) * sign;
+            if cut.kind == CutKind::Prismatic {
+                let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
+                let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
+                out[row] = normal.dot(velocity);
+                if side == 0 {
+                    // The normal turns with the guide: dn/dt = -ω d.
+                    let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+                    out[row] -= spin * line.dot(gap);
+                }
+            } else {
+                out[row] = velocity.x;
+                out[row + 1] = velocity.y;
+            }
+            if cut.kind != CutKind::Revolute {
+                let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+                out[row + cut.kind.rows() - 1] = spin * sign * turn.sin_cos().1;
+            }
+        }
+        row += cut.kind.rows();
+    }
+}
+
+/// Cosine of the angle between the bodies of the cut whose rows begin at `row`, which may be ±1 where they do not turn against
+/// each other: its multiplier is a moment over it.
+#[inline(always)]
+pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, row: usize) -> T {
+    let index = cut_of_row(tree, row);
+    let (cut, numbers) = (&tree.cuts[index], &geometry.cuts[index]);
+    let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+    let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+    turn.sin_cos().1
+}
+
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
 #[inline(always)]
 pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {

@@ -42,6 +42,14 @@ pub enum MechanismError {
         /// The driven joint that closes the loop.
         joint: String,
     },
+    /// A joint with friction in a mechanism whose constraint forces are not determined.
+    #[error(
+        "joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints repeat each other"
+    )]
+    CarriedNotDetermined {
+        /// The joint.
+        joint: String,
+    },
     /// No configuration closes all loops.
     #[error("the links cannot close at the start: {open} at best")]
     CannotClose {

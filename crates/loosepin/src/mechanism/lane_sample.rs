@@ -5,6 +5,7 @@ use super::control::ControlGeometry;
 use super::coupling::CouplingGeometry;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
+use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::sample::{PlayGeometry, Sample};
 use super::spring::SpringGeometry;
@@ -19,6 +20,7 @@ impl<T: Real> Sample<T> {
             real: Geometry::broadcast(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
             contacts: sample.contacts.clone(),
+            frictions: sample.frictions.iter().map(JointFriction::broadcast).collect(),
             springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
             loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
             drives: Drives::broadcast(&sample.drives),
@@ -72,6 +74,7 @@ impl<T: Real> Sample<T> {
             }
             visit(&mut play.minimum_impact_speed_m_s);
         }
+        self.frictions.iter_mut().for_each(|friction| friction.visit(visit));
         self.springs.iter_mut().for_each(|spring| spring.visit(visit));
         self.loads.iter_mut().for_each(|load| load.visit(visit));
         self.drives.visit(visit);

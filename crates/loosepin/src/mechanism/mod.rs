@@ -16,6 +16,7 @@ mod geometry;
 mod ideal;
 mod initial;
 mod joint_coordinate;
+mod joint_friction;
 mod kinematics;
 mod lane_sample;
 mod load;
@@ -36,6 +37,7 @@ pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
 pub use joint_coordinate::{JointGeometry, JointPlace};
+pub use joint_friction::JointFriction;
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{PlayGeometry, Sample};
@@ -122,6 +124,10 @@ impl Mechanism {
         let real_geometry = Geometry::new(model, &mechanism.real, values);
         let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
         mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start);
+        let rows_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
+        if rows_repeat && let Some(joint) = model.joints.iter().find(|joint| joint.friction.is_some()) {
+            return Err(MechanismError::CarriedNotDetermined { joint: joint.name.clone() });
+        }
         Ok(mechanism)
     }
 

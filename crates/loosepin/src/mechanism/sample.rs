@@ -6,6 +6,7 @@ use super::drive::Drives;
 use super::error::SampleError;
 use super::geometry::{Geometry, point_m};
 use super::initial::initial_numbers;
+use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::spring::SpringGeometry;
 use super::{Mechanism, tree::points_of};
@@ -55,6 +56,8 @@ pub struct Sample<T> {
     pub plays: Vec<PlayGeometry<T>>,
     /// Their contacts, in the order of [`Mechanism::contacts`].
     pub contacts: Vec<ContactPlace>,
+    /// Ideal joints with friction, in the order of the model.
+    pub frictions: Vec<JointFriction<T>>,
     /// Springs, in the order of the model.
     pub springs: Vec<SpringGeometry<T>>,
     /// Loads, in the order of the model.
@@ -111,6 +114,7 @@ impl<T: Real> Sample<T> {
             real: Geometry::new(model, &mechanism.real, values),
             plays,
             contacts: mechanism.contacts.clone(),
+            frictions: JointFriction::all(model, values),
             springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
             loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
             drives,

@@ -9,7 +9,7 @@ use crate::contact::{
     FILM_LAWS, FRICTION_LAWS, FilmDescription, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw,
 };
 use crate::contact::{friction_law, point_law};
-use crate::document::{Entry, Table};
+use crate::document::{Entry, Keys, Table};
 use crate::units::{Dimension, Rule};
 
 /// The law where the file names none: that of the source paper.
@@ -60,7 +60,7 @@ impl ModelReader {
         let line_damping = damping.flatten().filter(|_| table.has("damping"));
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
-        let friction = table.get("friction").and_then(|entry| self.friction(&entry));
+        let friction = table.get("friction").and_then(|entry| self.friction(&entry, &FRICTION_KEYS));
         let film = table.get("film").map(|entry| self.film(&entry));
         Some(Contact {
             name: name.to_owned(),
@@ -215,8 +215,9 @@ impl ModelReader {
         Some(Stiffness::Given { stiffness_n_m_n, exponent })
     }
 
-    fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
-        let table = self.reader.table(entry, &FRICTION_KEYS)?;
+    /// Reads a friction law with its numbers.
+    pub(super) fn friction(&mut self, entry: &Entry<'_>, keys: &'static Keys) -> Option<Friction> {
+        let table = self.reader.table(entry, keys)?;
         let law = match table.get("law") {
             Some(entry) => {
                 let choices: Vec<(&'static str, &'static FrictionDescription)> =
@@ -225,7 +226,9 @@ impl ModelReader {
             }
             None => friction_law(DEFAULT_FRICTION_LAW),
         };
-        let sliding_velocity = match table.get("sliding_velocity") {
+        let has_readings = keys.find("sliding_velocity").is_some();
+        let reading = if has_readings { table.get("sliding_velocity") } else { None };
+        let sliding_velocity = match reading {
             Some(entry) => {
                 let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
                 self.reader.choice(&entry, &readings)
@@ -234,12 +237,12 @@ impl ModelReader {
         };
         let Some(law) = law else {
             // What is wrong with the numbers is said nevertheless.
-            for key in FRICTION_KEYS.keys {
+            for key in keys.keys {
                 self.quantity(&table, key.name);
             }
             return None;
         };
-        for key in FRICTION_KEYS.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
+        for key in keys.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
             let is_taken = law.numbers.iter().any(|number| number.key == key.name);
             if let Some(entry) = table.get(key.name).filter(|_| !is_taken) {
                 let entry_words = table.path.describe();

@@ -1,10 +1,12 @@
 //! Joints.
 
 use super::file::ModelReader;
-use super::keys::{GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
+use super::keys::{
+    GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS,
+};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{BodyId, Clearance, Joint, JointId, JointKind, PointId};
+use super::topology::{BodyId, Clearance, Joint, JointFriction, JointId, JointKind, PointId};
 use crate::contact::NormalDescription;
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Expression, Rule, run};
@@ -15,29 +17,64 @@ impl ModelReader {
         for entry in self.reader.named(entry, "a joint") {
             self.remember(&entry);
             let kind = self.joint_kind(&entry);
-            let id = kind.map(|kind| {
-                self.joints.push(Joint { name: entry.name.to_owned(), kind });
+            let id = kind.map(|(kind, friction)| {
+                self.joints.push(Joint { name: entry.name.to_owned(), kind, friction });
                 JointId(self.joints.len() - 1)
             });
             self.joint_names.push((entry.name.to_owned(), id));
         }
     }
 
-    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<JointKind> {
+    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>)> {
         let kinds: Vec<(&'static str, &'static str)> = JOINT_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
         let kind = self.reader.tag(entry, "kind", &kinds)?;
-        let kind = match kind {
-            "revolute" => self.reader.table(entry, &REVOLUTE_KEYS).and_then(|table| self.revolute(&table)),
-            "prismatic" => self.reader.table(entry, &PRISMATIC_KEYS).and_then(|table| self.prismatic(&table)),
-            _ => self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)),
-        }?;
+        let (kind, friction) = match kind {
+            "revolute" => {
+                let table = self.reader.table(entry, &REVOLUTE_KEYS)?;
+                let friction = self.joint_friction(&table, "pin_radius");
+                (self.revolute(&table), friction)
+            }
+            "prismatic" => {
+                let table = self.reader.table(entry, &PRISMATIC_KEYS)?;
+                let friction = self.joint_friction(&table, "guide_length");
+                (self.prismatic(&table), friction)
+            }
+            _ => (self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)), Some(None)),
+        };
+        let (kind, friction) = kind.zip(friction)?;
+        if let (JointKind::Revolute { clearance: Some(_), .. }, Some(_)) = (&kind, &friction) {
+            let problem = ModelProblem::KeyWithoutEffect {
+                entry: entry.path.describe(),
+                key: "friction",
+                beside: "radial_clearance",
+            };
+            self.reader.complain(&problem, entry.key_span);
+            return None;
+        }
         let [first, second] = kind.bodies();
         if first != second {
-            return Some(kind);
+            return Some((kind, friction));
         }
         let body = self.bodies[first.0].name.clone();
         self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
         None
+    }
+
+    /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
+    fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
+        let size_m = self.quantity(table, key);
+        let friction = table.get("friction").map(|entry| self.friction(&entry, &JOINT_FRICTION_KEYS));
+        for (key, needs) in [("friction", key), (key, "friction")] {
+            if table.has(key) && !table.has(needs) {
+                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
+                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+                return None;
+            }
+        }
+        match friction {
+            None => Some(None),
+            Some(friction) => Some(Some(JointFriction { friction: friction?, size_m: size_m? })),
+        }
     }
 
     fn revolute(&mut self, table: &Table<'_>) -> Option<JointKind> {

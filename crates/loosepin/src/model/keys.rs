@@ -67,78 +67,75 @@ pub(super) static FILM_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static FRICTION_KEYS: Keys = Keys::new(
-    "friction between pin and hole",
-    &[
-        optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
-        required(
-            "coefficient",
-            quantity(D::NUMBER, Rule::NonNegative),
-            "0.03",
-            "coefficient of friction at full sliding",
-        ),
-        optional(
-            "lower_speed",
-            quantity(D::VELOCITY, Rule::NonNegative),
-            "\"0.1 mm/s\"",
-            "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
-        ),
-        optional(
-            "upper_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"1 mm/s\"",
-            "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
-        ),
-        optional(
-            "static_coefficient",
-            quantity(D::NUMBER, Rule::NonNegative),
-            "0.05",
-            "coefficient of friction at the onset of sliding",
-        ),
-        optional(
-            "transition_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"1 mm/s\"",
-            "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
-        ),
-        optional(
-            "stribeck_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"10 mm/s\"",
-            "sliding speed over which friction falls from its static to its dynamic value",
-        ),
-        optional(
-            "decay",
-            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-            "\"30 s/m\"",
-            "bengisu-akay: how fast friction falls from its static to its dynamic value",
-        ),
-        optional(
-            "bristle_stiffness",
-            quantity(D::INVERSE_LENGTH, Rule::Positive),
-            "\"1e5 m^-1\"",
-            "lugre: what the coefficient gains for each unit of deflection of the bristles",
-        ),
-        optional(
-            "bristle_damping",
-            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-            "\"0.4 s/m\"",
-            "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
-        ),
-        optional(
-            "viscous",
-            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-            "\"0.02 s/m\"",
-            "what the coefficient gains for each unit of sliding speed; nothing if left out",
-        ),
-        optional(
-            "sliding_velocity",
-            Kind::Choice(&["material", "literal"]),
-            "\"material\"",
-            "between the material points (material, if left out) or of the geometric contact point (literal)",
-        ),
-    ],
-);
+/// Keys of friction, that of a contact alone last.
+static FRICTION: [Key; 12] = [
+    optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+    required("coefficient", quantity(D::NUMBER, Rule::NonNegative), "0.03", "coefficient of friction at full sliding"),
+    optional(
+        "lower_speed",
+        quantity(D::VELOCITY, Rule::NonNegative),
+        "\"0.1 mm/s\"",
+        "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
+    ),
+    optional(
+        "upper_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"1 mm/s\"",
+        "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
+    ),
+    optional(
+        "static_coefficient",
+        quantity(D::NUMBER, Rule::NonNegative),
+        "0.05",
+        "coefficient of friction at the onset of sliding",
+    ),
+    optional(
+        "transition_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"1 mm/s\"",
+        "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
+    ),
+    optional(
+        "stribeck_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"10 mm/s\"",
+        "sliding speed over which friction falls from its static to its dynamic value",
+    ),
+    optional(
+        "decay",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"30 s/m\"",
+        "bengisu-akay: how fast friction falls from its static to its dynamic value",
+    ),
+    optional(
+        "bristle_stiffness",
+        quantity(D::INVERSE_LENGTH, Rule::Positive),
+        "\"1e5 m^-1\"",
+        "lugre: what the coefficient gains for each unit of deflection of the bristles",
+    ),
+    optional(
+        "bristle_damping",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"0.4 s/m\"",
+        "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
+    ),
+    optional(
+        "viscous",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"0.02 s/m\"",
+        "what the coefficient gains for each unit of sliding speed; nothing if left out",
+    ),
+    optional(
+        "sliding_velocity",
+        Kind::Choice(&["material", "literal"]),
+        "\"material\"",
+        "between the material points (material, if left out) or of the geometric contact point (literal)",
+    ),
+];
+
+pub(super) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &FRICTION);
+
+pub(super) static JOINT_FRICTION_KEYS: Keys = Keys::new("friction of an ideal joint", FRICTION.split_at(11).0);
 
 pub(super) const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
 pub(super) const POISSON_RATIO: [&str; 3] = ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
@@ -240,6 +237,18 @@ pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
             "length of the bearing along its axis, for line-contact laws and films of oil",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
+        optional(
+            "friction",
+            Kind::Table(&JOINT_FRICTION_KEYS),
+            "{ coefficient = 0.1 }",
+            "friction of a joint without play; none if left out. A joint with play has it in its contact",
+        ),
+        optional(
+            "pin_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"8 mm\"",
+            "radius of the pin, at whose surface friction acts",
+        ),
     ],
 );
 
@@ -274,6 +283,13 @@ pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
             Kind::AnyOf(&[Kind::Point, Kind::Table(&SLIDER_KEYS)]),
             "\"slider.pin\"",
             "the point on the line, with an angle where the line is not along the slider's x axis",
+        ),
+        optional("friction", Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }", "friction; none if left out"),
+        optional(
+            "guide_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends",
         ),
     ],
 );

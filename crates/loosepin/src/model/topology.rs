@@ -136,6 +136,17 @@ pub struct Joint {
     pub name: String,
     /// What it connects and how.
     pub kind: JointKind,
+    /// Friction of an ideal revolute or prismatic joint.
+    pub friction: Option<JointFriction>,
+}
+
+/// Friction of an ideal joint.
+#[derive(Debug, Clone)]
+pub struct JointFriction {
+    /// The law with its numbers.
+    pub friction: Friction,
+    /// Radius of the pin, or length over which the guide holds the slider, m, > 0.
+    pub size_m: QuantityId,
 }
 
 /// The kinds of joint.

@@ -8,6 +8,7 @@ mod glossary;
 mod measured_figures;
 mod mechanism_figure;
 mod mechanism_shapes;
+mod motion_kind_section;
 mod motion_page;
 mod number;
 mod page;

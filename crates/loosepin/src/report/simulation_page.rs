@@ -6,6 +6,7 @@ use super::answer::turns;
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
+use super::motion_kind_section::{kind_section, kind_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
@@ -51,6 +52,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
                 div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, &writer)) } }
             },
         ));
+    }
+    if let Some(kind) = kind_section(record, &writer) {
+        sections.push(Section::new("kind", "What kind of motion it is", kind));
     }
     if !record.drawing.bodies.is_empty() {
         let figure = mechanism_figure(&record.drawing, &record.settings.drive, "mechanism-figure");
@@ -125,6 +129,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     for control in &record.controls {
         sentences.extend(control_sentences(control, writer));
     }
+    sentences.extend(kind_sentences(record, writer));
     sentences.push(format!(
         "The energy account of the run closes to {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
@@ -402,6 +407,13 @@ fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Mark
                 @if let Some(per_turn) = joint.impacts_per_turn {
                     " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per turn)"
                 }
+            },
+        ),
+        (
+            "Loss of contact".to_owned(),
+            html! {
+                "out of contact for " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact is lost "
+                (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per turn"
             },
         ),
         (

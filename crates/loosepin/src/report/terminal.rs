@@ -125,6 +125,10 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     if !record.joints.is_empty() {
         text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
     }
+    push_table(&mut text, &contact_table(record, &writer));
+    if record.joints.iter().any(|joint| joint.share_outside_validity.is_some()) {
+        text.push_str("too fast: share of the impacts beyond the speed up to which the contact law is meant\n");
+    }
     let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
     for curve in &record.measured {
         measured.add_row([
@@ -218,6 +222,25 @@ pub fn sweep_text(record: &SweepRecord) -> String {
         text.push_str(&format!("\n{} more in sweep.csv\n", stretches.len() - MOST_ROWS));
     }
     with_plain_spaces(text)
+}
+
+/// How often and how long the parts of each joint with play do not touch, and how much of the impacts and of the clearance is
+/// beyond what the law is meant for.
+fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
+    let head = ["joint", "impacts a turn", "losses a turn", "out of contact", "too fast", "penetration/clearance"];
+    let mut contacts = table(&head, &[1, 2, 3, 4, 5]);
+    let tenths = |value: f64| writer.shortest((value * 10.0).round() / 10.0, &SiUnit::NONE);
+    for joint in &record.joints {
+        contacts.add_row([
+            joint.joint.clone(),
+            joint.impacts_per_turn.map_or("-".to_owned(), tenths),
+            tenths(joint.losses_per_turn),
+            writer.percent(joint.flight_share, Rounding::Nearest),
+            joint.share_outside_validity.map_or("-".to_owned(), |share| writer.percent(share, Rounding::Up)),
+            writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up),
+        ]);
+    }
+    contacts
 }
 
 /// The scatter of the dimensions where it moves each output most: their root of the sum of squares, and their parts.

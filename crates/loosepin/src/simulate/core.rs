@@ -6,6 +6,7 @@ use super::gap::GapJet;
 use super::motion::tolerances;
 use super::reads::ReadLayout;
 use super::report::{EnergyAccount, PlaySummary};
+use super::resume::MotionState;
 use super::settings::{STEP_SHARE, Settings};
 use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
@@ -111,6 +112,17 @@ impl<'a, T: Lanes> Core<'a, T> {
         for contact in 0..self.equations.motion.states.len() {
             self.set_contact(lane, contact, &PlayState::flight(), false);
             self.set_records(lane, contact, &PlaySummary::default());
+        }
+    }
+
+    /// Puts the contacts of a run that goes on into a lane that was loaded. Penetrations are read off the positions until the
+    /// next contact begins; deflections of bristles go on as they are. The lane needs a restart.
+    pub fn resume(&mut self, lane: usize, resume: &MotionState) {
+        for (contact, state) in resume.contacts.iter().enumerate() {
+            self.set_contact(lane, contact, state, false);
+            if let Some(place) = self.equations.motion.layout.bristles[contact] {
+                self.stepper.start_mut()[place].set_lane(lane, resume.state[place]);
+            }
         }
     }
 

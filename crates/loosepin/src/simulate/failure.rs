@@ -88,10 +88,21 @@ pub enum RunFailure {
         /// The limit.
         most: usize,
     },
+    /// Friction in an ideal joint has no solution.
+    #[error("at {} joint '{joint}' jams: no friction force fits what it carries", format_value(*time_s, Dimension::TIME))]
+    Jams {
+        /// The joint.
+        joint: String,
+        /// Time, s.
+        time_s: f64,
+    },
+    /// The drives leave nothing free that a neighbouring motion could differ in.
+    #[error("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent")]
+    NothingIsFree,
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 14] = [
+const CODES: [&str; 16] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -106,6 +117,8 @@ const CODES: [&str; 14] = [
     "clearance_outside_fit",
     "start_contradicts",
     "roughness_outside_film",
+    "nothing_is_free",
+    "joint_jams",
 ];
 
 impl RunFailure {
@@ -131,6 +144,8 @@ impl RunFailure {
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
             Self::Sample(SampleError::StartContradicts { .. }) => 12,
             Self::Sample(SampleError::RoughnessOutsideFilm { .. }) => 13,
+            Self::NothingIsFree => 14,
+            Self::Jams { .. } => 15,
         }
     }
 
@@ -151,6 +166,8 @@ impl Problem for RunFailure {
             Self::TooManyRows { .. } => Code::BadCount,
             Self::LeavesBearing { .. } => Code::PinLeavesBearing,
             Self::BeyondLaw { .. } => Code::BeyondContactLaw,
+            Self::NothingIsFree => Code::NothingIsFree,
+            Self::Jams { .. } => Code::Jams,
         }
     }
 
@@ -167,6 +184,10 @@ impl Problem for RunFailure {
             Self::LeavesBearing { .. } => {
                 Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
             }
+            Self::Jams { .. } => {
+                Some("less friction, a longer guide or a smaller pin; rigid bodies have no motion here".to_owned())
+            }
+            Self::NothingIsFree => Some("leave --lyapunov out, or give a joint some play".to_owned()),
             Self::BeyondLaw { .. } => Some("take a law without such a limit, liu or bai-zhao".to_owned()),
         }
     }
@@ -178,13 +199,14 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::LeavesBearing { joint, .. } | Self::BeyondLaw { joint, .. } => {
+            Self::LeavesBearing { joint, .. } | Self::BeyondLaw { joint, .. } | Self::Jams { joint, .. } => {
                 Complaint::error(self, model.place(&format!("joint.{joint}")))
             }
             Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
                 Complaint::error(self, None)
             }
             Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
+            Self::NothingIsFree => Complaint::error(self, None),
         }
     }
 }

@@ -27,6 +27,8 @@ pub struct Layout {
     pub bristles: Vec<Option<usize>>,
     /// Place of the integral of the error of each control that has one.
     pub error_integrals: Vec<Option<usize>>,
+    /// Place of the deflection of the bristles of each ideal joint whose friction law has them.
+    pub joint_bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
     /// Whether the loss of dampers is an integral as well, the last one.
@@ -49,10 +51,11 @@ impl Layout {
         let contacts = 0..sample.contacts.len();
         let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
         let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();
+        let joint_bristles = sample.frictions.iter().map(|friction| place_if(friction.law.has_bristle())).collect();
         let controls = sample.controls.iter();
         let error_integrals = controls.map(|control| place_if(control.integral.is_some())).collect();
         let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
-        Self { freedoms, roots, bristles, error_integrals, dimension, has_dampers }
+        Self { freedoms, roots, bristles, joint_bristles, error_integrals, dimension, has_dampers }
     }
 
     /// Place of the time.
@@ -160,6 +163,11 @@ impl<'a, T: Real> Motion<'a, T> {
                 *bristle_m = state[place];
             }
         }
+        for (index, place) in self.layout.joint_bristles.iter().enumerate() {
+            if let Some(place) = place {
+                self.dynamics.set_joint_bristle(index, state[*place]);
+            }
+        }
         for (control, place) in self.layout.error_integrals.iter().enumerate() {
             if let Some(place) = place {
                 self.dynamics.error_integrals_mut()[control] = state[*place];
@@ -214,6 +222,11 @@ impl<T: Real> System<T> for Motion<'_, T> {
                     self.dynamics.contacts()[contact].bristle_rate_m_s * pace * self.states[contact].contact;
             }
         }
+        for (index, place) in self.layout.joint_bristles.iter().enumerate() {
+            if let Some(place) = place {
+                slope[*place] = self.dynamics.joint_bristle_rate_m_s(index) * pace;
+            }
+        }
         for (actuator, place) in self.dynamics.actuators().iter().zip(&self.layout.error_integrals) {
             if let Some(place) = place {
                 slope[*place] = actuator.error * pace;
@@ -235,6 +248,9 @@ impl<T: Real> System<T> for Motion<'_, T> {
         }
     }
 }
+
+/// Share of the kinetic energy at the rate of the motion that the energy account is held to, at least.
+const RESTING_SHARE: f64 = 1e-6;
 
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
@@ -273,6 +289,11 @@ pub fn tolerances<T: Real>(
             tolerances[*place] = local_rad * sample.play_of(contact).friction.largest_deflection_m();
         }
     }
+    for (place, friction) in motion.layout.joint_bristles.iter().zip(&sample.frictions) {
+        if let Some(place) = place {
+            tolerances[*place] = local_rad * friction.law.largest_deflection_m();
+        }
+    }
     for ((place, control), numbers) in
         motion.layout.error_integrals.iter().zip(&mechanism.model.controls).zip(&sample.controls)
     {
@@ -285,7 +306,12 @@ pub fn tolerances<T: Real>(
     let is_abrupt = |play: &PlayGeometry<f64>| {
         play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset()
     };
-    if has_limits || sample.plays.iter().any(is_abrupt) {
+    if !sample.frictions.is_empty() {
+        // A mechanism at rest has no energy yet: a share of what its masses have at the rate of its motion.
+        let masses_kg: f64 = sample.real.links.iter().map(|link| link.mass_kg).sum();
+        let at_rate_j = RESTING_SHARE * masses_kg * (mechanism.size_m * rate_1_s).powi(2);
+        tolerances.extend(vec![local_rad * energy_j.max(at_rate_j); motion.layout.integrals()]);
+    } else if has_limits || sample.plays.iter().any(is_abrupt) {
         tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances

@@ -11,6 +11,8 @@ use crate::mechanism::Mechanism;
 pub struct ReadLayout {
     contacts: usize,
     outputs: usize,
+    /// Ideal joints with friction.
+    frictions: usize,
     /// Whether the kinetic energy is read as well: forces alone may exchange it with what springs and gravity hold, so that
     /// their sum tells nothing of how much energy goes to and fro.
     has_kinetic: bool,
@@ -19,11 +21,21 @@ pub struct ReadLayout {
 impl ReadLayout {
     /// For the contacts of `mechanism` and this many followed outputs.
     pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
-        Self { contacts: mechanism.contacts.len(), outputs, has_kinetic: !mechanism.is_driven() }
+        let frictions = mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count();
+        Self { contacts: mechanism.contacts.len(), outputs, frictions, has_kinetic: !mechanism.is_driven() }
     }
     /// Length of the row.
     pub fn length(&self) -> usize {
-        self.gap(self.contacts) + 3 * self.outputs
+        self.friction(self.frictions)
+    }
+    /// The residual of an ideal joint with friction: see [`crate::dynamics::Dynamics::joint_friction_residuals`].
+    #[inline(always)]
+    pub fn friction(&self, index: usize) -> usize {
+        self.gap(self.contacts) + 3 * self.outputs + index
+    }
+    /// Ideal joints with friction.
+    pub fn frictions(&self) -> usize {
+        self.frictions
     }
     /// The time, s.
     pub const TIME: usize = 0;
@@ -86,6 +98,10 @@ impl<T: Real> Motion<'_, T> {
             row[layout.gap(contact)..layout.gap(contact) + 3].copy_from_slice(&gap);
             row[layout.sliding(contact)] = force.sliding_m_s;
         }
+        dynamics.joint_friction_residuals(
+            #[inline(always)]
+            |index, residual| row[layout.friction(index)] = residual,
+        );
         for (k, reading) in readings.iter().enumerate() {
             let place = layout.output(k);
             row[place..place + 3].copy_from_slice(&over_s(reading.jet(arms, dynamics)));

@@ -1,5 +1,8 @@
 //! What one run leaves behind for pages, tables and files: plain data in SI, no physics.
 
+mod motion_kind;
+
+pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput};
 use serde::{Deserialize, Serialize};
 
 use crate::units::{DisplayUnits, SiUnit, extended};
@@ -25,6 +28,13 @@ pub struct SimulationRecord {
     pub extremes: Vec<Extreme>,
     /// One entry per clearance joint.
     pub joints: Vec<JointSummary>,
+    /// Whether the recorded turns repeat each other; absent for a mechanism that follows its drives alone, and for less than
+    /// two whole turns.
+    #[serde(default)]
+    pub kind: Option<MotionKind>,
+    /// The largest Lyapunov exponent, where it was asked for.
+    #[serde(default)]
+    pub lyapunov: Option<LyapunovRecord>,
     /// The energy account at the end, and its history.
     pub energy: EnergyAccount,
     /// Units that pages and tables use.
@@ -329,6 +339,12 @@ pub struct JointSummary {
     pub share_outside_validity: Option<f64>,
     /// Contacts that began more slowly than the least impact speed and were computed with that speed.
     pub floored_contacts: u64,
+    /// Share of the time without contact, 0 to 1.
+    #[serde(with = "extended")]
+    pub flight_share: f64,
+    /// Contacts that ended, a turn.
+    #[serde(with = "extended")]
+    pub losses_per_turn: f64,
 }
 
 /// Smallest and largest value of one quantity, located on the dense output and not read off samples.

@@ -83,7 +83,7 @@ impl StudyResponse {
                 clearance_m: play.clearance_m,
             })
             .collect();
-        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts } })
+        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts }, resume: None })
     }
 
     /// The row of a finished run.

@@ -53,6 +53,7 @@ pub(super) fn simulated(built: &Built) -> Simulation {
         cycle: built.mechanism.model.cycle.clone(),
         settings: Settings::for_simulation(),
         with_states: false,
+        lyapunov_turns: None,
         overrides: Vec::new(),
     };
     simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}"))

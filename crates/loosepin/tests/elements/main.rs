@@ -5,7 +5,9 @@ mod control;
 mod couplings;
 mod drives;
 mod initial;
+mod joint_friction;
 mod loads;
+mod neighbours;
 mod springs;
 
 use loosepin::mechanism::{Mechanism, Sample};

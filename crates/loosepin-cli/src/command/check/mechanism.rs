@@ -64,8 +64,14 @@ fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
             kind_words(model, joint, values),
             drive_words(model, joint_id, values)
         );
-        let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
         let indent = " ".repeat(width + 4);
+        if let Some(friction) = &joint.friction {
+            let what =
+                if matches!(joint.kind, JointKind::Prismatic { .. }) { "a guide length of" } else { "a pin radius of" };
+            let size = format_value(values[friction.size_m], Dimension::LENGTH);
+            let _ = writeln!(text, "{indent}{}, at {what} {size}", friction_words(model, &friction.friction, values));
+        }
+        let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
         let Some(play) = mechanism.plays.iter().position(|play| *play == joint_id) else {
             let _ = writeln!(text, "{indent}ideal, since its radial clearance is 0 mm");
             continue;

@@ -11,6 +11,10 @@ use crate::simulate::lane::LaneRun;
 use crate::simulate::observer::Observer;
 use crate::simulate::reads::ReadLayout;
 
+/// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
+/// solution, and round-off is far below.
+pub const LARGEST_RESIDUAL: f64 = 1e-9;
+
 /// How deep a contact may be pressed in: the centre of a pin must stay inside its hole, and the penetration where the law has
 /// one meaning.
 #[derive(Debug, Clone, Copy)]
@@ -64,6 +68,21 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             }
             if depth_m > 0.0 {
                 return Err(self.too_deep(run, contact, depth_m, time_s));
+            }
+        }
+        Ok(())
+    }
+
+    /// Friction in ideal joints must have a solution at the end of a step.
+    pub(super) fn check_joint_friction(&self, lane: usize) -> Result<(), RunFailure> {
+        for index in 0..self.core.layout.frictions() {
+            let residual = self.core.equations.reads[self.core.layout.friction(index)].lane(lane);
+            if !(residual <= LARGEST_RESIDUAL)
+                && let Some(run) = &self.runs[lane]
+            {
+                let joint = run.sample.frictions[index].joint;
+                let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+                return Err(RunFailure::Jams { joint: self.mechanism.model.joints[joint.0].name.clone(), time_s });
             }
         }
         Ok(())

@@ -32,7 +32,8 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
 
     let mut cycle = study.cycle.clone();
     cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
-    let plan = Plan { cycle, settings: *response.settings(), with_states: false, overrides: Vec::new() };
+    let plan =
+        Plan { cycle, settings: *response.settings(), with_states: false, lyapunov_turns: None, overrides: Vec::new() };
     let run_at = |epistemic: &[f64]| {
         let values = response.values(&nominal, epistemic).ok()?;
         simulate(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
