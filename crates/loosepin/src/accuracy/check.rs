@@ -1,6 +1,6 @@
 //! The check of a dynamic run: its positions must respect the quasi-static worst case of the exact loops.
 
-use super::error::AccuracyError;
+use super::error::{AccuracyError, slider_with_play};
 use super::loops::DisplacedLoops;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{ExactWorstCase, exact_worst_case};
@@ -18,7 +18,8 @@ const RELATIVE_TOLERANCE: f64 = 1e-9;
 ///
 /// `values` are those that the run was made with. A position counts as exceeded where it lies beyond by more than the
 /// tolerance of the run and round-off. Where the loops cannot be closed everywhere within the clearances (a dead point lies
-/// among them), there is no worst case: such samples are counted.
+/// among them), there is no worst case: such samples are counted. With a slider that has play in its guide there is no answer at
+/// all, and no output is compared.
 ///
 /// # Errors
 /// The ideal mechanism of the run cannot be built or moved.
@@ -35,7 +36,8 @@ pub fn quasi_static_check(
         .map(|(play, joint)| play.clearance_m + joint.largest_penetration_m)
         .collect();
     // Where forces move the mechanism, its ideal motion is no worst case of the real one: the two drift apart in time.
-    if radii_m.is_empty() || !mechanism.is_driven() {
+    // What a slider can do in its guide is no disc: nothing is claimed about such a run.
+    if radii_m.is_empty() || !mechanism.is_driven() || slider_with_play(mechanism).is_some() {
         return Ok(Vec::new());
     }
     let mut ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;

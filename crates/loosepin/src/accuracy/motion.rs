@@ -2,7 +2,7 @@
 
 use super::cycle::Cycle;
 use super::dimension::{DimensionDirection, dimension_direction};
-use super::error::AccuracyError;
+use super::error::{AccuracyError, slider_with_play};
 use super::loops::DisplacedLoops;
 use super::position::{PositionOutput, PositionReading, position_outputs};
 use super::record::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
@@ -61,6 +61,9 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     }
     let directions = directions(mechanism, values, &plan.scatter)?;
     let sample = Sample::new(mechanism, values)?;
+    if let Some(joint) = slider_with_play(mechanism) {
+        return Err(AccuracyError::PlayInGuide { joint: joint.to_owned() });
+    }
     let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
     let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions);
     if input.speed_rad_s < 0.0 {

@@ -278,6 +278,11 @@ computed. Start a few degrees away, or drive another joint."
 it has freedoms that no drive moves, and as many rates (none at all for a mechanism without drives means at rest). What is \
 given beyond that must agree with the links. Everything else follows from the joints."
 
+    NoQuasiStaticAnswer "E0707" "play for which there is no quasi-static answer"
+"The quasi-static answer takes each journal as anywhere in a disc, the play of its bearing. A slider with play in its guide \
+moves across it and turns, within |y| + a |sin θ| <= c + b (1 - cos θ), which is no disc, and for it that answer is not \
+computed. Dynamic runs and studies know such joints; a run of such a mechanism is not checked against a quasi-static limit."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 
@@ -305,7 +310,7 @@ first one; `loosepin simulate` with the values of the study shows it alone."
 "Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
     PinLeavesBearing "E0808" "a pin is pressed out of its hole"
-"The penetration of a contact grew so deep that the centre of the pin left the hole. No contact law holds there: the parts are \
+"The penetration of a contact grew so deep that the centre of the pin left the hole, or the axis of the slider its guide. No contact law holds there: the parts are \
 far too soft, or the drive far too fast, for the masses that they carry. Look at the stiffness or Young's modulus, the speed and \
 the masses."
 

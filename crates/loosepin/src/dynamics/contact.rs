@@ -1,7 +1,7 @@
 //! Forces where the two bodies of a joint with play touch.
 
-use super::pin;
 use super::play::PlayMotion;
+use super::{corner, pin};
 use crate::contact::{NormalContact, PlayState};
 use crate::math::{Real, Vec2};
 use crate::mechanism::{PlayGeometry, PlayShape};
@@ -90,17 +90,19 @@ pub struct GapMotion<T> {
 impl<T: Real> PlayMotion<T> {
     /// How the two bodies come near each other at `place`.
     #[inline(always)]
-    pub fn contact(&self, play: &PlayGeometry<T>, _place: usize) -> ContactMotion<T> {
-        match play.shape {
+    pub fn contact(&self, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
+        match &play.shape {
             PlayShape::Pin { .. } => pin::contact(self, play),
+            PlayShape::Slider(block) => corner::contact(self, play, block, place),
         }
     }
 
     /// δ at `place`, m, alone.
     #[inline(always)]
-    pub fn penetration_at_m(&self, play: &PlayGeometry<T>, _place: usize) -> T {
-        match play.shape {
+    pub fn penetration_at_m(&self, play: &PlayGeometry<T>, place: usize) -> T {
+        match &play.shape {
             PlayShape::Pin { .. } => self.penetration_m(play.clearance_m),
+            PlayShape::Slider(block) => corner::penetration_m(self, play, block, place),
         }
     }
 
@@ -147,10 +149,11 @@ impl<T: Real> PlayMotion<T> {
             sliding_m_s: T::zero(),
         };
         if play.friction.acts() {
-            let Sliding { sliding_m_s, material_m_s, arms_m } = match play.shape {
+            let Sliding { sliding_m_s, material_m_s, arms_m } = match &play.shape {
                 PlayShape::Pin { bearing_radius_m } => {
-                    pin::sliding(self, play, bearing_radius_m, tangent, penetration_m)
+                    pin::sliding(self, play, *bearing_radius_m, tangent, penetration_m)
                 }
+                PlayShape::Slider(block) => corner::sliding(self, block, place, tangent),
             };
             let friction_n = match unknowns.bristle_m {
                 None => play.friction.force_n(sliding_m_s, force.total_n),
@@ -166,14 +169,27 @@ impl<T: Real> PlayMotion<T> {
             result.moment_on_bearing_n_m = -(arms_m[0] * friction_n);
             result.friction_loss_w = -(friction_n * material_m_s);
         }
+        if let PlayShape::Slider(_) = play.shape {
+            // Both forces act at the corner.
+            result.moment_on_journal_n_m = contact.reaches_m[1].cross(result.on_journal_n);
+            result.moment_on_bearing_n_m = -contact.reaches_m[0].cross(result.on_journal_n);
+        }
         result
     }
 
-    /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame.
+    /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame, and the rates of both
+    /// spins, rad/s².
     #[inline(always)]
-    pub fn gap(&self, play: &PlayGeometry<T>, _place: usize, acceleration_m_s2: Vec2<T>) -> GapMotion<T> {
-        match play.shape {
+    pub fn gap(
+        &self,
+        play: &PlayGeometry<T>,
+        place: usize,
+        acceleration_m_s2: Vec2<T>,
+        spin_rates_rad_s2: [T; 2],
+    ) -> GapMotion<T> {
+        match &play.shape {
             PlayShape::Pin { .. } => pin::gap(self, play, acceleration_m_s2),
+            PlayShape::Slider(block) => corner::gap(self, play, block, place, acceleration_m_s2, spin_rates_rad_s2),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
 mod contact;
+mod corner;
 mod energy;
 mod equations;
 mod linear_spring;

@@ -131,7 +131,7 @@ impl<T: Real> Geometry<T> {
 }
 
 /// Cosine and sine of an angle.
-fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
+pub(super) fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
     let (sine, cosine) = angle_rad.sin_cos();
     Vec2::new(cosine, sine)
 }

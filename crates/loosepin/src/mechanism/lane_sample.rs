@@ -1,6 +1,6 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
-use super::contact_place::PlayShape;
+use super::contact_place::{PlayShape, SliderBlock};
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
@@ -58,6 +58,7 @@ impl<T: Real> Sample<T> {
             play.journal_arm_m.visit(visit);
             match &mut play.shape {
                 PlayShape::Pin { bearing_radius_m } => visit(bearing_radius_m),
+                PlayShape::Slider(block) => block.visit(visit),
             }
             visit(&mut play.clearance_m);
             play.normal.visit(visit);
@@ -118,6 +119,7 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
         journal_arm_m: vector(from.journal_arm_m),
         shape: match from.shape {
             PlayShape::Pin { bearing_radius_m } => PlayShape::Pin { bearing_radius_m: number(bearing_radius_m) },
+            PlayShape::Slider(block) => PlayShape::Slider(SliderBlock::broadcast(&block)),
         },
         clearance_m: number(from.clearance_m),
         normal: NormalLaw::broadcast(&from.normal),

@@ -4,7 +4,7 @@ use super::file::ModelReader;
 use super::keys::{GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{BodyId, Clearance, Joint, JointId, JointKind, PointId};
+use super::topology::{BodyId, Clearance, ContactId, Joint, JointId, JointKind, PointId};
 use crate::contact::NormalDescription;
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Expression, Rule, run};
@@ -50,11 +50,7 @@ impl ModelReader {
     fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
         let bearing_radius_m = self.quantity(table, "bearing_radius");
         let bearing_length_m = self.quantity(table, "bearing_length");
-        let contact = table.get("contact").and_then(|entry| {
-            let name = self.reader.text(&entry)?.to_owned();
-            self.used_contacts.push(name.clone());
-            self.named(&entry, "contact", &name, |file| &file.contact_names)
-        });
+        let contact = self.contact_of(table);
         let missing: Vec<&'static str> =
             ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
         let Some(entry) = table.get("radial_clearance") else {
@@ -97,6 +93,14 @@ impl ModelReader {
         Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
     }
 
+    /// The contact that a joint names.
+    pub(super) fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId> {
+        let entry = table.get("contact")?;
+        let name = self.reader.text(&entry)?.to_owned();
+        self.used_contacts.push(name.clone());
+        self.named(&entry, "contact", &name, |file| &file.contact_names)
+    }
+
     fn prismatic(&mut self, table: &Table<'_>) -> Option<JointKind> {
         let guide = table.get("guide").and_then(|entry| {
             let guide = self.reader.table(&entry, &GUIDE_KEYS)?;
@@ -105,8 +109,9 @@ impl ModelReader {
             Some((point?, angle_rad?))
         });
         let slider = table.get("slider").and_then(|entry| self.slider(&entry));
+        let clearance = self.guide_clearance(table);
         let ((guide, guide_angle_rad), (slider, slider_angle_rad)) = guide.zip(slider)?;
-        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad })
+        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance: clearance? })
     }
 
     fn slider(&mut self, entry: &Entry<'_>) -> Option<(PointId, QuantityId)> {
@@ -131,7 +136,7 @@ impl ModelReader {
     }
 }
 
-fn is_literal_zero(expression: &Expression) -> bool {
+pub(super) fn is_literal_zero(expression: &Expression) -> bool {
     expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
 }
 

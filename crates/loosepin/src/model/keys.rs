@@ -234,7 +234,7 @@ pub(super) static SLIDER_KEYS: Keys = Keys::new(
 );
 
 pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
-    "a slider moves along a line of its guide and does not turn against it",
+    "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
         required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
@@ -244,6 +244,31 @@ pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
             "\"slider.pin\"",
             "the point on the line, with an angle where the line is not along the slider's x axis",
         ),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"50 mm\"",
+            "half the length along the guide of the block around the slider's point",
+        ),
+        optional(
+            "half_height",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"25 mm\"",
+            "half the height of that block across the guide",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "gap between the block and each face of the guide; ideal joint if left out or zero",
+        ),
+        optional(
+            "corner_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"5 mm\"",
+            "radius of the block's corners, for a contact whose stiffness comes from the materials",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"corner\"", "the contact between corners and guide"),
     ],
 );
 

@@ -10,6 +10,7 @@ mod drive;
 mod drive_keys;
 mod file;
 mod function;
+mod guide;
 mod initial;
 mod joint;
 mod keys;
@@ -40,6 +41,6 @@ pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use spring::{Spring, SpringKind};
 pub use topology::{
-    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, Joint, JointId, JointKind,
-    Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, GuideClearance, Joint, JointId,
+    JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
 };

@@ -154,6 +154,16 @@ pub enum ModelProblem {
         /// The entry.
         entry: String,
     },
+    /// A contact that only a pin in a hole can have.
+    #[error("{entry}: contact '{contact}' has {what}, which means nothing for a corner of a slider")]
+    NotForCorners {
+        /// The joint.
+        entry: String,
+        /// The contact.
+        contact: String,
+        /// What of it.
+        what: String,
+    },
     /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
     NotDrivable {
@@ -256,6 +266,7 @@ impl Problem for ModelProblem {
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
+            | Self::NotForCorners { .. }
             | Self::KeyWithoutEffect { .. }
             | Self::JointNotRead { .. } => Code::ConflictingKeys,
             Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
@@ -299,7 +310,13 @@ impl Problem for ModelProblem {
             Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"bearing_length") => {
                 Some("the contact has a line-contact law, whose force is proportional to the length".to_owned())
             }
-            Self::NeedsKeys { key: "radial_clearance", .. } => {
+            Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"corner_radius") => Some(
+                "the stiffness of the contact comes from the materials: a sphere of that radius on a plane".to_owned(),
+            ),
+            Self::NotForCorners { .. } => {
+                Some("take a point-contact or a linear law, and the material sliding velocity".to_owned())
+            }
+            Self::NeedsKeys { key: "radial_clearance" | "clearance", .. } => {
                 Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())
             }
             Self::NoBodies { .. } => {
@@ -313,6 +330,9 @@ impl Problem for ModelProblem {
             Self::WrongStart { due, .. } => Some(format!("write {due}")),
             Self::NotDrivable { why, .. } if *why == HAS_PLAY => {
                 Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
+            }
+            Self::NotDrivable { why, .. } if *why == HAS_PLAY_IN_GUIDE => {
+                Some("drive an ideal joint, or set the clearance of this one to \"0 mm\"".to_owned())
             }
             Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
             Self::CycleNeedsTurns { .. } => {
@@ -330,5 +350,7 @@ impl Problem for ModelProblem {
 
 /// Why a joint with clearance cannot be driven.
 pub(super) const HAS_PLAY: &str = "has play";
+/// Why a prismatic joint with clearance cannot be driven.
+pub(super) const HAS_PLAY_IN_GUIDE: &str = "has play in its guide";
 /// Why a rigid joint cannot be driven.
 pub(super) const IS_RIGID: &str = "is rigid";

@@ -148,6 +148,8 @@ pub enum JointKind {
         slider: PointId,
         /// Angle from the slider body's x axis to the same line, rad (zero: the slider's x axis lies along it).
         slider_angle_rad: QuantityId,
+        /// Absent for an ideal joint.
+        clearance: Option<GuideClearance>,
     },
     /// Both points coincide and the bodies do not turn against each other.
     Rigid {
@@ -173,7 +175,36 @@ pub struct Clearance {
     pub contact: ContactId,
 }
 
-/// Contact between pin and hole.
+/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line. The
+/// faces of the guide have no ends.
+#[derive(Debug, Clone)]
+pub struct GuideClearance {
+    /// Half-length a of the block along the line, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Half-height b of the block across the line, m, > 0.
+    pub half_height_m: QuantityId,
+    /// Gap c between the block and each face, m, >= 0; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
+    pub corner_radius_m: Option<QuantityId>,
+    /// The contact between corners and faces; its bearing is the guide, its journal the slider.
+    pub contact: ContactId,
+}
+
+impl JointKind {
+    /// The clearance, m, and the contact of a joint that may have play.
+    pub fn play(&self) -> Option<(QuantityId, ContactId)> {
+        match self {
+            Self::Revolute { clearance: Some(clearance), .. } => {
+                Some((clearance.radial_clearance_m, clearance.contact))
+            }
+            Self::Prismatic { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Rigid { .. } => None,
+        }
+    }
+}
+
+/// Contact between pin and hole, or between the corners of a slider and its guide.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// Name in the file.

@@ -308,6 +308,7 @@ impl<'a, T: Lanes> Core<'a, T> {
                     let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
                     (limit / (distance_m + clearance_m), clearance_m)
                 }
+                PlayShape::Slider(_) => (limit, T::from_f64(0.5)),
             };
             let depth_m = T::select(is_root, limit * limit, depth_m);
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);

@@ -53,6 +53,23 @@ pub enum RunFailure {
         /// Time, s.
         time_s: f64,
     },
+    /// The penetration is so deep that the slider's axis leaves the guide.
+    #[error(
+        "at {} a corner of the slider of joint '{joint}' is pressed {} into its guide; its half-height is {}",
+        format_value(*time_s, Dimension::TIME),
+        format_value(*penetration_m, Dimension::LENGTH),
+        format_value(*half_height_m, Dimension::LENGTH)
+    )]
+    LeavesGuide {
+        /// The joint.
+        joint: String,
+        /// Penetration, m.
+        penetration_m: f64,
+        /// Half-height of the slider, m.
+        half_height_m: f64,
+        /// Time, s.
+        time_s: f64,
+    },
     /// The penetration is deeper than the contact law can tell a force for.
     #[error(
         "at {} the pin of joint '{joint}' is pressed {} into its hole; '{law}' has a force up to {}",
@@ -91,7 +108,7 @@ pub enum RunFailure {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 13] = [
+const CODES: [&str; 14] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -105,6 +122,7 @@ const CODES: [&str; 13] = [
     "beyond_contact_law",
     "clearance_outside_fit",
     "start_contradicts",
+    "slider_leaves_guide",
 ];
 
 impl RunFailure {
@@ -129,6 +147,7 @@ impl RunFailure {
             Self::BeyondLaw { .. } => 10,
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
             Self::Sample(SampleError::StartContradicts { .. }) => 12,
+            Self::LeavesGuide { .. } => 13,
         }
     }
 
@@ -147,7 +166,7 @@ impl Problem for RunFailure {
             Self::NotFinite { .. } => Code::RunNotFinite,
             Self::TooManyEvaluations { .. } => Code::RunTooLong,
             Self::TooManyRows { .. } => Code::BadCount,
-            Self::LeavesBearing { .. } => Code::PinLeavesBearing,
+            Self::LeavesBearing { .. } | Self::LeavesGuide { .. } => Code::PinLeavesBearing,
             Self::BeyondLaw { .. } => Code::BeyondContactLaw,
         }
     }
@@ -162,7 +181,7 @@ impl Problem for RunFailure {
             ),
             Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
             Self::TooManyRows { .. } => Some("ask for fewer turns or fewer samples a turn".to_owned()),
-            Self::LeavesBearing { .. } => {
+            Self::LeavesBearing { .. } | Self::LeavesGuide { .. } => {
                 Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
             }
             Self::BeyondLaw { .. } => Some("take a law without such a limit, liu or bai-zhao".to_owned()),
@@ -176,7 +195,7 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::LeavesBearing { joint, .. } | Self::BeyondLaw { joint, .. } => {
+            Self::LeavesBearing { joint, .. } | Self::LeavesGuide { joint, .. } | Self::BeyondLaw { joint, .. } => {
                 Complaint::error(self, model.place(&format!("joint.{joint}")))
             }
             Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {

@@ -3,7 +3,7 @@
 use super::Batch;
 use crate::contact::NormalContact;
 use crate::math::Lanes;
-use crate::mechanism::{GapMeasure, PlayGeometry, PlayShape};
+use crate::mechanism::{GapMeasure, PlayGeometry, PlayShape, SliderBlock};
 use crate::model::JointKind;
 use crate::simulate::failure::RunFailure;
 use crate::simulate::gap::ContactStep;
@@ -11,8 +11,8 @@ use crate::simulate::lane::LaneRun;
 use crate::simulate::observer::Observer;
 use crate::simulate::reads::ReadLayout;
 
-/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole, and the penetration where the law has
-/// one meaning.
+/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole, the axis of a slider inside its guide,
+/// and the penetration where the law has one meaning.
 #[derive(Debug, Clone, Copy)]
 pub struct DepthLimit {
     /// The largest penetration, m.
@@ -28,6 +28,7 @@ impl DepthLimit {
     pub fn new(play: &PlayGeometry<f64>) -> Self {
         let body_m = match play.shape {
             PlayShape::Pin { bearing_radius_m } => (bearing_radius_m - play.clearance_m).max(0.0),
+            PlayShape::Slider(block) => block.half_height_m,
         };
         let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
         let penetration_m = body_m.min(law_m);
@@ -73,16 +74,20 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         let model = &self.mechanism.model;
         let joint = &model.joints[self.mechanism.plays[self.mechanism.contacts[contact].play].0];
         let limit = run.depth_limits[contact];
-        let PlayShape::Pin { bearing_radius_m } = run.sample.play_of(contact).shape;
-        match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } if limit.is_of_law => RunFailure::BeyondLaw {
+        match (&joint.kind, run.sample.play_of(contact).shape) {
+            (JointKind::Revolute { clearance: Some(clearance), .. }, _) if limit.is_of_law => RunFailure::BeyondLaw {
                 joint: joint.name.clone(),
                 law: model.contacts[clearance.contact.0].law.name(),
                 penetration_m,
                 limit_m: limit.penetration_m,
                 time_s,
             },
-            _ => RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s },
+            (_, PlayShape::Pin { bearing_radius_m }) => {
+                RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s }
+            }
+            (_, PlayShape::Slider(SliderBlock { half_height_m, .. })) => {
+                RunFailure::LeavesGuide { joint: joint.name.clone(), penetration_m, half_height_m, time_s }
+            }
         }
     }
 }
