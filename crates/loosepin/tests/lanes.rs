@@ -3,7 +3,7 @@
 use loosepin::contact::{FRICTION_LAWS, NormalDescription};
 use loosepin::math::Vectors;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, Model};
+use loosepin::model::Model;
 use loosepin::native::OperationCounts;
 use loosepin::simulate::{
     Arms, Counters, EquationPrograms, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation,
@@ -94,8 +94,7 @@ impl Queue for Waiting<'_> {
         let factor = 0.9 + 0.2 * index as f64 / RUNS as f64;
         let mut set = Vec::new();
         for play in &self.case.mechanism.plays {
-            if let JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints[play.0].kind {
-                let id = clearance.radial_clearance_m;
+            if let Some((id, _)) = model.joints[play.0].kind.play() {
                 set.push((id, factor * model.quantities.nominal()[id]));
             }
         }
@@ -123,8 +122,9 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
-/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all.
-const CASES: [(&str, f64); 11] = [
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a slider with play in
+/// its guide.
+const CASES: [(&str, f64); 12] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -136,6 +136,7 @@ const CASES: [(&str, f64); 11] = [
     ("slider_crank_elements.toml", 0.1),
     ("slider_crank_table_drive.toml", 0.3),
     ("pendulum_on_a_spring.toml", 0.3),
+    ("slider_crank_guide", 0.15),
 ];
 
 #[test]
