@@ -1,7 +1,7 @@
 //! Why there is no quasi-static answer.
 
-use crate::mechanism::{Mechanism, SampleError};
-use crate::model::{JointKind, QuantityError};
+use crate::mechanism::SampleError;
+use crate::model::QuantityError;
 use crate::units::{Dimension, format_value};
 use thiserror::Error;
 
@@ -39,9 +39,9 @@ pub enum AccuracyError {
         /// What was given, SI.
         standard_deviation_si: f64,
     },
-    /// The places that a slider can take in its guide are no disc.
-    #[error("joint '{joint}' has play in its guide, for which there is no quasi-static answer")]
-    PlayInGuide {
+    /// A slider that its guide does not hold upright.
+    #[error("joint '{joint}': the slider can turn over in its guide, so that there is no quasi-static answer")]
+    TurnsOver {
         /// The joint.
         joint: String,
     },
@@ -59,10 +59,4 @@ pub enum AccuracyError {
     /// Journals displaced within their clearances bring the mechanism into a singular position.
     #[error("a singular position lies within the clearances: there the drives no longer determine the motion")]
     SingularWithPlay,
-}
-
-/// The name of a joint whose slider has play in its guide, if there is any.
-pub(super) fn slider_with_play(mechanism: &Mechanism) -> Option<&str> {
-    let joints = mechanism.plays.iter().map(|joint| &mechanism.model.joints[joint.0]);
-    joints.into_iter().find(|joint| matches!(joint.kind, JointKind::Prismatic { .. })).map(|joint| joint.name.as_str())
 }

@@ -279,9 +279,8 @@ it has freedoms that no drive moves, and as many rates (none at all for a mechan
 given beyond that must agree with the links. Everything else follows from the joints."
 
     NoQuasiStaticAnswer "E0707" "play for which there is no quasi-static answer"
-"The quasi-static answer takes each journal as anywhere in a disc, the play of its bearing. A slider with play in its guide \
-moves across it and turns, within |y| + a |sin θ| <= c + b (1 - cos θ), which is no disc, and for it that answer is not \
-computed. Dynamic runs and studies know such joints; a run of such a mechanism is not checked against a quasi-static limit."
+"The quasi-static answer takes each joint as anywhere within its play. A slider whose half-height and clearance together \
+exceed half its diagonal can turn over in its guide, and then its play has no end. A dynamic run still tells what happens."
 
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."

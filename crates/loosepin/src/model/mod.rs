@@ -41,6 +41,6 @@ pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use spring::{Spring, SpringKind};
 pub use topology::{
-    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, GuideClearance, Joint, JointId,
-    JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, GuideClearance, Joint,
+    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
 };
