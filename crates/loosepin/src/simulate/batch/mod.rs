@@ -20,13 +20,16 @@ use crate::simulate::gap::{ContactStep, GapJet};
 use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::simulate::motion::Motion;
 use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
-use crate::simulate::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
+use crate::simulate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::simulate::projection::Projection;
 use crate::simulate::reads::ReadLayout;
 use crate::simulate::report::{Counters, PlaySummary, RunReport};
 use crate::simulate::settings::{Settings, Window};
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
+/// What starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
+/// size of the mechanism: tolerances of the energy account need a size.
+const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
 pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
@@ -148,7 +151,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             self.view.evaluate(0.0, state);
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
         }
-        let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        let mut energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        if !self.mechanism.is_driven() {
+            energy_j = energy_j.max(LEAST_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
+        }
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
