@@ -122,9 +122,9 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
-/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a slider with play in
-/// its guide.
-const CASES: [(&str, f64); 12] = [
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, sliders with play in
+/// their guides, pins in slots.
+const CASES: [(&str, f64); 15] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -136,7 +136,10 @@ const CASES: [(&str, f64); 12] = [
     ("slider_crank_elements.toml", 0.1),
     ("slider_crank_table_drive.toml", 0.3),
     ("pendulum_on_a_spring.toml", 0.3),
-    ("slider_crank_guide", 0.15),
+    ("slider_crank_guide", 0.05),
+    ("slider_with_play_in_its_guide.toml", 0.1),
+    ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
+    ("disc_in_a_turning_slot.toml", 0.12),
 ];
 
 #[test]

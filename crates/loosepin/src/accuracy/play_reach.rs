@@ -7,7 +7,7 @@ use crate::mechanism::{Mechanism, PlayGeometry, PlayShape, Sample, SliderBlock};
 /// The displacements that the clearance of a joint allows.
 ///
 /// A displacement is a vector of two numbers: the eccentricity (e_x, e_y) of a journal in the ground's frame, m; the ordinate
-/// y, m, and the angle θ, rad, of a slider in its guide.
+/// y, m, and the angle θ, rad, of a slider in its guide; the ordinate of a pin in its slot and zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlayReach {
     /// A journal in its bearing: |e| <= r.
@@ -25,6 +25,11 @@ pub enum PlayReach {
         half_height_m: f64,
         /// θ_max with a sin θ_max = c + b (1 - cos θ_max), rad.
         largest_tilt_rad: f64,
+    },
+    /// A pin between the faces of its slot: |y| <= c. The ends are not looked at: they can only make it less.
+    Slot {
+        /// Clearance c, m.
+        clearance_m: f64,
     },
 }
 
@@ -51,6 +56,7 @@ impl PlayReach {
         let clearance_m = play.clearance_m + penetration_m;
         match play.shape {
             PlayShape::Pin { .. } => Some(Self::Disc { radius_m: clearance_m }),
+            PlayShape::Slot(_) => Some(Self::Slot { clearance_m }),
             PlayShape::Slider(SliderBlock { half_length_m, half_height_m, .. }) => {
                 let largest_tilt_rad = largest_tilt_rad(clearance_m, half_length_m, half_height_m)?;
                 Some(Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad })
@@ -68,6 +74,7 @@ impl PlayReach {
                 let length = gradient.length();
                 (length > 0.0).then(|| gradient * (radius_m / length))
             }
+            Self::Slot { clearance_m } => (gradient.x != 0.0).then(|| Vec2::new(clearance_m.copysign(gradient.x), 0.0)),
             Self::Guide { clearance_m, largest_tilt_rad, .. } => {
                 let [across, turning] = [clearance_m * gradient.x, largest_tilt_rad * gradient.y];
                 if across.abs() >= turning.abs() {
@@ -79,23 +86,29 @@ impl PlayReach {
         }
     }
 
-    /// The largest g·e: c |g| for a disc, max(c |g_y|, θ_max |g_θ|) for a guide.
+    /// The largest g·e: c |g| for a disc, max(c |g_y|, θ_max |g_θ|) for a guide, c |g_y| for a slot.
     pub fn worst_case_si(&self, gradient: Vec2<f64>) -> f64 {
         match *self {
             Self::Disc { radius_m } => radius_m * gradient.length(),
+            Self::Slot { clearance_m } => clearance_m * gradient.x.abs(),
             Self::Guide { clearance_m, largest_tilt_rad, .. } => {
                 f64::max(clearance_m * gradient.x.abs(), largest_tilt_rad * gradient.y.abs())
             }
         }
     }
 
-    /// A quarter of this is the variance of g·e for even chances over all displacements, half of it for even chances on their
-    /// border: c² |g|² for a disc; 2/3 (c² g_y² + θ_max² g_θ²) for a guide, which is to first order a rhombus.
-    pub(super) fn spread_si2(&self, gradient: Vec2<f64>) -> f64 {
+    /// Four times the variance of g·e for even chances over all displacements, and twice that for even chances on their
+    /// border: c² |g|² for a disc; 2/3 (c² g_y² + θ_max² g_θ²) for a guide, which is to first order a rhombus; 4/3 and 2 times
+    /// c² g_y² for a slot.
+    pub(super) fn spreads_si2(&self, gradient: Vec2<f64>) -> [f64; 2] {
         match *self {
-            Self::Disc { radius_m } => radius_m * radius_m * gradient.length_squared(),
+            Self::Disc { radius_m } => [radius_m * radius_m * gradient.length_squared(); 2],
+            Self::Slot { clearance_m } => {
+                let square = (clearance_m * gradient.x) * (clearance_m * gradient.x);
+                [4.0 / 3.0 * square, 2.0 * square]
+            }
             Self::Guide { clearance_m, largest_tilt_rad, .. } => {
-                2.0 / 3.0 * Vec2::new(clearance_m * gradient.x, largest_tilt_rad * gradient.y).length_squared()
+                [2.0 / 3.0 * Vec2::new(clearance_m * gradient.x, largest_tilt_rad * gradient.y).length_squared(); 2]
             }
         }
     }
@@ -103,7 +116,7 @@ impl PlayReach {
     /// The displacement nearby that the clearance allows: between two ends a guide is narrower than the straight line.
     pub(super) fn within(&self, displacement: Vec2<f64>) -> Vec2<f64> {
         match *self {
-            Self::Disc { .. } => displacement,
+            Self::Disc { .. } | Self::Slot { .. } => displacement,
             Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad } => {
                 let tilt_rad = displacement.y.clamp(-largest_tilt_rad, largest_tilt_rad);
                 let left_m = f64::max(clearance_m - taken_m(tilt_rad.abs(), half_length_m, half_height_m), 0.0);
@@ -117,6 +130,7 @@ impl PlayReach {
         let (sine, cosine) = sin_cos(angle_rad);
         match *self {
             Self::Disc { radius_m } => Vec2::new(cosine, sine) * radius_m,
+            Self::Slot { clearance_m } => Vec2::new(clearance_m.copysign(cosine), 0.0),
             Self::Guide { clearance_m, largest_tilt_rad, .. } => {
                 if cosine.abs() >= sine.abs() {
                     Vec2::new(clearance_m.copysign(cosine), 0.0)

@@ -309,9 +309,9 @@ first one; `loosepin simulate` with the values of the study shows it alone."
 "Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
     PinLeavesBearing "E0808" "a pin is pressed out of its hole"
-"The penetration of a contact grew so deep that the centre of the pin left the hole, or the axis of the slider its guide. No contact law holds there: the parts are \
-far too soft, or the drive far too fast, for the masses that they carry. Look at the stiffness or Young's modulus, the speed and \
-the masses."
+"The penetration of a contact grew so deep that the centre of the pin left the hole, or the axis of the slider its guide. No \
+contact law holds there: the parts are far too soft, or the drive far too fast, for the masses that they carry. Look at the \
+stiffness or Young's modulus, the speed and the masses."
 
     BeyondContactLaw "E0809" "a contact is deeper than its law goes"
 "Line-contact laws with a logarithm (johnson, esdu-78035, dubowsky-freudenstein, radzimovsky) give the penetration for a force; \

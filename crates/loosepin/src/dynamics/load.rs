@@ -66,7 +66,7 @@ impl<T: Real> Dynamics<'_, T> {
         let [i, j] = points_of(kind).map(|point| self.mechanism.real.slot_of_body[point.body.0]);
         let (poses, twists) = (&self.kinematics.poses, &self.kinematics.twists);
         match kind {
-            JointKind::Prismatic { .. } => {
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => {
                 let numbers = &self.sample.loads[load];
                 let line = poses[i].turn(numbers.joint_line);
                 let arms = [poses[i].turn(numbers.joint_arms_m[0]), poses[j].turn(numbers.joint_arms_m[1])];

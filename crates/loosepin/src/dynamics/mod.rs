@@ -12,6 +12,7 @@ mod load;
 mod pin;
 mod play;
 mod reactions;
+mod slot;
 mod spring;
 mod torsional_spring;
 

@@ -17,7 +17,7 @@ pub struct PlayMotion<T> {
     pub journal_arm_m: Vec2<T>,
     /// Angular velocities ω_i (bearing) and ω_j (journal), rad/s.
     pub spins_rad_s: [T; 2],
-    /// Directions of the guide's line and of the slider's axis in the ground's frame; zero for a pin.
+    /// Directions of the guide's or slot's line and of the slider's axis in the ground's frame; zero where there is none.
     pub directions: [Vec2<T>; 2],
 }
 
@@ -38,6 +38,7 @@ impl<T: Real> PlayMotion<T> {
             spins_rad_s: [twist_i.angular, twist_j.angular],
             directions: match play.shape {
                 PlayShape::Pin { .. } => [Vec2::zero(); 2],
+                PlayShape::Slot(slot) => [kinematics.poses[i].turn(slot.line), Vec2::zero()],
                 PlayShape::Slider(block) => {
                     [kinematics.poses[i].turn(block.line), kinematics.poses[j].turn(block.axis)]
                 }

@@ -2,7 +2,7 @@
 
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, acceleration_at, moved};
-use super::tree::{CutKind, Tree};
+use super::tree::Tree;
 use crate::math::{Real, Vec2};
 
 /// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line, sine of the
@@ -13,7 +13,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        if cut.kind == CutKind::Prismatic {
+        if cut.kind.is_on_line() {
             let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
             out[row] = Vec2::new(-sine, cosine).dot(gap);
         } else {
@@ -21,7 +21,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
             out[row] = gap.x;
             out[row + 1] = gap.y;
         }
-        if cut.kind != CutKind::Revolute {
+        if cut.kind.holds_angle() {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             out[row + cut.kind.rows() - 1] = turn.sin_cos().0;
         }
@@ -53,7 +53,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                 let column = dependence.coordinate;
                 let turning = T::from_f64(dependence.turning);
                 let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
-                if cut.kind == CutKind::Prismatic {
+                if cut.kind.is_on_line() {
                     out[row * columns + column] += normal.dot(velocity);
                     if side == 0 {
                         // The normal turns with the guide: dn/dt = -ω d.
@@ -63,7 +63,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                     out[row * columns + column] += velocity.x;
                     out[(row + 1) * columns + column] += velocity.y;
                 }
-                if cut.kind != CutKind::Revolute {
+                if cut.kind.holds_angle() {
                     out[(row + cut.kind.rows() - 1) * columns + column] += turning * sign * turn_cosine;
                 }
             }
@@ -83,7 +83,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let changes = cut.slots.map(|slot| kinematics.biases[slot]);
         let acceleration =
             acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
-        if cut.kind == CutKind::Prismatic {
+        if cut.kind.is_on_line() {
             let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
             let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
             let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
@@ -98,7 +98,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
             out[row] = acceleration.x;
             out[row + 1] = acceleration.y;
         }
-        if cut.kind != CutKind::Revolute {
+        if cut.kind.holds_angle() {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             let (sine, cosine) = turn.sin_cos();
             let spin = twists[1].angular - twists[0].angular;

@@ -23,9 +23,44 @@ pub enum PlayShape<T> {
     },
     /// A block between the two faces of a guide: a contact for each corner.
     Slider(SliderBlock<T>),
+    /// A round pin in a straight slot with round ends: one contact.
+    Slot(SlotShape<T>),
 }
 
-/// A block between the two faces of a guide; the faces have no ends.
+/// A straight slot with round ends.
+#[derive(Debug, Clone, Copy)]
+pub struct SlotShape<T> {
+    /// Half-length h from the middle of the slot to the centre of each round end, m.
+    pub half_length_m: T,
+    /// Radius R_i of the ends, half the width of the slot, m.
+    pub end_radius_m: T,
+    /// Direction of the slot's line in its body's frame.
+    pub line: Vec2<T>,
+    /// κ: by what share the round ends are stiffer than the faces; zero where the stiffness is given.
+    pub end_stiffening: T,
+}
+
+impl<T: Real> SlotShape<T> {
+    /// Shows all numbers.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        visit(&mut self.half_length_m);
+        visit(&mut self.end_radius_m);
+        self.line.visit(visit);
+        visit(&mut self.end_stiffening);
+    }
+
+    /// The same slot in every lane.
+    pub fn broadcast(slot: &SlotShape<f64>) -> Self {
+        Self {
+            half_length_m: T::from_f64(slot.half_length_m),
+            end_radius_m: T::from_f64(slot.end_radius_m),
+            line: Vec2::from_f64(slot.line),
+            end_stiffening: T::from_f64(slot.end_stiffening),
+        }
+    }
+}
+
+/// A block between the two faces of a guide.
 #[derive(Debug, Clone, Copy)]
 pub struct SliderBlock<T> {
     /// Half-length a along its axis, m.
@@ -65,7 +100,7 @@ const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower fr
 pub(super) fn contact_places(model: &Model, plays: &[JointId]) -> Vec<ContactPlace> {
     let count = |joint: JointId| match model.joints[joint.0].kind {
         JointKind::Prismatic { .. } => CORNERS.len(),
-        JointKind::Revolute { .. } | JointKind::Rigid { .. } => 1,
+        JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => 1,
     };
     let places = |(play, &joint): (usize, &JointId)| (0..count(joint)).map(move |place| ContactPlace { play, place });
     plays.iter().enumerate().flat_map(places).collect()
@@ -76,14 +111,14 @@ pub(super) fn contact_name(model: &Model, joint: JointId, place: usize) -> Strin
     let joint = &model.joints[joint.0];
     match joint.kind {
         JointKind::Prismatic { .. } => format!("{} ({})", joint.name, CORNERS[place]),
-        JointKind::Revolute { .. } | JointKind::Rigid { .. } => joint.name.clone(),
+        JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => joint.name.clone(),
     }
 }
 
 /// What the gap function of a contact measures; it is positive in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GapMeasure {
-    /// |e|² - c², m²: smooth also where e = 0.
+    /// |e|² - c², m²: smooth also where e = 0. In a slot e goes from the nearest point of its line between both ends.
     Squares {
         /// Radial clearance c, m.
         clearance_m: f64,
@@ -96,7 +131,7 @@ impl GapMeasure {
     /// What the gaps of the contacts of a joint with play measure.
     pub fn of(play: &PlayGeometry<f64>) -> Self {
         match play.shape {
-            PlayShape::Pin { .. } => Self::Squares { clearance_m: play.clearance_m },
+            PlayShape::Pin { .. } | PlayShape::Slot(_) => Self::Squares { clearance_m: play.clearance_m },
             PlayShape::Slider(_) => Self::Penetration,
         }
     }

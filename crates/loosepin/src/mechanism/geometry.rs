@@ -114,7 +114,7 @@ impl<T: Real> Geometry<T> {
 
     /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
     /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
-    /// and an angle, rad. A joint that the tree treats as a force element is left alone.
+    /// and an angle, rad; for a slot by an ordinate alone. A joint that the tree treats as a force element is left alone.
     pub fn set_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<f64>) {
         let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
         for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
@@ -141,7 +141,7 @@ impl<T: Real> Geometry<T> {
                 continue;
             }
             match cut.kind {
-                CutKind::Prismatic => {
+                CutKind::Prismatic | CutKind::Slot => {
                     let normal = direction(geometry.angles_rad[0]).turned();
                     geometry.arms_m[0] = Vec2::from_f64(centred.arms_m[0]).plus(normal, ordinate_m);
                     geometry.angles_rad[1] = T::from_f64(centred.angles_rad[1]) - tilt_rad;
@@ -180,14 +180,15 @@ pub fn joint_of(attachment: Attachment) -> Option<(JointId, bool)> {
     }
 }
 
-/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint; for a
-/// rigid joint the second body's x axis.
+/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint (that of a
+/// slot has a meaning in the first frame alone); for a rigid joint the second body's x axis.
 fn line_angles_rad<T: Real>(kind: &JointKind, number: &dyn Fn(QuantityId) -> T) -> [T; 2] {
     match *kind {
         JointKind::Revolute { .. } => [T::zero(), T::zero()],
         JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
             [number(guide_angle_rad), number(slider_angle_rad)]
         }
+        JointKind::Slot { slot_angle_rad, .. } => [number(slot_angle_rad), T::zero()],
         JointKind::Rigid { angle_rad, .. } => [number(angle_rad), T::zero()],
     }
 }

@@ -1,6 +1,6 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
-use super::contact_place::{PlayShape, SliderBlock};
+use super::contact_place::{PlayShape, SliderBlock, SlotShape};
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::load::LoadGeometry;
@@ -59,6 +59,7 @@ impl<T: Real> Sample<T> {
             match &mut play.shape {
                 PlayShape::Pin { bearing_radius_m } => visit(bearing_radius_m),
                 PlayShape::Slider(block) => block.visit(visit),
+                PlayShape::Slot(slot) => slot.visit(visit),
             }
             visit(&mut play.clearance_m);
             play.normal.visit(visit);
@@ -120,6 +121,7 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
         shape: match from.shape {
             PlayShape::Pin { bearing_radius_m } => PlayShape::Pin { bearing_radius_m: number(bearing_radius_m) },
             PlayShape::Slider(block) => PlayShape::Slider(SliderBlock::broadcast(&block)),
+            PlayShape::Slot(slot) => PlayShape::Slot(SlotShape::broadcast(&slot)),
         },
         clearance_m: number(from.clearance_m),
         normal: NormalLaw::broadcast(&from.normal),

@@ -126,7 +126,10 @@ impl<T: Real> LoadGeometry<T> {
             joint_arms_m: kind
                 .map_or([Vec2::zero(); 2], |kind| points_of(kind).map(|point| point_m(model, values, point))),
             joint_line: match kind {
-                Some(JointKind::Prismatic { guide_angle_rad, .. }) => along(values[*guide_angle_rad]),
+                Some(
+                    JointKind::Prismatic { guide_angle_rad: line_rad, .. }
+                    | JointKind::Slot { slot_angle_rad: line_rad, .. },
+                ) => along(values[*line_rad]),
                 _ => Vec2::zero(),
             },
         }

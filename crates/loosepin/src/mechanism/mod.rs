@@ -22,7 +22,7 @@ mod table;
 mod tree;
 mod ways_on;
 
-pub use contact_place::{ContactPlace, GapMeasure, PlayShape, SliderBlock};
+pub use contact_place::{ContactPlace, GapMeasure, PlayShape, SliderBlock, SlotShape};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};

@@ -1,6 +1,6 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
-use super::contact_place::{ContactPlace, PlayShape, SliderBlock};
+use super::contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
 use super::drive::Drives;
 use super::error::SampleError;
 use super::geometry::{Geometry, direction, point_m};
@@ -14,9 +14,7 @@ use crate::contact::{
     sphere_stiffness_n_m1_5,
 };
 use crate::math::{Real, Vec2};
-use crate::model::{
-    Clearance, Contact, GuideClearance, JointId, JointKind, QuantityId, SlidingVelocity, Stiffness, Values,
-};
+use crate::model::{Clearance, Contact, JointId, JointKind, QuantityId, SlidingVelocity, Stiffness, Values};
 
 /// Numbers of a joint with play.
 #[derive(Debug, Clone, Copy)]
@@ -144,8 +142,26 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
                 line: direction(number(*guide_angle_rad)),
                 axis: direction(number(*slider_angle_rad)),
             };
-            let corner = |compliances, damping_factor| corner_contact(clearance, values, compliances, damping_factor);
+            let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
+            let corner = |compliances, damping_factor| flat_contact(radius_m, compliances, damping_factor);
             (PlayShape::Slider(block), normal(contact, values, corner))
+        }
+        JointKind::Slot { clearance: Some(clearance), slot_angle_rad, .. } => {
+            let end_radius_m = values[clearance.end_radius_m];
+            // K of eq. (9) over its limit for R_i without bounds.
+            let end_stiffening = match contact.stiffness {
+                Stiffness::Material { .. } => (end_radius_m / clearance_m).sqrt() - 1.0,
+                Stiffness::Given { .. } | Stiffness::Linear { .. } => 0.0,
+            };
+            let slot = SlotShape {
+                half_length_m: number(clearance.half_length_m),
+                end_radius_m: T::from_f64(end_radius_m),
+                line: direction(number(*slot_angle_rad)),
+                end_stiffening: T::from_f64(end_stiffening),
+            };
+            let pin_radius_m = end_radius_m - clearance_m;
+            let face = |compliances, damping_factor| flat_contact(pin_radius_m, compliances, damping_factor);
+            (PlayShape::Slot(slot), normal(contact, values, face))
         }
         _ => return None,
     };
@@ -222,14 +238,8 @@ fn pin_contact(
     }
 }
 
-/// A corner of a slider on a face of its guide: a sphere on a plane.
-fn corner_contact(
-    clearance: &GuideClearance,
-    values: &Values,
-    compliances_1_pa: [f64; 2],
-    damping_factor: f64,
-) -> NormalLaw<f64> {
-    let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
+/// A corner of a slider, or a pin, on a plane: Hertz' sphere, to which eq. (9) comes for R_i without bounds.
+fn flat_contact(radius_m: f64, compliances_1_pa: [f64; 2], damping_factor: f64) -> NormalLaw<f64> {
     NormalLaw::Point(PointContact {
         stiffness_n_m_n: sphere_stiffness_n_m1_5(compliances_1_pa, radius_m),
         exponent: 1.5,

@@ -5,7 +5,7 @@ use super::drive_keys::{
 };
 use super::file::{ModelReader, UNREAD};
 use super::function::{Changing, Function, TIME};
-use super::problem::{HAS_PLAY, HAS_PLAY_IN_GUIDE, IS_RIGID, ModelProblem};
+use super::problem::{HAS_PLAY, HAS_PLAY_IN_GUIDE, IS_RIGID, IS_SLOT, ModelProblem};
 use super::quantity::QuantityId;
 use super::topology::{DriveId, JointId, JointKind};
 use crate::document::{Entry, Table};
@@ -165,6 +165,7 @@ impl ModelReader {
                 }
                 HAS_PLAY_IN_GUIDE
             }
+            JointKind::Slot { .. } => IS_SLOT,
             JointKind::Rigid { .. } => IS_RIGID,
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why };

@@ -3,24 +3,46 @@
 use super::file::ModelReader;
 use super::joint::is_literal_zero;
 use super::problem::ModelProblem;
-use super::quantity::Origin;
+use super::quantity::{Origin, QuantityId};
 use super::topology::{ContactId, GuideClearance, SlidingVelocity, Stiffness};
 use crate::contact::NormalDescription;
 use crate::document::Table;
 use crate::units::{Dimension, Rule};
 
-/// What a joint with play needs beside the clearance.
-const NEEDED: [&str; 3] = ["half_length", "half_height", "contact"];
+/// Keys of a joint kind that go with its `clearance`.
+pub(super) struct PlayKeys {
+    /// What a clearance above zero needs.
+    pub needed: &'static [&'static str],
+    /// What has a meaning beside a clearance only.
+    pub further: &'static [&'static str],
+}
 
 impl ModelReader {
     /// The clearance of a prismatic joint; the outer option is absent after a complaint, the inner for an ideal joint.
     pub(super) fn guide_clearance(&mut self, table: &Table<'_>) -> Option<Option<GuideClearance>> {
+        const KEYS: PlayKeys =
+            PlayKeys { needed: &["half_length", "half_height", "contact"], further: &["corner_radius"] };
         let [half_length_m, half_height_m, corner_radius_m] =
             ["half_length", "half_height", "corner_radius"].map(|key| self.quantity(table, key));
         let contact = self.contact_of(table);
-        let missing: Vec<&'static str> = NEEDED.into_iter().filter(|key| !table.has(key)).collect();
+        let Some(clearance_m) = self.play_clearance(table, &KEYS)? else { return Some(None) };
+        let contact = contact?;
+        self.demand_flat_contact(table, contact, "a corner of a slider")?;
+        self.demand_corner_radius(table, contact)?;
+        Some(Some(GuideClearance {
+            half_length_m: half_length_m?,
+            half_height_m: half_height_m?,
+            clearance_m,
+            corner_radius_m,
+            contact,
+        }))
+    }
+
+    /// The key `clearance`; the outer option is absent after a complaint, the inner for an ideal joint.
+    pub(super) fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>> {
+        let missing: Vec<&'static str> = keys.needed.iter().copied().filter(|key| !table.has(key)).collect();
         let Some(entry) = table.get("clearance") else {
-            if let Some(key) = NEEDED.into_iter().chain(["corner_radius"]).find(|key| table.has(key)) {
+            if let Some(key) = keys.needed.iter().chain(keys.further).find(|key| table.has(key)) {
                 self.complain_of_missing(table, key, vec!["clearance"]);
                 return None;
             }
@@ -40,19 +62,16 @@ impl ModelReader {
             self.complain_of_missing(table, "clearance", missing);
             return None;
         }
-        let contact = contact?;
-        self.demand_corner_contact(table, contact)?;
-        Some(Some(GuideClearance {
-            half_length_m: half_length_m?,
-            half_height_m: half_height_m?,
-            clearance_m,
-            corner_radius_m,
-            contact,
-        }))
+        Some(Some(clearance_m))
     }
 
-    /// Complains where the contact is one that a corner on a plane cannot have.
-    fn demand_corner_contact(&mut self, table: &Table<'_>, id: ContactId) -> Option<()> {
+    /// Complains where the contact is one that `what_touches`, on a plane, cannot have.
+    pub(super) fn demand_flat_contact(
+        &mut self,
+        table: &Table<'_>,
+        id: ContactId,
+        what_touches: &'static str,
+    ) -> Option<()> {
         let contact = &self.contacts[id.0];
         let is_literal =
             contact.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal);
@@ -61,12 +80,17 @@ impl ModelReader {
             _ => is_literal.then(|| "the literal reading of the sliding velocity".to_owned()),
         };
         if let Some(what) = what {
-            let problem =
-                ModelProblem::NotForCorners { entry: table.path.describe(), contact: contact.name.clone(), what };
+            let (entry, contact) = (table.path.describe(), contact.name.clone());
+            let problem = ModelProblem::NotForPlanes { entry, contact, what, what_touches };
             self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.span));
             return None;
         }
-        let is_of_materials = matches!(contact.stiffness, Stiffness::Material { .. });
+        Some(())
+    }
+
+    /// The radius of the corners belongs to a stiffness from the materials, and to no other.
+    fn demand_corner_radius(&mut self, table: &Table<'_>, id: ContactId) -> Option<()> {
+        let is_of_materials = matches!(self.contacts[id.0].stiffness, Stiffness::Material { .. });
         match (is_of_materials, table.get("corner_radius")) {
             (true, None) => {
                 self.complain_of_missing(table, "contact", vec!["corner_radius"]);

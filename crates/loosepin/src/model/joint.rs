@@ -1,7 +1,7 @@
 //! Joints.
 
 use super::file::ModelReader;
-use super::keys::{GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
+use super::keys::{GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS, SLOT_KEYS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
 use super::topology::{BodyId, Clearance, ContactId, Joint, JointId, JointKind, PointId};
@@ -29,6 +29,7 @@ impl ModelReader {
         let kind = match kind {
             "revolute" => self.reader.table(entry, &REVOLUTE_KEYS).and_then(|table| self.revolute(&table)),
             "prismatic" => self.reader.table(entry, &PRISMATIC_KEYS).and_then(|table| self.prismatic(&table)),
+            "slot" => self.reader.table(entry, &SLOT_KEYS).and_then(|table| self.slot(&table)),
             _ => self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)),
         }?;
         let [first, second] = kind.bodies();
@@ -141,11 +142,12 @@ pub(super) fn is_literal_zero(expression: &Expression) -> bool {
 }
 
 impl JointKind {
-    /// The bodies that it connects: bearing and journal, guide and slider, first and second.
+    /// The bodies that it connects: bearing and journal, guide and slider, slot and pin, first and second.
     pub fn bodies(&self) -> [BodyId; 2] {
         match self {
             JointKind::Revolute { bearing, journal, .. } => [bearing.body, journal.body],
             JointKind::Prismatic { guide, slider, .. } => [guide.body, slider.body],
+            JointKind::Slot { slot, pin, .. } => [slot.body, pin.body],
             JointKind::Rigid { first, second, .. } => [first.body, second.body],
         }
     }

@@ -220,6 +220,14 @@ pub(super) static GUIDE_KEYS: Keys = Keys::new(
     ],
 );
 
+pub(super) static SLOT_LINE_KEYS: Keys = Keys::new(
+    "the line of a slot",
+    &[
+        required("point", Kind::Point, "\"yoke.middle\"", "the middle of the slot"),
+        required("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "its direction from the x axis of the body"),
+    ],
+);
+
 pub(super) static SLIDER_KEYS: Keys = Keys::new(
     "the point that stays on the line of a guide",
     &[
@@ -272,6 +280,39 @@ pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
     ],
 );
 
+pub(super) static SLOT_KEYS: Keys = Keys::new(
+    "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
+        required(
+            "slot",
+            Kind::Table(&SLOT_LINE_KEYS),
+            "{ point = \"yoke.middle\", angle = \"90 deg\" }",
+            "the middle of the slot and its direction",
+        ),
+        required("pin", Kind::Point, "\"crank.pin\"", "point at the centre of the pin"),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "from the middle of the slot to the centre of each round end",
+        ),
+        optional(
+            "end_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"10 mm\"",
+            "radius of the round ends, half the width of the slot",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and slot"),
+    ],
+);
+
 pub(super) static RIGID_KEYS: Keys = Keys::new(
     "two points coincide and the bodies do not turn against each other",
     &[
@@ -288,7 +329,7 @@ pub(super) static RIGID_KEYS: Keys = Keys::new(
 );
 
 pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
-    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("rigid", &RIGID_KEYS)];
+    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("slot", &SLOT_KEYS), ("rigid", &RIGID_KEYS)];
 
 pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
     "how loops close that can close in two ways",

@@ -22,6 +22,7 @@ mod problem;
 mod quantity;
 mod set_values;
 mod setting;
+mod slot;
 mod spring;
 mod spring_keys;
 mod topology;
@@ -42,5 +43,5 @@ pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use spring::{Spring, SpringKind};
 pub use topology::{
     Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, GuideClearance, Joint,
-    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, SlotClearance, Stiffness,
 };

@@ -155,14 +155,16 @@ pub enum ModelProblem {
         entry: String,
     },
     /// A contact that only a pin in a hole can have.
-    #[error("{entry}: contact '{contact}' has {what}, which means nothing for a corner of a slider")]
-    NotForCorners {
+    #[error("{entry}: contact '{contact}' has {what}, which means nothing for {what_touches}")]
+    NotForPlanes {
         /// The joint.
         entry: String,
         /// The contact.
         contact: String,
         /// What of it.
         what: String,
+        /// What touches a plane.
+        what_touches: &'static str,
     },
     /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
@@ -266,7 +268,7 @@ impl Problem for ModelProblem {
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
-            | Self::NotForCorners { .. }
+            | Self::NotForPlanes { .. }
             | Self::KeyWithoutEffect { .. }
             | Self::JointNotRead { .. } => Code::ConflictingKeys,
             Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
@@ -313,7 +315,7 @@ impl Problem for ModelProblem {
             Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"corner_radius") => Some(
                 "the stiffness of the contact comes from the materials: a sphere of that radius on a plane".to_owned(),
             ),
-            Self::NotForCorners { .. } => {
+            Self::NotForPlanes { .. } => {
                 Some("take a point-contact or a linear law, and the material sliding velocity".to_owned())
             }
             Self::NeedsKeys { key: "radial_clearance" | "clearance", .. } => {
@@ -352,5 +354,7 @@ impl Problem for ModelProblem {
 pub(super) const HAS_PLAY: &str = "has play";
 /// Why a prismatic joint with clearance cannot be driven.
 pub(super) const HAS_PLAY_IN_GUIDE: &str = "has play in its guide";
+/// Why a pin in a slot cannot be driven.
+pub(super) const IS_SLOT: &str = "is a slot";
 /// Why a rigid joint cannot be driven.
 pub(super) const IS_RIGID: &str = "is rigid";

@@ -151,6 +151,18 @@ pub enum JointKind {
         /// Absent for an ideal joint.
         clearance: Option<GuideClearance>,
     },
+    /// The pin's centre stays on a line fixed to the slot's body, and turns there; with a clearance, it may leave the line and
+    /// touch the round ends. Coordinate s as for a prismatic joint.
+    Slot {
+        /// Middle of the slot.
+        slot: PointId,
+        /// Angle of its line from the x axis of its body, rad.
+        slot_angle_rad: QuantityId,
+        /// Centre of the pin.
+        pin: PointId,
+        /// Absent for an ideal joint, which has no ends.
+        clearance: Option<SlotClearance>,
+    },
     /// Both points coincide and the bodies do not turn against each other.
     Rigid {
         /// Point of the first body.
@@ -191,6 +203,19 @@ pub struct GuideClearance {
     pub contact: ContactId,
 }
 
+/// The play of a pin in a straight slot with round ends.
+#[derive(Debug, Clone)]
+pub struct SlotClearance {
+    /// Half-length h from the middle of the slot to the centre of each round end, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Radius R_i of the ends, half the width of the slot, m, > 0.
+    pub end_radius_m: QuantityId,
+    /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact between pin and slot.
+    pub contact: ContactId,
+}
+
 impl JointKind {
     /// The clearance, m, and the contact of a joint that may have play.
     pub fn play(&self) -> Option<(QuantityId, ContactId)> {
@@ -199,12 +224,13 @@ impl JointKind {
                 Some((clearance.radial_clearance_m, clearance.contact))
             }
             Self::Prismatic { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
-            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Rigid { .. } => None,
+            Self::Slot { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Slot { .. } | Self::Rigid { .. } => None,
         }
     }
 }
 
-/// Contact between pin and hole, or between the corners of a slider and its guide.
+/// Contact between pin and hole or slot, or between the corners of a slider and its guide.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// Name in the file.

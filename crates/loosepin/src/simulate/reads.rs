@@ -4,6 +4,7 @@ use super::column::{Arms, Reading};
 use super::motion::Motion;
 use crate::math::Real;
 use crate::mechanism::Mechanism;
+use crate::model::{JointId, JointKind};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.
@@ -14,12 +15,20 @@ pub struct ReadLayout {
     /// Whether the kinetic energy is read as well: forces alone may exchange it with what springs and gravity hold, so that
     /// their sum tells nothing of how much energy goes to and fro.
     has_kinetic: bool,
+    /// Whether the stiffness of each contact is read as well: that of a pin in a slot differs from place to place.
+    has_shares: bool,
 }
 
 impl ReadLayout {
     /// For the contacts of `mechanism` and this many followed outputs.
     pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
-        Self { contacts: mechanism.contacts.len(), outputs, has_kinetic: !mechanism.is_driven() }
+        let is_slot = |joint: &JointId| matches!(mechanism.model.joints[joint.0].kind, JointKind::Slot { .. });
+        Self {
+            contacts: mechanism.contacts.len(),
+            outputs,
+            has_kinetic: !mechanism.is_driven(),
+            has_shares: mechanism.plays.iter().any(is_slot),
+        }
     }
     /// Length of the row.
     pub fn length(&self) -> usize {
@@ -37,12 +46,17 @@ impl ReadLayout {
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]
     pub fn gap(&self, contact: usize) -> usize {
-        4 + usize::from(self.has_kinetic) + 4 * contact
+        4 + usize::from(self.has_kinetic) + (4 + usize::from(self.has_shares)) * contact
     }
     /// Sliding velocity of a contact, m/s; zero where there is no friction.
     #[inline(always)]
     pub fn sliding(&self, contact: usize) -> usize {
         self.gap(contact) + 3
+    }
+    /// Stiffness at the contact's place over that of its law, where it is read.
+    #[inline(always)]
+    pub fn share(&self, contact: usize) -> Option<usize> {
+        self.has_shares.then_some(self.gap(contact) + 4)
     }
     /// A followed output.
     #[inline(always)]
@@ -85,6 +99,9 @@ impl<T: Real> Motion<'_, T> {
             }
             row[layout.gap(contact)..layout.gap(contact) + 3].copy_from_slice(&gap);
             row[layout.sliding(contact)] = force.sliding_m_s;
+            if let Some(place) = layout.share(contact) {
+                row[place] = force.stiffness_share;
+            }
         }
         for (k, reading) in readings.iter().enumerate() {
             let place = layout.output(k);

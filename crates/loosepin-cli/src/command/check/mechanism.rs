@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
-use loosepin::mechanism::{Drives, Mechanism, Sample};
+use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
     BodyId, Contact, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PointId, QuantityId,
 };
@@ -97,6 +97,12 @@ fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
             point(*guide),
             angle(values[*guide_angle_rad])
         ),
+        JointKind::Slot { slot, slot_angle_rad, pin, .. } => format!(
+            "slot: {} slides and turns in a slot through {} at {}",
+            point(*pin),
+            point(*slot),
+            angle(values[*slot_angle_rad])
+        ),
         JointKind::Rigid { first, second, .. } => format!("rigid: {} is fixed to {}", point(*second), point(*first)),
     }
 }
@@ -139,6 +145,13 @@ fn play_words(joint: &Joint, clearance: String, values: &Values) -> String {
     match &joint.kind {
         JointKind::Revolute { clearance: Some(play), .. } => {
             format!("play: radial clearance {clearance} in a bearing of radius {}", length(play.bearing_radius_m))
+        }
+        JointKind::Slot { clearance: Some(play), .. } => {
+            let (half_length, radius) = (length(play.half_length_m), length(play.end_radius_m));
+            format!(
+                "play: clearance {clearance} on each side in a slot with round ends of radius {radius}, their centres \
+                 {half_length} from its middle"
+            )
         }
         JointKind::Prismatic { clearance: Some(play), .. } => {
             let radius = play.corner_radius_m.map_or(String::new(), |id| format!(", corners of radius {}", length(id)));
@@ -206,7 +219,14 @@ fn stiffness_words(
                 Stiffness::Material { .. } => "from the materials",
                 Stiffness::Given { .. } | Stiffness::Linear { .. } => "as given",
             };
-            format!("stiffness {k} {origin}; ")
+            match numbers.shape {
+                PlayShape::Slot(slot) if slot.end_stiffening > 0.0 => {
+                    let in_ends = point.stiffness_n_m_n * (1.0 + slot.end_stiffening);
+                    let in_ends = format_value(in_ends, Dimension::contact_stiffness(point.exponent));
+                    format!("stiffness {k} at the faces and {in_ends} in the ends, {origin}; ")
+                }
+                _ => format!("stiffness {k} {origin}; "),
+            }
         }
         (NormalLaw::Linear(linear), _) => {
             format!("stiffness {} as given; ", format_value(linear.stiffness_n_m, Dimension::contact_stiffness(1.0)))

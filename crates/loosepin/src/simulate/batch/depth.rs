@@ -3,7 +3,7 @@
 use super::Batch;
 use crate::contact::NormalContact;
 use crate::math::Lanes;
-use crate::mechanism::{GapMeasure, PlayGeometry, PlayShape, SliderBlock};
+use crate::mechanism::{GapMeasure, PlayGeometry, PlayShape, SliderBlock, SlotShape};
 use crate::model::JointKind;
 use crate::simulate::failure::RunFailure;
 use crate::simulate::gap::ContactStep;
@@ -11,7 +11,7 @@ use crate::simulate::lane::LaneRun;
 use crate::simulate::observer::Observer;
 use crate::simulate::reads::ReadLayout;
 
-/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole, the axis of a slider inside its guide,
+/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole or slot, the axis of a slider inside its guide,
 /// and the penetration where the law has one meaning.
 #[derive(Debug, Clone, Copy)]
 pub struct DepthLimit {
@@ -29,6 +29,7 @@ impl DepthLimit {
         let body_m = match play.shape {
             PlayShape::Pin { bearing_radius_m } => (bearing_radius_m - play.clearance_m).max(0.0),
             PlayShape::Slider(block) => block.half_height_m,
+            PlayShape::Slot(slot) => (slot.end_radius_m - play.clearance_m).max(0.0),
         };
         let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
         let penetration_m = body_m.min(law_m);
@@ -82,9 +83,10 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
                 limit_m: limit.penetration_m,
                 time_s,
             },
-            (_, PlayShape::Pin { bearing_radius_m }) => {
-                RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s }
-            }
+            (
+                _,
+                PlayShape::Pin { bearing_radius_m } | PlayShape::Slot(SlotShape { end_radius_m: bearing_radius_m, .. }),
+            ) => RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s },
             (_, PlayShape::Slider(SliderBlock { half_height_m, .. })) => {
                 RunFailure::LeavesGuide { joint: joint.name.clone(), penetration_m, half_height_m, time_s }
             }

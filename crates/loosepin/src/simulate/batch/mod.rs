@@ -360,7 +360,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
             let depth_m = step.largest_penetration_m(GapMeasure::of(numbers));
             summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
-            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+            let shares = self.core.layout.share(contact).map_or([1.0; 2], |place| {
+                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane))
+            });
+            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state, shares));
             self.core.set_records(lane, contact, summary);
         }
     }
