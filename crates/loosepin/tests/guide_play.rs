@@ -4,7 +4,7 @@ use loosepin::dynamics::{Dynamics, PlayState};
 use loosepin::math::Dual;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::Model;
-use loosepin::simulate::{Observer, Onset, RunReport, Separation, Settings, Step, Window, run};
+use loosepin::simulate::{Observer, Onset, RunFailure, RunReport, Separation, Settings, Step, Window, run};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -423,6 +423,30 @@ fn analytic_block_on_a_slope_sticks_below_the_friction_angle_and_slides_above() 
     let [early, late] = speeds_on_a_slope_m_s(-(friction_deg + 0.5));
     let gained_m_s = 9.81 * (slope_rad.sin() - 0.2 * slope_rad.cos()) * 0.2;
     assert!((late - early - gained_m_s).abs() < TOLERANCE_M_S, "{early} {late} {gained_m_s}");
+}
+
+#[test]
+fn text_of_a_slider_that_leaves_its_guide_and_identity_of_one_that_does_not() {
+    let with_ends = |ends: &str| {
+        let text = file("slider_with_play_in_its_guide.toml");
+        case(&text.replace("angle = \"12 deg\" }", &format!("angle = \"12 deg\", {ends} }}")))
+    };
+    let (free, seen_free) = observed(&case(&file("slider_with_play_in_its_guide.toml")), 0.02);
+    let (held, seen_held) = observed(&with_ends("start = \"-300 mm\", end = \"300 mm\""), 0.02);
+    assert_eq!((free, seen_free.onsets), (held, seen_held.onsets), "the same bits");
+
+    let Case { mechanism, sample } = with_ends("start = \"20 mm\", end = \"300 mm\"");
+    let window = Window { start_s: 0.0, end_s: 0.07 };
+    let failure = run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut Seen::default());
+    let Err(RunFailure::BeyondGuide { contact, joint, along_m, ends_m, time_s }) = failure else {
+        panic!("{failure:?}")
+    };
+    assert_eq!((joint.as_str(), ends_m), ("guide", [0.02, 0.3]));
+    assert!(contact.ends_with(" rear)") && along_m < 0.02 && along_m > 0.019, "{contact} {along_m}");
+    let failure = RunFailure::BeyondGuide { contact, joint, along_m: 0.0195, ends_m, time_s: 0.5 * (time_s / time_s) };
+    let expected = "at 500 ms the corner guide (upper rear) of the slider is at 19.5 mm of its guide, whose faces reach from \
+                    20 mm to 300 mm";
+    assert_eq!(failure.to_string().replace("lower", "upper"), expected);
 }
 
 #[test]

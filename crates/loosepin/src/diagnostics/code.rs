@@ -322,6 +322,10 @@ or look whether the parts are far too soft or the drive far too fast."
 "The law of Pereira, Ramalho and Ambrósio is a formula fitted to computed contacts, for radial clearances from 0.005 to 10 mm. \
 Outside it means nothing, so such a clearance is refused. In a study, a run with such a clearance fails by this reason."
 
+    SliderBeyondGuide "E0811" "a slider leaves its guide"
+"The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
+the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

@@ -78,6 +78,8 @@ pub struct ContactForce<T> {
     pub sliding_m_s: T,
     /// Stiffness at this place over that of the contact's law; one but for the ends of a slot.
     pub stiffness_share: T,
+    /// Abscissa of the corner along the guide's line, m; zero but for a slider.
+    pub along_m: T,
 }
 
 /// The gap function of a contact, positive in contact, and the second derivative of the penetration.
@@ -171,6 +173,7 @@ impl<T: Real> PlayMotion<T> {
             bristle_rate_m_s: T::zero(),
             sliding_m_s: T::zero(),
             stiffness_share,
+            along_m: T::zero(),
         };
         if let PlayShape::Slot(_) = play.shape {
             result.on_journal_n += push_n;
@@ -202,6 +205,7 @@ impl<T: Real> PlayMotion<T> {
             result.friction_loss_w = -(friction_n * material_m_s);
         }
         if let PlayShape::Slider(_) = play.shape {
+            result.along_m = self.directions[0].dot(contact.reaches_m[0]);
             // Both forces act at the corner.
             result.moment_on_journal_n_m = contact.reaches_m[1].cross(result.on_journal_n);
             result.moment_on_bearing_n_m = -contact.reaches_m[0].cross(result.on_journal_n);

@@ -3,7 +3,7 @@
 //! The slider is a block of half-length a and half-height b; y is the ordinate of its centre in the guide, whose line is the
 //! axis of abscissas, and θ its angle. With the clearance c on each side the penetrations are, for both signs of a,
 //! δ = y ± a sin θ + b cos θ - (b + c) at the upper face and δ = -y ∓ a sin θ + b cos θ - (b + c) at the lower one. The faces
-//! have no ends.
+//! go on without ends here: where a guide has ends, a run in which a corner leaves them fails.
 
 use super::contact::{ContactMotion, GapMotion, Sliding};
 use super::play::PlayMotion;

@@ -71,6 +71,8 @@ pub struct SliderBlock<T> {
     pub line: Vec2<T>,
     /// Direction of the block's axis in the slider body's frame.
     pub axis: Vec2<T>,
+    /// Where the faces begin and end along the line, m; none where they have no ends. A run in which a corner leaves them fails.
+    pub ends_m: Option<[T; 2]>,
 }
 
 impl<T: Real> SliderBlock<T> {
@@ -80,6 +82,7 @@ impl<T: Real> SliderBlock<T> {
         visit(&mut self.half_height_m);
         self.line.visit(visit);
         self.axis.visit(visit);
+        self.ends_m.iter_mut().flatten().for_each(visit);
     }
 
     /// The same block in every lane.
@@ -89,6 +92,7 @@ impl<T: Real> SliderBlock<T> {
             half_height_m: T::from_f64(block.half_height_m),
             line: Vec2::from_f64(block.line),
             axis: Vec2::from_f64(block.axis),
+            ends_m: block.ends_m.map(|ends_m| ends_m.map(T::from_f64)),
         }
     }
 }

@@ -141,6 +141,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
                 half_height_m: number(clearance.half_height_m),
                 line: direction(number(*guide_angle_rad)),
                 axis: direction(number(*slider_angle_rad)),
+                ends_m: clearance.ends_m.map(|ends| ends.map(number)),
             };
             let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
             let corner = |compliances, damping_factor| flat_contact(radius_m, compliances, damping_factor);

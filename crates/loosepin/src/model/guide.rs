@@ -19,7 +19,11 @@ pub(super) struct PlayKeys {
 
 impl ModelReader {
     /// The clearance of a prismatic joint; the outer option is absent after a complaint, the inner for an ideal joint.
-    pub(super) fn guide_clearance(&mut self, table: &Table<'_>) -> Option<Option<GuideClearance>> {
+    pub(super) fn guide_clearance(
+        &mut self,
+        table: &Table<'_>,
+        ends_m: Option<[QuantityId; 2]>,
+    ) -> Option<Option<GuideClearance>> {
         const KEYS: PlayKeys =
             PlayKeys { needed: &["half_length", "half_height", "contact"], further: &["corner_radius"] };
         let [half_length_m, half_height_m, corner_radius_m] =
@@ -34,8 +38,28 @@ impl ModelReader {
             half_height_m: half_height_m?,
             clearance_m,
             corner_radius_m,
+            ends_m,
             contact,
         }))
+    }
+
+    /// The ends of a guide; the outer option is absent after a complaint, the inner for a guide without ends.
+    pub(super) fn guide_ends(&mut self, guide: &Table<'_>, has_clearance: bool) -> Option<Option<[QuantityId; 2]>> {
+        const KEYS: [&str; 2] = ["start", "end"];
+        let ends = KEYS.map(|key| self.quantity(guide, key));
+        let (given, missing): (Vec<&'static str>, Vec<&'static str>) = KEYS.into_iter().partition(|key| guide.has(key));
+        let Some(key) = given.first() else { return Some(None) };
+        if !missing.is_empty() {
+            self.complain_of_missing(guide, key, missing);
+            return None;
+        }
+        if !has_clearance {
+            self.complain_of_missing(guide, key, vec!["clearance"]);
+            return None;
+        }
+        let [start, end] = [ends[0]?, ends[1]?];
+        let span = guide.get("start").map_or(guide.span, |entry| entry.span);
+        self.demand_order(start, end, span).then_some(Some([start, end]))
     }
 
     /// The key `clearance`; the outer option is absent after a complaint, the inner for an ideal joint.

@@ -107,11 +107,19 @@ impl ModelReader {
             let guide = self.reader.table(&entry, &GUIDE_KEYS)?;
             let point = guide.get("point").and_then(|entry| self.point(&entry));
             let angle_rad = self.quantity(&guide, "angle");
-            Some((point?, angle_rad?))
+            let ends_m = self.guide_ends(&guide, table.has("clearance"));
+            Some((point?, angle_rad?, ends_m?))
         });
         let slider = table.get("slider").and_then(|entry| self.slider(&entry));
-        let clearance = self.guide_clearance(table);
-        let ((guide, guide_angle_rad), (slider, slider_angle_rad)) = guide.zip(slider)?;
+        let ((guide, guide_angle_rad, ends_m), (slider, slider_angle_rad)) = match guide.zip(slider) {
+            Some(sound) => sound,
+            None => {
+                // Its complaints belong to the others.
+                self.guide_clearance(table, None);
+                return None;
+            }
+        };
+        let clearance = self.guide_clearance(table, ends_m);
         Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance: clearance? })
     }
 

@@ -217,6 +217,13 @@ pub(super) static GUIDE_KEYS: Keys = Keys::new(
     &[
         required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
         required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
+        optional(
+            "start",
+            quantity(D::LENGTH, Rule::Finite),
+            "\"-80 mm\"",
+            "where the faces of a guide with play begin, from the point along the line; without ends if left out",
+        ),
+        optional("end", quantity(D::LENGTH, Rule::Finite), "\"200 mm\"", "where those faces end"),
     ],
 );
 

@@ -187,8 +187,7 @@ pub struct Clearance {
     pub contact: ContactId,
 }
 
-/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line. The
-/// faces of the guide have no ends.
+/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line.
 #[derive(Debug, Clone)]
 pub struct GuideClearance {
     /// Half-length a of the block along the line, m, > 0.
@@ -199,6 +198,8 @@ pub struct GuideClearance {
     pub clearance_m: QuantityId,
     /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
     pub corner_radius_m: Option<QuantityId>,
+    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
+    pub ends_m: Option<[QuantityId; 2]>,
     /// The contact between corners and faces; its bearing is the guide, its journal the slider.
     pub contact: ContactId,
 }

@@ -70,6 +70,26 @@ pub enum RunFailure {
         /// Time, s.
         time_s: f64,
     },
+    /// A corner leaves the faces of its guide.
+    #[error(
+        "at {} the corner {contact} of the slider is at {} of its guide, whose faces reach from {} to {}",
+        format_value(*time_s, Dimension::TIME),
+        format_value(*along_m, Dimension::LENGTH),
+        format_value(ends_m[0], Dimension::LENGTH),
+        format_value(ends_m[1], Dimension::LENGTH)
+    )]
+    BeyondGuide {
+        /// The corner, with the name of its joint.
+        contact: String,
+        /// The joint.
+        joint: String,
+        /// Abscissa of the corner along the guide, m.
+        along_m: f64,
+        /// Where the faces begin and end, m.
+        ends_m: [f64; 2],
+        /// Time, s.
+        time_s: f64,
+    },
     /// The penetration is deeper than the contact law can tell a force for.
     #[error(
         "at {} the pin of joint '{joint}' is pressed {} into its hole; '{law}' has a force up to {}",
@@ -108,7 +128,7 @@ pub enum RunFailure {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 14] = [
+const CODES: [&str; 15] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -123,6 +143,7 @@ const CODES: [&str; 14] = [
     "clearance_outside_fit",
     "start_contradicts",
     "slider_leaves_guide",
+    "slider_beyond_guide",
 ];
 
 impl RunFailure {
@@ -148,6 +169,7 @@ impl RunFailure {
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
             Self::Sample(SampleError::StartContradicts { .. }) => 12,
             Self::LeavesGuide { .. } => 13,
+            Self::BeyondGuide { .. } => 14,
         }
     }
 
@@ -167,6 +189,7 @@ impl Problem for RunFailure {
             Self::TooManyEvaluations { .. } => Code::RunTooLong,
             Self::TooManyRows { .. } => Code::BadCount,
             Self::LeavesBearing { .. } | Self::LeavesGuide { .. } => Code::PinLeavesBearing,
+            Self::BeyondGuide { .. } => Code::SliderBeyondGuide,
             Self::BeyondLaw { .. } => Code::BeyondContactLaw,
         }
     }
@@ -184,6 +207,9 @@ impl Problem for RunFailure {
             Self::LeavesBearing { .. } | Self::LeavesGuide { .. } => {
                 Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
             }
+            Self::BeyondGuide { .. } => {
+                Some("give the guide other ends, or none: what overhangs is not computed".to_owned())
+            }
             Self::BeyondLaw { .. } => Some("take a law without such a limit, liu or bai-zhao".to_owned()),
         }
     }
@@ -195,9 +221,10 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::LeavesBearing { joint, .. } | Self::LeavesGuide { joint, .. } | Self::BeyondLaw { joint, .. } => {
-                Complaint::error(self, model.place(&format!("joint.{joint}")))
-            }
+            Self::LeavesBearing { joint, .. }
+            | Self::LeavesGuide { joint, .. }
+            | Self::BeyondGuide { joint, .. }
+            | Self::BeyondLaw { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
             Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
                 Complaint::error(self, None)
             }

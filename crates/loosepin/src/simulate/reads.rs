@@ -17,17 +17,24 @@ pub struct ReadLayout {
     has_kinetic: bool,
     /// Whether the stiffness of each contact is read as well: that of a pin in a slot differs from place to place.
     has_shares: bool,
+    /// Whether the abscissas of corners are read as well, where some guide has ends.
+    has_ends: bool,
 }
 
 impl ReadLayout {
     /// For the contacts of `mechanism` and this many followed outputs.
     pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
         let is_slot = |joint: &JointId| matches!(mechanism.model.joints[joint.0].kind, JointKind::Slot { .. });
+        let has_ends = |joint: &JointId| match &mechanism.model.joints[joint.0].kind {
+            JointKind::Prismatic { clearance: Some(clearance), .. } => clearance.ends_m.is_some(),
+            _ => false,
+        };
         Self {
             contacts: mechanism.contacts.len(),
             outputs,
             has_kinetic: !mechanism.is_driven(),
             has_shares: mechanism.plays.iter().any(is_slot),
+            has_ends: mechanism.plays.iter().any(has_ends),
         }
     }
     /// Length of the row.
@@ -46,7 +53,7 @@ impl ReadLayout {
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]
     pub fn gap(&self, contact: usize) -> usize {
-        4 + usize::from(self.has_kinetic) + (4 + usize::from(self.has_shares)) * contact
+        4 + usize::from(self.has_kinetic) + (4 + usize::from(self.has_shares) + usize::from(self.has_ends)) * contact
     }
     /// Sliding velocity of a contact, m/s; zero where there is no friction.
     #[inline(always)]
@@ -57,6 +64,11 @@ impl ReadLayout {
     #[inline(always)]
     pub fn share(&self, contact: usize) -> Option<usize> {
         self.has_shares.then_some(self.gap(contact) + 4)
+    }
+    /// Abscissa of a corner along its guide, m, where it is read.
+    #[inline(always)]
+    pub fn along(&self, contact: usize) -> Option<usize> {
+        self.has_ends.then_some(self.gap(contact) + 4 + usize::from(self.has_shares))
     }
     /// A followed output.
     #[inline(always)]
@@ -101,6 +113,9 @@ impl<T: Real> Motion<'_, T> {
             row[layout.sliding(contact)] = force.sliding_m_s;
             if let Some(place) = layout.share(contact) {
                 row[place] = force.stiffness_share;
+            }
+            if let Some(place) = layout.along(contact) {
+                row[place] = force.along_m;
             }
         }
         for (k, reading) in readings.iter().enumerate() {

@@ -156,9 +156,12 @@ fn play_words(joint: &Joint, clearance: String, values: &Values) -> String {
         JointKind::Prismatic { clearance: Some(play), .. } => {
             let radius = play.corner_radius_m.map_or(String::new(), |id| format!(", corners of radius {}", length(id)));
             let (half_length, half_height) = (length(play.half_length_m), length(play.half_height_m));
+            let ends = play.ends_m.map_or("a guide without ends".to_owned(), |[start, end]| {
+                format!("faces from {} to {}", length(start), length(end))
+            });
             format!(
                 "play: clearance {clearance} on each side of a slider of half-length {half_length} and half-height \
-                 {half_height}{radius}; a guide without ends"
+                 {half_height}{radius}; {ends}"
             )
         }
         _ => String::new(),

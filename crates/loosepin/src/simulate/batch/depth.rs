@@ -47,7 +47,22 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             if gap.is_nan() {
                 return Err(RunFailure::NotFinite { time_s });
             }
-            let measure = GapMeasure::of(run.sample.play_of(contact));
+            let play = run.sample.play_of(contact);
+            if let (PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }), Some(place)) =
+                (play.shape, self.core.layout.along(contact))
+            {
+                let along_m = self.core.equations.reads[place].lane(lane);
+                if !(ends_m[0] <= along_m && along_m <= ends_m[1]) {
+                    return Err(RunFailure::BeyondGuide {
+                        contact: self.mechanism.contact_name(contact),
+                        joint: self.joint_name(contact).to_owned(),
+                        along_m,
+                        ends_m,
+                        time_s,
+                    });
+                }
+            }
+            let measure = GapMeasure::of(play);
             let is_root = run.root == Some(contact);
             let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap };
             let mut depth_m = match (is_beyond, is_root) {
@@ -69,6 +84,11 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             }
         }
         Ok(())
+    }
+
+    fn joint_name(&self, contact: usize) -> &str {
+        let joint = self.mechanism.plays[self.mechanism.contacts[contact].play];
+        &self.mechanism.model.joints[joint.0].name
     }
 
     fn too_deep(&self, run: &LaneRun<O>, contact: usize, penetration_m: f64, time_s: f64) -> RunFailure {
