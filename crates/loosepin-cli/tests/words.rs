@@ -157,7 +157,7 @@ fn motion_of_a_model_and_of_a_study() {
 }
 
 #[test]
-fn check_tells_springs_loads_motions_and_initial_states() {
+fn check_tells_springs_loads_motions_initial_states_guides_and_slots() {
     let desk = Desk::new();
     for (name, text, expected) in [
         (
@@ -174,6 +174,16 @@ fn check_tells_springs_loads_motions_and_initial_states() {
             "initial.toml",
             include_str!("../../loosepin/tests/files/pendulum_on_a_spring.toml"),
             include_str!("expected/check_initial.txt"),
+        ),
+        (
+            "guide.toml",
+            include_str!("../../../cases/slider_crank_guide/model.toml"),
+            include_str!("expected/check_guide.txt"),
+        ),
+        (
+            "slot.toml",
+            include_str!("../../loosepin/tests/files/scotch_yoke_with_play_in_its_slot.toml"),
+            include_str!("expected/check_slot.txt"),
         ),
     ] {
         desk.write(name, text);

@@ -106,6 +106,7 @@ fn analytic_a_four_bar_is_drawn_imported_filled_in_and_moved() {
         cycle: model.cycle.clone(),
         settings: Settings::for_simulation(),
         with_states: false,
+        lyapunov_turns: None,
         overrides: Vec::new(),
     };
     let record = simulate(&mechanism, &values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record;

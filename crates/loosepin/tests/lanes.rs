@@ -3,7 +3,7 @@
 use loosepin::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin::math::Vectors;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, Model};
+use loosepin::model::Model;
 use loosepin::native::OperationCounts;
 use loosepin::simulate::{
     Arms, Counters, EquationPrograms, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation,
@@ -94,8 +94,7 @@ impl Queue for Waiting<'_> {
         let factor = 0.9 + 0.2 * index as f64 / RUNS as f64;
         let mut set = Vec::new();
         for play in &self.case.mechanism.plays {
-            if let JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints[play.0].kind {
-                let id = clearance.radial_clearance_m;
+            if let Some((id, _)) = model.joints[play.0].kind.play() {
                 set.push((id, factor * model.quantities.nominal()[id]));
             }
         }
@@ -125,8 +124,8 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, setti
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
 /// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
-/// friction in ideal joints.
-const CASES: [(&str, f64); 15] = [
+/// friction in ideal joints, sliders with play in their guides, pins in slots.
+const CASES: [(&str, f64); 19] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -142,6 +141,10 @@ const CASES: [(&str, f64); 15] = [
     ("geared_pendulum.toml", 0.3),
     ("cam_lifter.toml", 0.4),
     ("slider_crank_joint_friction.toml", 0.1),
+    ("slider_crank_guide", 0.05),
+    ("slider_with_play_in_its_guide.toml", 0.1),
+    ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
+    ("disc_in_a_turning_slot.toml", 0.12),
 ];
 
 #[test]

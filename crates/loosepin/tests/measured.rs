@@ -20,7 +20,13 @@ fn ideal_run(transient_turns: f64) -> SimulationRecord {
     let mechanism = Mechanism::new(&set.model, &set.values).expect("it compiles");
     let mut cycle = model.cycle.clone();
     (cycle.transient_turns, cycle.recorded_turns) = (transient_turns, 1.0);
-    let plan = Plan { cycle, settings: Settings::for_simulation(), with_states: false, overrides: Vec::new() };
+    let plan = Plan {
+        cycle,
+        settings: Settings::for_simulation(),
+        with_states: false,
+        lyapunov_turns: None,
+        overrides: Vec::new(),
+    };
     simulate(&mechanism, &set.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record
 }
 

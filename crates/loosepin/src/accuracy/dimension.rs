@@ -30,6 +30,7 @@ impl DimensionDirection {
         let angles = model.joints.iter().flat_map(|joint| match joint.kind {
             JointKind::Revolute { .. } => Vec::new(),
             JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => vec![guide_angle_rad, slider_angle_rad],
+            JointKind::Slot { slot_angle_rad, .. } => vec![slot_angle_rad],
             JointKind::Rigid { angle_rad, .. } => vec![angle_rad],
         });
         let couplings = model.couplings.iter().flat_map(|coupling| coupling.law.quantities());

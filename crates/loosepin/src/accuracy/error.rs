@@ -39,6 +39,12 @@ pub enum AccuracyError {
         /// What was given, SI.
         standard_deviation_si: f64,
     },
+    /// A slider that its guide does not hold upright.
+    #[error("joint '{joint}': the slider can turn over in its guide, so that there is no quasi-static answer")]
+    TurnsOver {
+        /// The joint.
+        joint: String,
+    },
     /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
     #[error("the links cannot close when the journals are displaced within their clearances: {open}")]
     CannotCloseWithPlay {

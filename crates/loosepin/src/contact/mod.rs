@@ -64,7 +64,9 @@ pub use normal::{NormalContact, NormalForce, NormalLaw};
 pub use point::PointContact;
 pub use restitution::{damping_factor_that_delivers, delivered_restitution, free_impact_penetration_m};
 pub use state::PlayState;
-pub use stiffness::{compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s};
+pub use stiffness::{
+    compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,
+};
 
 use std::fmt::Debug;
 

@@ -308,6 +308,10 @@ on the ground in which every joint is driven or controlled, so that the motion w
 "Friction in an ideal joint is as large as what the joint carries. Where constraints repeat each other, rigid bodies do not say \
 how they share the force."
 
+    NoQuasiStaticAnswer "E0709" "play for which there is no quasi-static answer"
+"The quasi-static answer takes each joint as anywhere within its play. A slider whose half-height and clearance together \
+exceed half its diagonal can turn over in its guide, and then its play has no end. A dynamic run still tells what happens."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 
@@ -335,9 +339,9 @@ first one; `loosepin simulate` with the values of the study shows it alone."
 "Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
     PinLeavesBearing "E0808" "a pin is pressed out of its hole"
-"The penetration of a contact grew so deep that the centre of the pin left the hole. No contact law holds there: the parts are \
-far too soft, or the drive far too fast, for the masses that they carry. Look at the stiffness or Young's modulus, the speed and \
-the masses."
+"The penetration of a contact grew so deep that the centre of the pin left the hole, or the axis of the slider its guide. No \
+contact law holds there: the parts are far too soft, or the drive far too fast, for the masses that they carry. Look at the \
+stiffness or Young's modulus, the speed and the masses."
 
     BeyondContactLaw "E0809" "a contact is deeper than its law goes"
 "Line-contact laws with a logarithm (johnson, esdu-78035, dubowsky-freudenstein, radzimovsky) give the penetration for a force; \
@@ -361,6 +365,10 @@ drives prescribe, there are no neighbours: the mechanism follows its drives exac
 "Friction in an ideal joint is as large as what the joint carries, and what it carries depends on the friction. With much \
 friction, a long arm or a short guide no friction force fits any more (jamming, Painlevé's paradox): a rigid body has no motion \
 then."
+
+    SliderBeyondGuide "E0814" "a slider leaves its guide"
+"The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
+the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
 
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \

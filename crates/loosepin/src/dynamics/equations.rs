@@ -413,9 +413,11 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let motion = &self.plays[at.play];
         let [i, j] = self.play_slots[at.play];
         let twists = &self.kinematics.twists;
-        let acceleration = acceleration_at(&self.acceleration(j), &twists[j], motion.journal_arm_m)
-            - acceleration_at(&self.acceleration(i), &twists[i], motion.bearing_arm_m);
-        motion.gap(&self.sample.plays[at.play], at.place, acceleration)
+        let (change_i, change_j) = (self.acceleration(i), self.acceleration(j));
+        let acceleration = acceleration_at(&change_j, &twists[j], motion.journal_arm_m)
+            - acceleration_at(&change_i, &twists[i], motion.bearing_arm_m);
+        let spin_rates = [change_i.angular, change_j.angular];
+        motion.gap(&self.sample.plays[at.play], at.place, acceleration, spin_rates)
     }
     /// Slots of bearing body and journal body of the joints with play.
     pub fn play_slots(&self) -> &[[usize; 2]] {

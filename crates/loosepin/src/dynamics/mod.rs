@@ -5,6 +5,7 @@
 
 mod contact;
 mod control;
+mod corner;
 mod energy;
 mod equations;
 mod film;
@@ -15,6 +16,7 @@ mod load;
 mod pin;
 mod play;
 mod reactions;
+mod slot;
 mod spring;
 mod torsional_spring;
 

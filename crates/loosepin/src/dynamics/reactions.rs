@@ -171,7 +171,7 @@ impl<T: Real> Dynamics<'_, T> {
                 let first = self.multipliers[row];
                 let force = match cut.kind {
                     CutKind::Revolute | CutKind::Rigid => Vec2::new(first, self.multipliers[row + 1]),
-                    CutKind::Prismatic => {
+                    CutKind::Prismatic | CutKind::Slot => {
                         let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
                         let (sine, cosine) = angle.sin_cos();
                         Vec2::new(-sine, cosine) * first + self.guide_friction_n(cut.joint)

@@ -2,7 +2,7 @@
 
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, acceleration_at, moved};
-use super::tree::{CutKind, Tree};
+use super::tree::Tree;
 use crate::math::{Real, Vec2};
 use crate::model::{JointId, JointKind, Model, describe_path};
 use crate::units::{Dimension, format_value};
@@ -16,7 +16,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        if cut.kind == CutKind::Prismatic {
+        if cut.kind.is_on_line() {
             let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
             out[row] = Vec2::new(-sine, cosine).dot(gap);
         } else {
@@ -24,7 +24,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
             out[row] = gap.x;
             out[row + 1] = gap.y;
         }
-        if cut.kind != CutKind::Revolute {
+        if cut.kind.holds_angle() {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             out[row + cut.kind.rows() - 1] = turn.sin_cos().0;
         }
@@ -59,7 +59,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                 let column = dependence.coordinate;
                 let turning = T::from_f64(dependence.turning);
                 let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
-                if cut.kind == CutKind::Prismatic {
+                if cut.kind.is_on_line() {
                     out[row * columns + column] += normal.dot(velocity);
                     if side == 0 {
                         // The normal turns with the guide: dn/dt = -ω d.
@@ -69,7 +69,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                     out[row * columns + column] += velocity.x;
                     out[(row + 1) * columns + column] += velocity.y;
                 }
-                if cut.kind != CutKind::Revolute {
+                if cut.kind.holds_angle() {
                     out[(row + cut.kind.rows() - 1) * columns + column] += turning * sign * turn_cosine;
                 }
             }
@@ -103,7 +103,7 @@ pub fn gradient<T: Real>(
             let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
             let (linear, spin) = motion(cut.slots[side]);
             let velocity = linear.plus(arms[side].turned(), spin) * sign;
-            if cut.kind == CutKind::Prismatic {
+            if cut.kind.is_on_line() {
                 let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
                 let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
                 out[row] = normal.dot(velocity);
@@ -116,12 +116,19 @@ pub fn gradient<T: Real>(
                 out[row] = velocity.x;
                 out[row + 1] = velocity.y;
             }
-            if cut.kind != CutKind::Revolute {
+            if cut.kind.holds_angle() {
                 let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
                 out[row + cut.kind.rows() - 1] = spin * sign * turn.sin_cos().1;
             }
         }
         row += cut.kind.rows();
+    }
+    let of = |slot: usize| if moves(slot) { motion(slot) } else { (Vec2::zero(), T::zero()) };
+    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+        let [first, second] =
+            [0, 1].map(|side| numbers.joints[side].rate(&places[side], kinematics, places[side].slots.map(of)));
+        out[row] = second - numbers.slope(places, kinematics) * first;
+        row += 1;
     }
 }
 
@@ -129,7 +136,12 @@ pub fn gradient<T: Real>(
 /// each other: its multiplier is a moment over it.
 #[inline(always)]
 pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, row: usize) -> T {
-    let index = cut_of_row(tree, row);
+    let mut first = 0;
+    let index = tree.cuts.iter().position(|cut| {
+        first += cut.kind.rows();
+        row < first
+    });
+    let Some(index) = index else { return T::one() };
     let (cut, numbers) = (&tree.cuts[index], &geometry.cuts[index]);
     let poses = cut.slots.map(|slot| kinematics.poses[slot]);
     let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
@@ -147,7 +159,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let changes = cut.slots.map(|slot| kinematics.biases[slot]);
         let acceleration =
             acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
-        if cut.kind == CutKind::Prismatic {
+        if cut.kind.is_on_line() {
             let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
             let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
             let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
@@ -162,7 +174,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
             out[row] = acceleration.x;
             out[row + 1] = acceleration.y;
         }
-        if cut.kind != CutKind::Revolute {
+        if cut.kind.holds_angle() {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             let (sine, cosine) = turn.sin_cos();
             let spin = twists[1].angular - twists[0].angular;
@@ -215,7 +227,7 @@ impl RowOwner {
         match self {
             Self::Joint(_) => Dimension::LENGTH,
             Self::Coupling(index) => match model.joints[model.couplings[index].second.0].kind {
-                JointKind::Prismatic { .. } => Dimension::LENGTH,
+                JointKind::Prismatic { .. } | JointKind::Slot { .. } => Dimension::LENGTH,
                 _ => Dimension::ANGLE,
             },
         }

@@ -1,7 +1,8 @@
 //! The coordinate of a joint, read off the motion of its two bodies, whether the tree holds the joint or not.
 //!
 //! Revolute: the angle θ_j - θ_i of the journal's body from the bearing's; it exists with play as well. Prismatic: the position
-//! s = d·e of the slider along the guide, d the direction of its line and e from the guide's point to the slider's.
+//! s = d·e of the slider along the guide, d the direction of its line and e from the guide's point to the slider's; a pin in a
+//! slot likewise.
 
 use super::geometry::numbered_point_m;
 use super::kinematics::{Kinematics, acceleration_at, moved};
@@ -14,7 +15,7 @@ use crate::model::{JointId, JointKind, Model, QuantityId};
 pub struct JointPlace {
     /// Slots of bearing and journal, or of guide and slider.
     pub slots: [usize; 2],
-    /// Whether its coordinate is a position.
+    /// Whether its coordinate is a position along a line: of a prismatic joint or a slot.
     pub is_prismatic: bool,
 }
 
@@ -24,7 +25,7 @@ impl JointPlace {
         let kind = &model.joints[joint.0].kind;
         Self {
             slots: points_of(kind).map(|point| tree.slot_of_body[point.body.0]),
-            is_prismatic: matches!(kind, JointKind::Prismatic { .. }),
+            is_prismatic: matches!(kind, JointKind::Prismatic { .. } | JointKind::Slot { .. }),
         }
     }
 }
@@ -58,8 +59,9 @@ impl<T: Real> JointGeometry<T> {
         Self {
             arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
             line: match kind {
-                JointKind::Prismatic { guide_angle_rad, .. } => {
-                    let (sine, cosine) = number(*guide_angle_rad).sin_cos();
+                JointKind::Prismatic { guide_angle_rad: line_rad, .. }
+                | JointKind::Slot { slot_angle_rad: line_rad, .. } => {
+                    let (sine, cosine) = number(*line_rad).sin_cos();
                     Vec2::new(cosine, sine)
                 }
                 _ => Vec2::zero(),
@@ -97,6 +99,18 @@ impl<T: Real> JointGeometry<T> {
         let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
         let gap_rate = twists[j].at(arms_m[1]) - twists[i].at(arms_m[0]);
         [line.dot(gap_m), line.dot(gap_rate) + twists[i].angular * line.turned().dot(gap_m)]
+    }
+
+    /// The rate of the coordinate for other velocities of its two bodies: of the origins of their frames, and angular.
+    #[inline(always)]
+    pub fn rate(&self, place: &JointPlace, kinematics: &Kinematics<T>, velocities: [(Vec2<T>, T); 2]) -> T {
+        let [(linear_i, spin_i), (linear_j, spin_j)] = velocities;
+        if !place.is_prismatic {
+            return spin_j - spin_i;
+        }
+        let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
+        let gap_rate = linear_j.plus(arms_m[1].turned(), spin_j) - linear_i.plus(arms_m[0].turned(), spin_i);
+        line.dot(gap_rate) + spin_i * line.turned().dot(gap_m)
     }
 
     /// The second derivative of the coordinate when the free coordinates have no acceleration. Needs the biases of `kinematics`.

@@ -1,6 +1,6 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
-use super::contact_place::PlayShape;
+use super::contact_place::{PlayShape, SliderBlock, SlotShape};
 use super::control::ControlGeometry;
 use super::coupling::CouplingGeometry;
 use super::drive::Drives;
@@ -65,6 +65,8 @@ impl<T: Real> Sample<T> {
             play.journal_arm_m.visit(visit);
             match &mut play.shape {
                 PlayShape::Pin { bearing_radius_m } => visit(bearing_radius_m),
+                PlayShape::Slider(block) => block.visit(visit),
+                PlayShape::Slot(slot) => slot.visit(visit),
             }
             visit(&mut play.clearance_m);
             play.normal.visit(visit);
@@ -135,6 +137,8 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
         journal_arm_m: vector(from.journal_arm_m),
         shape: match from.shape {
             PlayShape::Pin { bearing_radius_m } => PlayShape::Pin { bearing_radius_m: number(bearing_radius_m) },
+            PlayShape::Slider(block) => PlayShape::Slider(SliderBlock::broadcast(&block)),
+            PlayShape::Slot(slot) => PlayShape::Slot(SlotShape::broadcast(&slot)),
         },
         clearance_m: number(from.clearance_m),
         normal: NormalLaw::broadcast(&from.normal),

@@ -29,7 +29,7 @@ mod tree;
 mod ways_on;
 
 pub use constraints::RowOwner;
-pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
+pub use contact_place::{ContactPlace, GapMeasure, PlayShape, SliderBlock, SlotShape};
 pub use control::{ControlGeometry, KnownChain};
 pub use coupling::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
@@ -46,7 +46,7 @@ pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bod
 pub use ways_on::WaysOn;
 
 use crate::math::Vec2;
-use crate::model::{BodyId, JointId, JointKind, Model, Values};
+use crate::model::{BodyId, JointId, Model, Values};
 use initial::StartEquations;
 use mobility::Mobility;
 
@@ -87,10 +87,8 @@ impl Mechanism {
     /// # Errors
     /// See [`MechanismError`].
     pub fn new(model: &Model, values: &Values) -> Result<Self, MechanismError> {
-        let has_play = |joint: JointId| match &model.joints[joint.0].kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => values[clearance.radial_clearance_m] > 0.0,
-            _ => false,
-        };
+        let has_play =
+            |joint: JointId| model.joints[joint.0].kind.play().is_some_and(|(clearance, _)| values[clearance] > 0.0);
         let driven_loop =
             |error: DrivenLoop| MechanismError::DrivenLoop { joint: model.joints[error.joint.0].name.clone() };
         let ideal = Tree::new(model, |_| true).map_err(driven_loop)?;
@@ -106,7 +104,7 @@ impl Mechanism {
         let plays: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect();
         let mut mechanism = Self {
             model: model.clone(),
-            contacts: (0..plays.len()).map(|play| ContactPlace { play, place: 0 }).collect(),
+            contacts: contact_place::contact_places(model, &plays),
             plays,
             size_m,
             degrees_of_freedom,
@@ -165,9 +163,10 @@ impl Mechanism {
         behind(play)..behind(play + 1)
     }
 
-    /// What the contact `contact` is called: the name of its joint.
+    /// What the contact `contact` is called: the name of its joint, for a slider with its corner.
     pub fn contact_name(&self, contact: usize) -> String {
-        self.model.joints[self.plays[self.contacts[contact].play].0].name.clone()
+        let ContactPlace { play, place } = self.contacts[contact];
+        contact_place::contact_name(&self.model, self.plays[play], place)
     }
 
     /// Independent constraint rows of the ideal tree, as many as it has free coordinates.

@@ -104,6 +104,8 @@ pub enum CutKind {
     Revolute,
     /// Two rows: the slider point stays on the line, and the bodies do not turn against each other.
     Prismatic,
+    /// One row: the pin stays on the slot's line.
+    Slot,
     /// Three rows: the points coincide, and the bodies do not turn against each other.
     Rigid,
 }
@@ -112,9 +114,22 @@ impl CutKind {
     /// Number of scalar constraints.
     pub fn rows(self) -> usize {
         match self {
+            Self::Slot => 1,
             Self::Revolute | Self::Prismatic => 2,
             Self::Rigid => 3,
         }
+    }
+
+    /// Whether its first row keeps a point on a line; else two rows keep two points together.
+    #[inline(always)]
+    pub fn is_on_line(self) -> bool {
+        matches!(self, Self::Prismatic | Self::Slot)
+    }
+
+    /// Whether its last row keeps the bodies from turning against each other.
+    #[inline(always)]
+    pub fn holds_angle(self) -> bool {
+        matches!(self, Self::Prismatic | Self::Rigid)
     }
 }
 
@@ -151,7 +166,8 @@ impl Tree {
     /// open.
     ///
     /// Driven joints are always in the tree, so that their coordinates leave the state; rigid joints come next since
-    /// cutting one costs three constraints instead of two; then the others in file order.
+    /// cutting one costs three constraints instead of two; then the others in file order. A slot is always cut: it costs one
+    /// constraint, and in the tree it would have two coordinates.
     ///
     /// # Errors
     /// A loop of driven joints alone.
@@ -179,7 +195,7 @@ impl Tree {
 
         let mut component: Vec<usize> = (0..model.bodies.len()).collect();
         let mut in_tree = vec![false; model.joints.len()];
-        for &joint in &order {
+        for &joint in order.iter().filter(|joint| !matches!(model.joints[joint.0].kind, JointKind::Slot { .. })) {
             let [first, second] = bodies_of(&model.joints[joint.0].kind).map(|body| component[body.0]);
             if first != second {
                 in_tree[joint.0] = true;
@@ -228,6 +244,7 @@ impl Tree {
                 kind: match kind {
                     JointKind::Revolute { .. } => CutKind::Revolute,
                     JointKind::Prismatic { .. } => CutKind::Prismatic,
+                    JointKind::Slot { .. } => CutKind::Slot,
                     JointKind::Rigid { .. } => CutKind::Rigid,
                 },
             });
@@ -260,7 +277,7 @@ impl Tree {
         for cut in &self.cuts {
             let first = scales.len();
             scales.extend((first..first + cut.kind.rows()).map(|row| [row, row]));
-            if cut.kind != CutKind::Prismatic {
+            if !cut.kind.is_on_line() {
                 scales[first] = [first, first + 1];
                 scales[first + 1] = [first, first + 1];
             }
@@ -299,6 +316,7 @@ impl Tree {
                     None => self.free,
                 };
                 let attachment = match (kind, drive) {
+                    (JointKind::Slot { .. }, _) => continue,
                     (JointKind::Rigid { .. }, _) => Attachment::Rigid { joint, forward },
                     (JointKind::Prismatic { .. }, _) => Attachment::Prismatic { coordinate, joint, forward },
                     (JointKind::Revolute { .. }, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
@@ -358,16 +376,17 @@ impl Tree {
     }
 }
 
-/// The two bodies that a joint connects: bearing and journal, guide and slider, first and second.
+/// The two bodies that a joint connects: bearing and journal, guide and slider, slot and pin, first and second.
 pub fn bodies_of(kind: &JointKind) -> [BodyId; 2] {
     points_of(kind).map(|point| point.body)
 }
 
-/// The two points that a joint connects: bearing and journal, guide and slider, first and second.
+/// The two points that a joint connects: bearing and journal, guide and slider, slot and pin, first and second.
 pub fn points_of(kind: &JointKind) -> [PointId; 2] {
     match *kind {
         JointKind::Revolute { bearing, journal, .. } => [bearing, journal],
         JointKind::Prismatic { guide, slider, .. } => [guide, slider],
+        JointKind::Slot { slot, pin, .. } => [slot, pin],
         JointKind::Rigid { first, second, .. } => [first, second],
     }
 }

@@ -55,7 +55,7 @@ pub enum FeedForward {
 fn coordinate_and_effort(kind: &JointKind) -> Option<(Dimension, Dimension)> {
     match kind {
         JointKind::Revolute { .. } => Some((Dimension::ANGLE, Dimension::TORQUE)),
-        JointKind::Prismatic { .. } => Some((Dimension::LENGTH, Dimension::FORCE)),
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } => Some((Dimension::LENGTH, Dimension::FORCE)),
         JointKind::Rigid { .. } => None,
     }
 }
@@ -159,7 +159,7 @@ impl ModelReader {
     pub fn initial_of_controls(&self) -> Vec<InitialValue> {
         let both = self.controls.iter().enumerate().flat_map(|(index, control)| {
             let of = match self.joints[control.measured.0].kind {
-                JointKind::Prismatic { .. } => InitialOf::JointPosition(control.measured),
+                JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(control.measured),
                 _ => InitialOf::JointAngle(control.measured),
             };
             let path = format!("control.{}", control.name);

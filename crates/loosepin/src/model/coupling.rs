@@ -153,7 +153,7 @@ impl ModelReader {
     /// What the coordinate of a joint measures.
     fn coordinate_of(&self, joint: JointId) -> Dimension {
         match self.joints[joint.0].kind {
-            JointKind::Prismatic { .. } => Dimension::LENGTH,
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => Dimension::LENGTH,
             _ => Dimension::ANGLE,
         }
     }
@@ -182,7 +182,7 @@ impl ModelReader {
     /// A joint with a coordinate: a position (true), an angle (false) or any.
     pub(super) fn coupled_joint(&mut self, entry: &Entry<'_>, is_prismatic: Option<bool>) -> Option<JointId> {
         let joint = self.moving_joint(entry)?;
-        let found = matches!(self.joints[joint.0].kind, JointKind::Prismatic { .. });
+        let found = self.coordinate_of(joint) == Dimension::LENGTH;
         if let Some(due) = is_prismatic.filter(|due| *due != found) {
             let name = self.joints[joint.0].name.clone();
             let due = if due { "prismatic" } else { "revolute" };

@@ -5,7 +5,7 @@ use super::drive_keys::{
 };
 use super::file::ModelReader;
 use super::function::{Changing, Function, TIME};
-use super::problem::{HAS_PLAY, IS_RIGID, ModelProblem};
+use super::problem::{HAS_PLAY, HAS_PLAY_IN_GUIDE, IS_RIGID, IS_SLOT, ModelProblem};
 use super::quantity::QuantityId;
 use super::topology::{DriveId, JointId, JointKind};
 use crate::document::{Entry, Table};
@@ -159,21 +159,31 @@ impl ModelReader {
         }
         let why = match &self.joints[joint.0].kind {
             JointKind::Revolute { clearance, .. } => {
-                let is_ideal = clearance.as_ref().is_none_or(|clearance| {
-                    self.quantities[clearance.radial_clearance_m].is_settable()
-                        && self.quantities.nominal_value(clearance.radial_clearance_m) == 0.0
-                });
+                let is_ideal =
+                    clearance.as_ref().is_none_or(|clearance| self.is_nominally_zero(clearance.radial_clearance_m));
                 if is_ideal {
                     return Some(Driven::new(joint, Dimension::ANGLE));
                 }
                 HAS_PLAY
             }
-            JointKind::Prismatic { .. } => return Some(Driven::new(joint, Dimension::LENGTH)),
+            JointKind::Prismatic { clearance, .. } => {
+                let is_ideal = clearance.as_ref().is_none_or(|clearance| self.is_nominally_zero(clearance.clearance_m));
+                if is_ideal {
+                    return Some(Driven::new(joint, Dimension::LENGTH));
+                }
+                HAS_PLAY_IN_GUIDE
+            }
+            JointKind::Slot { .. } => IS_SLOT,
             JointKind::Rigid { .. } => IS_RIGID,
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why };
         self.reader.complain(&problem, joint_entry.span);
         None
+    }
+
+    /// Whether a clearance is zero, by a value of its own.
+    fn is_nominally_zero(&self, clearance_m: QuantityId) -> bool {
+        self.quantities[clearance_m].is_settable() && self.quantities.nominal_value(clearance_m) == 0.0
     }
 
     pub(super) fn constant_speed(&mut self, entry: &Entry<'_>, table: &Table<'_>, driven: &Driven) -> Option<DriveLaw> {

@@ -113,7 +113,7 @@ impl ModelReader {
         let (Some(table), Some(joint)) = (table, joint) else { return };
         let of = match self.joints[joint.0].kind {
             JointKind::Revolute { .. } => InitialOf::JointAngle(joint),
-            JointKind::Prismatic { .. } => InitialOf::JointPosition(joint),
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(joint),
             JointKind::Rigid { .. } => {
                 let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
                 self.reader.complain(&problem, entry.key_span);

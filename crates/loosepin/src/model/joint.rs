@@ -2,11 +2,11 @@
 
 use super::file::ModelReader;
 use super::keys::{
-    GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS,
+    GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS, SLOT_KEYS,
 };
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{BodyId, Clearance, Joint, JointFriction, JointId, JointKind, PointId};
+use super::topology::{BodyId, Clearance, ContactId, Joint, JointFriction, JointId, JointKind, PointId};
 use crate::contact::NormalDescription;
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Expression, Rule, run};
@@ -39,15 +39,13 @@ impl ModelReader {
                 let friction = self.joint_friction(&table, "guide_length");
                 (self.prismatic(&table), friction)
             }
+            "slot" => (self.reader.table(entry, &SLOT_KEYS).and_then(|table| self.slot(&table)), Some(None)),
             _ => (self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)), Some(None)),
         };
         let (kind, friction) = kind.zip(friction)?;
-        if let (JointKind::Revolute { clearance: Some(_), .. }, Some(_)) = (&kind, &friction) {
-            let problem = ModelProblem::KeyWithoutEffect {
-                entry: entry.path.describe(),
-                key: "friction",
-                beside: "radial_clearance",
-            };
+        if kind.play().is_some() && friction.is_some() {
+            let beside = if matches!(kind, JointKind::Revolute { .. }) { "radial_clearance" } else { "clearance" };
+            let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
             self.reader.complain(&problem, entry.key_span);
             return None;
         }
@@ -87,11 +85,7 @@ impl ModelReader {
     fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
         let bearing_radius_m = self.quantity(table, "bearing_radius");
         let bearing_length_m = self.quantity(table, "bearing_length");
-        let contact = table.get("contact").and_then(|entry| {
-            let name = self.reader.text(&entry)?.to_owned();
-            self.used_contacts.push(name.clone());
-            self.named(&entry, "contact", &name, |file| &file.contact_names)
-        });
+        let contact = self.contact_of(table);
         let missing: Vec<&'static str> =
             ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
         let Some(entry) = table.get("radial_clearance") else {
@@ -140,16 +134,33 @@ impl ModelReader {
         Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
     }
 
+    /// The contact that a joint names.
+    pub(super) fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId> {
+        let entry = table.get("contact")?;
+        let name = self.reader.text(&entry)?.to_owned();
+        self.used_contacts.push(name.clone());
+        self.named(&entry, "contact", &name, |file| &file.contact_names)
+    }
+
     fn prismatic(&mut self, table: &Table<'_>) -> Option<JointKind> {
         let guide = table.get("guide").and_then(|entry| {
             let guide = self.reader.table(&entry, &GUIDE_KEYS)?;
             let point = guide.get("point").and_then(|entry| self.point(&entry));
             let angle_rad = self.quantity(&guide, "angle");
-            Some((point?, angle_rad?))
+            let ends_m = self.guide_ends(&guide, table.has("clearance"));
+            Some((point?, angle_rad?, ends_m?))
         });
         let slider = table.get("slider").and_then(|entry| self.slider(&entry));
-        let ((guide, guide_angle_rad), (slider, slider_angle_rad)) = guide.zip(slider)?;
-        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad })
+        let ((guide, guide_angle_rad, ends_m), (slider, slider_angle_rad)) = match guide.zip(slider) {
+            Some(sound) => sound,
+            None => {
+                // Its complaints belong to the others.
+                self.guide_clearance(table, None);
+                return None;
+            }
+        };
+        let clearance = self.guide_clearance(table, ends_m);
+        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance: clearance? })
     }
 
     fn slider(&mut self, entry: &Entry<'_>) -> Option<(PointId, QuantityId)> {
@@ -174,16 +185,17 @@ impl ModelReader {
     }
 }
 
-fn is_literal_zero(expression: &Expression) -> bool {
+pub(super) fn is_literal_zero(expression: &Expression) -> bool {
     expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
 }
 
 impl JointKind {
-    /// The bodies that it connects: bearing and journal, guide and slider, first and second.
+    /// The bodies that it connects: bearing and journal, guide and slider, slot and pin, first and second.
     pub fn bodies(&self) -> [BodyId; 2] {
         match self {
             JointKind::Revolute { bearing, journal, .. } => [bearing.body, journal.body],
             JointKind::Prismatic { guide, slider, .. } => [guide.body, slider.body],
+            JointKind::Slot { slot, pin, .. } => [slot.body, pin.body],
             JointKind::Rigid { first, second, .. } => [first.body, second.body],
         }
     }

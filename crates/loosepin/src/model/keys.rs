@@ -257,6 +257,21 @@ pub(super) static GUIDE_KEYS: Keys = Keys::new(
     &[
         required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
         required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
+        optional(
+            "start",
+            quantity(D::LENGTH, Rule::Finite),
+            "\"-80 mm\"",
+            "where the faces of a guide with play begin, from the point along the line; without ends if left out",
+        ),
+        optional("end", quantity(D::LENGTH, Rule::Finite), "\"200 mm\"", "where those faces end"),
+    ],
+);
+
+pub(super) static SLOT_LINE_KEYS: Keys = Keys::new(
+    "the line of a slot",
+    &[
+        required("point", Kind::Point, "\"yoke.middle\"", "the middle of the slot"),
+        required("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "its direction from the x axis of the body"),
     ],
 );
 
@@ -274,7 +289,7 @@ pub(super) static SLIDER_KEYS: Keys = Keys::new(
 );
 
 pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
-    "a slider moves along a line of its guide and does not turn against it",
+    "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
         required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
@@ -291,6 +306,64 @@ pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
             "\"60 mm\"",
             "length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends",
         ),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"50 mm\"",
+            "half the length along the guide of the block around the slider's point",
+        ),
+        optional(
+            "half_height",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"25 mm\"",
+            "half the height of that block across the guide",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "gap between the block and each face of the guide; ideal joint if left out or zero",
+        ),
+        optional(
+            "corner_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"5 mm\"",
+            "radius of the block's corners, for a contact whose stiffness comes from the materials",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"corner\"", "the contact between corners and guide"),
+    ],
+);
+
+pub(super) static SLOT_KEYS: Keys = Keys::new(
+    "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
+        required(
+            "slot",
+            Kind::Table(&SLOT_LINE_KEYS),
+            "{ point = \"yoke.middle\", angle = \"90 deg\" }",
+            "the middle of the slot and its direction",
+        ),
+        required("pin", Kind::Point, "\"crank.pin\"", "point at the centre of the pin"),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "from the middle of the slot to the centre of each round end",
+        ),
+        optional(
+            "end_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"10 mm\"",
+            "radius of the round ends, half the width of the slot",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and slot"),
     ],
 );
 
@@ -310,7 +383,7 @@ pub(super) static RIGID_KEYS: Keys = Keys::new(
 );
 
 pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
-    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("rigid", &RIGID_KEYS)];
+    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("slot", &SLOT_KEYS), ("rigid", &RIGID_KEYS)];
 
 pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
     "how loops close that can close in two ways",

@@ -146,7 +146,7 @@ impl ModelReader {
     pub(super) fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
         let mut variables = vec![TIME];
         match joint.map(|joint| &self.joints[joint.0].kind) {
-            Some(JointKind::Prismatic { .. }) => {
+            Some(JointKind::Prismatic { .. } | JointKind::Slot { .. }) => {
                 variables.extend([("position", Dimension::LENGTH), ("speed", Dimension::VELOCITY)]);
             }
             Some(_) => variables.extend([("angle", Dimension::ANGLE), ("speed", Dimension::ANGULAR_VELOCITY)]),

@@ -14,6 +14,7 @@ mod drive;
 mod drive_keys;
 mod file;
 mod function;
+mod guide;
 mod initial;
 mod joint;
 mod keys;
@@ -26,6 +27,7 @@ mod problem;
 mod quantity;
 mod set_values;
 mod setting;
+mod slot;
 mod spring;
 mod spring_keys;
 mod table_points;
@@ -49,6 +51,6 @@ pub use set_values::{SetValues, measured_argument};
 pub use setting::{PathError, Setting, SettingError, SettingRange};
 pub use spring::{Elasticity, Spring, SpringCurve, SpringKind};
 pub use topology::{
-    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, Joint, JointId, JointKind,
-    Model, Output, OutputKind, Point, PointId, SlidingVelocity, Stiffness,
+    Axis, Body, BodyId, Clearance, Component, Contact, ContactId, DriveId, Friction, Guess, GuideClearance, Joint,
+    JointId, JointKind, Model, Output, OutputKind, Point, PointId, SlidingVelocity, SlotClearance, Stiffness,
 };

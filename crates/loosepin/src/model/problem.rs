@@ -161,6 +161,18 @@ pub enum ModelProblem {
         /// The entry.
         entry: String,
     },
+    /// A contact that only a pin in a hole can have.
+    #[error("{entry}: contact '{contact}' has {what}, which means nothing for {what_touches}")]
+    NotForPlanes {
+        /// The joint.
+        entry: String,
+        /// The contact.
+        contact: String,
+        /// What of it.
+        what: String,
+        /// What touches a plane.
+        what_touches: &'static str,
+    },
     /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
     NotDrivable {
@@ -332,6 +344,7 @@ impl Problem for ModelProblem {
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
             | Self::FilmNeedsLength { .. }
+            | Self::NotForPlanes { .. }
             | Self::KeyWithoutEffect { .. }
             | Self::JointNotRead { .. } => Code::ConflictingKeys,
             Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
@@ -378,7 +391,13 @@ impl Problem for ModelProblem {
             Self::FilmNeedsLength { .. } => {
                 Some("the contact has a film of oil, whose force depends on the length of the bearing".to_owned())
             }
-            Self::NeedsKeys { key: "radial_clearance", .. } => {
+            Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"corner_radius") => Some(
+                "the stiffness of the contact comes from the materials: a sphere of that radius on a plane".to_owned(),
+            ),
+            Self::NotForPlanes { .. } => {
+                Some("take a point-contact or a linear law without a film, and the material sliding velocity".to_owned())
+            }
+            Self::NeedsKeys { key: "radial_clearance" | "clearance", .. } => {
                 Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())
             }
             Self::NoBodies { .. } => {
@@ -401,6 +420,9 @@ impl Problem for ModelProblem {
                 "hang both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
                     .to_owned(),
             ),
+            Self::NotDrivable { why, .. } if *why == HAS_PLAY_IN_GUIDE => {
+                Some("drive an ideal joint, or set the clearance of this one to \"0 mm\"".to_owned())
+            }
             Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
             Self::CycleNeedsTurns { .. } => {
                 Some("name a drive of a revolute joint, or give duration in place of drive".to_owned())
@@ -417,5 +439,9 @@ impl Problem for ModelProblem {
 
 /// Why a joint with clearance cannot be driven.
 pub(super) const HAS_PLAY: &str = "has play";
+/// Why a prismatic joint with clearance cannot be driven.
+pub(super) const HAS_PLAY_IN_GUIDE: &str = "has play in its guide";
+/// Why a pin in a slot cannot be driven.
+pub(super) const IS_SLOT: &str = "is a slot";
 /// Why a rigid joint cannot be driven.
 pub(super) const IS_RIGID: &str = "is rigid";

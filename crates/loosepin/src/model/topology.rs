@@ -172,6 +172,20 @@ pub enum JointKind {
         slider: PointId,
         /// Angle from the slider body's x axis to the same line, rad (zero: the slider's x axis lies along it).
         slider_angle_rad: QuantityId,
+        /// Absent for an ideal joint.
+        clearance: Option<GuideClearance>,
+    },
+    /// The pin's centre stays on a line fixed to the slot's body, and turns there; with a clearance, it may leave the line and
+    /// touch the round ends. Coordinate s as for a prismatic joint.
+    Slot {
+        /// Middle of the slot.
+        slot: PointId,
+        /// Angle of its line from the x axis of its body, rad.
+        slot_angle_rad: QuantityId,
+        /// Centre of the pin.
+        pin: PointId,
+        /// Absent for an ideal joint, which has no ends.
+        clearance: Option<SlotClearance>,
     },
     /// Both points coincide and the bodies do not turn against each other.
     Rigid {
@@ -197,7 +211,51 @@ pub struct Clearance {
     pub contact: ContactId,
 }
 
-/// Contact between pin and hole.
+/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line.
+#[derive(Debug, Clone)]
+pub struct GuideClearance {
+    /// Half-length a of the block along the line, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Half-height b of the block across the line, m, > 0.
+    pub half_height_m: QuantityId,
+    /// Gap c between the block and each face, m, >= 0; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
+    pub corner_radius_m: Option<QuantityId>,
+    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
+    pub ends_m: Option<[QuantityId; 2]>,
+    /// The contact between corners and faces; its bearing is the guide, its journal the slider.
+    pub contact: ContactId,
+}
+
+/// The play of a pin in a straight slot with round ends.
+#[derive(Debug, Clone)]
+pub struct SlotClearance {
+    /// Half-length h from the middle of the slot to the centre of each round end, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Radius R_i of the ends, half the width of the slot, m, > 0.
+    pub end_radius_m: QuantityId,
+    /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact between pin and slot.
+    pub contact: ContactId,
+}
+
+impl JointKind {
+    /// The clearance, m, and the contact of a joint that may have play.
+    pub fn play(&self) -> Option<(QuantityId, ContactId)> {
+        match self {
+            Self::Revolute { clearance: Some(clearance), .. } => {
+                Some((clearance.radial_clearance_m, clearance.contact))
+            }
+            Self::Prismatic { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Slot { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Slot { .. } | Self::Rigid { .. } => None,
+        }
+    }
+}
+
+/// Contact between pin and hole or slot, or between the corners of a slider and its guide.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// Name in the file.

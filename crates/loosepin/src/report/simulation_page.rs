@@ -13,8 +13,8 @@ use super::script_data::rounded;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed};
 use crate::simulate::record::{
-    ControlHistory, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare, SimulationRecord,
-    StopReason, SwingCourse,
+    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    SimulationRecord, StopReason, SwingCourse,
 };
 use crate::units::SiUnit;
 
@@ -98,11 +98,13 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         .joints
         .iter()
         .map(|joint| {
-            format!(
-                "a radial clearance of {} in {}",
-                writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
-                joint.joint
-            )
+            // In a guide or a slot it lies between faces.
+            let is_between_faces = record.drawing.joints.iter().any(|drawn| {
+                drawn.name == joint.joint && matches!(drawn.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
+            });
+            let clearance = writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH);
+            let kind = if is_between_faces { "clearance" } else { "radial clearance" };
+            format!("a {kind} of {clearance} in {}", joint.joint)
         })
         .collect();
     let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };

@@ -22,7 +22,8 @@ impl ControlRecorder {
     /// For the controls of `mechanism`, run with `tolerance_m`.
     pub fn new(mechanism: &Mechanism, tolerance_m: f64) -> Self {
         let model = &mechanism.model;
-        let is_prismatic = |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. });
+        let is_prismatic =
+            |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. } | JointKind::Slot { .. });
         let histories = model.controls.iter().map(|control| ControlHistory {
             name: control.name.clone(),
             joint: model.joints[control.joint.0].name.clone(),

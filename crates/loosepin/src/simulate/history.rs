@@ -21,8 +21,8 @@ use super::settings::{Settings, Window};
 use super::turns::Turns;
 use crate::dynamics::Dynamics;
 use crate::math::Vec2;
-use crate::mechanism::{Mechanism, Sample, SampleError, acceleration_at};
-use crate::model::{Cycle, CycleInput, CycleSpan, JointKind, Values};
+use crate::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
+use crate::model::{Cycle, CycleInput, CycleSpan, Values};
 use crate::units::DisplayUnits;
 
 /// What is run and recorded.
@@ -415,7 +415,9 @@ impl<'a> Recorder<'a> {
                     force_n: self.contact_forces[contact].clone(),
                 })
                 .collect(),
+            // A slider has no orbit in a hole.
             orbits: (0..self.orbits.len())
+                .filter(|&play| matches!(sample.plays[play].shape, PlayShape::Pin { .. }))
                 .map(|play| JournalOrbit {
                     joint: name_of(play),
                     label: String::new(),
@@ -459,8 +461,8 @@ impl<'a> Recorder<'a> {
         plays
             .filter_map(|(index, ((joint, numbers), summary))| {
                 let joint = &model.joints[joint.0];
-                let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { return None };
-                let contact = &model.contacts[clearance.contact.0];
+                let (_, contact) = joint.kind.play()?;
+                let contact = &model.contacts[contact.0];
                 let impacts = summary.contacts - summary.floored_contacts;
                 let contacts = self.mechanism.contacts_of(index);
                 let largest = |values: &[f64]| values[contacts.clone()].iter().copied().fold(0.0, f64::max);

@@ -249,9 +249,6 @@ impl<T: Real> System<T> for Motion<'_, T> {
     }
 }
 
-/// Share of the kinetic energy at the rate of the motion that the energy account is held to, at least.
-const RESTING_SHARE: f64 = 1e-6;
-
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
 /// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
@@ -298,20 +295,17 @@ pub fn tolerances<T: Real>(
         motion.layout.error_integrals.iter().zip(&mechanism.model.controls).zip(&sample.controls)
     {
         if let (Some(place), Some(_)) = (place, numbers.integral) {
-            let is_length = matches!(mechanism.model.joints[control.measured.0].kind, JointKind::Prismatic { .. });
+            let is_length = matches!(
+                mechanism.model.joints[control.measured.0].kind,
+                JointKind::Prismatic { .. } | JointKind::Slot { .. }
+            );
             tolerances[*place] = if is_length { local_m } else { local_rad } / rate_1_s;
         }
     }
     let has_limits = sample.controls.iter().any(|control| control.limit.is_some());
-    let is_abrupt = |play: &PlayGeometry<f64>| {
-        play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset()
-    };
-    if !sample.frictions.is_empty() {
-        // A mechanism at rest has no energy yet: a share of what its masses have at the rate of its motion.
-        let masses_kg: f64 = sample.real.links.iter().map(|link| link.mass_kg).sum();
-        let at_rate_j = RESTING_SHARE * masses_kg * (mechanism.size_m * rate_1_s).powi(2);
-        tolerances.extend(vec![local_rad * energy_j.max(at_rate_j); motion.layout.integrals()]);
-    } else if has_limits || sample.plays.iter().any(is_abrupt) {
+    let is_abrupt =
+        |play: &PlayGeometry<f64>| play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset();
+    if has_limits || !sample.frictions.is_empty() || sample.plays.iter().any(is_abrupt) {
         tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances

@@ -41,3 +41,10 @@ pub fn pace_of_start_rad_s(motion: &Motion<'_, f64>) -> f64 {
     });
     paces.fold(0.0, f64::max)
 }
+
+/// Kinetic energy of all masses at the speed `rate_1_s` times the size of the mechanism, J.
+pub fn energy_at_pace_j(mechanism: &Mechanism, sample: &Sample<f64>, rate_1_s: f64) -> f64 {
+    let mass_kg: f64 = sample.real.links.iter().map(|link| link.mass_kg).sum();
+    let speed_m_s = rate_1_s * mechanism.size_m;
+    0.5 * mass_kg * speed_m_s * speed_m_s
+}

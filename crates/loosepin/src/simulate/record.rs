@@ -469,8 +469,10 @@ pub enum DrawnJointKind {
     Revolute,
     /// Revolute joint with clearance.
     RevoluteWithClearance,
-    /// Ideal prismatic joint.
+    /// Prismatic joint.
     Prismatic,
+    /// A pin in a slot.
+    Slot,
     /// Rigid connection.
     Rigid,
 }
@@ -486,7 +488,7 @@ pub struct DrawnJoint {
     pub first: PointReference,
     /// Point of the journal, or of the slider.
     pub second: PointReference,
-    /// Direction of the guide in the frame of the first point's body; 0 for other kinds.
+    /// Direction of the guide or slot in the frame of the first point's body; 0 for other kinds.
     #[serde(with = "extended")]
     pub guide_angle_rad: f64,
     /// Radial clearance; 0 for an ideal joint.

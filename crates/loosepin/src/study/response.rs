@@ -225,12 +225,8 @@ impl StudyResponse {
         let restitutions = mechanism
             .plays
             .iter()
-            .filter_map(|joint| match &study.model.joints[joint.0].kind {
-                crate::model::JointKind::Revolute { clearance: Some(clearance), .. } => {
-                    Some(study.model.contacts[clearance.contact.0].restitution)
-                }
-                _ => None,
-            })
+            .filter_map(|joint| study.model.joints[joint.0].kind.play())
+            .map(|(_, contact)| study.model.contacts[contact.0].restitution)
             .collect();
         let needs_nominal_reference = shared.plan.outputs.iter().any(|output| !output.reading.is_position());
         Ok(Self {

@@ -1,6 +1,7 @@
 //! The ideal motion, the quasi-static answer and the identities that hold the physics together, on the mechanisms of
 //! `cases/` and on small ones written here.
 
+mod guide;
 mod kinematics;
 mod mechanics;
 mod motion;
@@ -58,12 +59,12 @@ pub(crate) fn cases() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases")
 }
 
-/// Names of all cases with a model, sorted.
+/// Names of all cases that drives move, sorted.
 pub(crate) fn case_names() -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(cases())
         .expect("the cases are there")
         .map(|entry| entry.expect("readable").path())
-        .filter(|path| path.join("model.toml").exists())
+        .filter(|path| std::fs::read_to_string(path.join("model.toml")).is_ok_and(|model| model.contains("\n[drive.")))
         .map(|path| path.file_name().expect("a folder has a name").to_string_lossy().into_owned())
         .collect();
     names.sort();

@@ -129,7 +129,8 @@ fn course_words(
 
 fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     let name = |joint: JointId| &model.joints[joint.0].name;
-    let is_prismatic = |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. });
+    let is_prismatic =
+        |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. } | JointKind::Slot { .. });
     let effort = if is_prismatic(control.joint) { Dimension::FORCE } else { Dimension::TORQUE };
     let mut words = format!("acts in '{}'", name(control.joint));
     if control.measured != control.joint {

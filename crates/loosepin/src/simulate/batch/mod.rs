@@ -20,7 +20,7 @@ use crate::simulate::gap::{ContactStep, GapJet};
 use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::simulate::motion::Motion;
 use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
-use crate::simulate::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
+use crate::simulate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::simulate::projection::Projection;
 use crate::simulate::reads::ReadLayout;
 use crate::simulate::report::{Counters, PlaySummary, RunReport};
@@ -30,6 +30,9 @@ use crate::simulate::settings::{Settings, Window};
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
 pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
+/// What starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
+/// size of the mechanism: tolerances of the energy account need a size.
+const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
 /// Largest growth from one step to the next.
@@ -162,10 +165,8 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
         }
         let mut energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
-        if !(energy_j > 0.0) || !sample.controls.is_empty() {
-            // What starts at rest will move at about its rate.
-            let masses_kg = sample.real.links.iter().map(|link| link.mass_kg).sum::<f64>();
-            energy_j = energy_j.max(0.5 * masses_kg * (self.mechanism.size_m * rate_1_s).powi(2));
+        if !(energy_j > 0.0) || !self.mechanism.is_driven() {
+            energy_j = energy_j.max(LEAST_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
         }
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
         if let Some(resume) = &resume {
@@ -381,7 +382,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
             let depth_m = step.largest_penetration_m(GapMeasure::of(numbers));
             summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
-            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+            let shares = self.core.layout.share(contact).map_or([1.0; 2], |place| {
+                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane))
+            });
+            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state, shares));
             self.core.set_records(lane, contact, summary);
         }
     }

@@ -5,7 +5,7 @@ use super::problem::StudyProblem;
 use crate::diagnostics::Complaint;
 use crate::diagnostics::Place;
 use crate::document::{Entry, Table};
-use crate::model::{JointKind, QuantityError, QuantityId};
+use crate::model::{QuantityError, QuantityId};
 use crate::units::{format_number, format_value};
 
 /// Share of a distribution that may be impossible; what is drawn there is a failed run.
@@ -41,12 +41,9 @@ impl StudyReader {
             Ok(values) => values,
             Err(error) => return Some(StudyProblem::ImpossibleEnd { path, end, error }),
         };
-        let lost = self.model.joints.iter().find_map(|joint| match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => {
-                let id = clearance.radial_clearance_m;
-                (values[id] == 0.0 && self.model.roots(id).contains(&quantity)).then_some(id)
-            }
-            _ => None,
+        let lost = self.model.joints.iter().find_map(|joint| {
+            let (id, _) = joint.kind.play()?;
+            (values[id] == 0.0 && self.model.roots(id).contains(&quantity)).then_some(id)
         });
         lost.map(|id| {
             let clearance = quantities[id].path.clone();
