@@ -443,6 +443,11 @@ impl<T: Real> Dynamics<'_, T> {
         self.joint_frictions.as_ref().map_or(T::zero(), |frictions| frictions.entries[index].bristle_rate_m_s)
     }
 
+    /// Deflection of the bristles of the joint with friction `index`, m, where its law has them.
+    pub fn joint_bristle_m(&self, index: usize) -> Option<T> {
+        self.joint_frictions.as_ref().and_then(|frictions| frictions.bristles_m[index])
+    }
+
     /// Sets the deflection of the bristles of the joint with friction `index`, m.
     #[inline(always)]
     pub fn set_joint_bristle(&mut self, index: usize, deflection_m: T) {

@@ -54,7 +54,7 @@ impl<T: Real> Dynamics<'_, T> {
     /// need, Σ (m a - m g) minus the other forces on them (Newton and Euler).
     pub fn joint_force_n(&self, joint: JointId) -> Vec2<T> {
         if let Some(index) = self.mechanism.plays.iter().position(|&play| play == joint) {
-            return self.play_force_n(index);
+            return self.play_force_n(index) + self.actuator_force_n(joint);
         }
         let tree = &self.mechanism.real;
         let forces = self.cut_forces_n();

@@ -97,8 +97,8 @@ pub(super) struct Stiffening<T> {
     pub pull_1_m: T,
 }
 
-/// K/K_f, and -(∂K/∂φ)/(K_f |w|) along t: with n = (n_x, n_y) along and across the line,
-/// ∂(q² (3 - 2 q))/∂φ = 48 q (1 - q) |n_x n_y|, and φ grows against t where n_x n_y > 0.
+/// K/K_f, and what pulls towards the softer wall over the energy, (∂K/∂φ)/(K_f |w|): with n = (n_x, n_y) along and across the line,
+/// ∂(q² (3 - 2 q))/∂φ = 48 q (1 - q) |n_x n_y|; φ grows against t where n_x n_y > 0, so that the pull goes along t there.
 #[inline(always)]
 pub(super) fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Stiffening<T> {
     let Place { length_m, normal, .. } = place(motion, slot);

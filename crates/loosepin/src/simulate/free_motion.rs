@@ -8,12 +8,13 @@ use crate::math::Quintic;
 use crate::mechanism::{Mechanism, Sample};
 
 /// A step: its start, its end, and value, rate and acceleration of every free coordinate at both;
-/// integral of the error of every control, and the error.
+/// integral of the error of every control, and the error; deflection of the bristles of every joint with friction, and its rate.
 struct Piece {
     start_s: f64,
     end_s: f64,
     jets: Vec<[[f64; 3]; 2]>,
     error_integrals: Vec<[[f64; 2]; 2]>,
+    joint_bristles: Vec<[[f64; 2]; 2]>,
 }
 
 /// The state at an instant.
@@ -25,6 +26,8 @@ pub struct FreeState {
     pub rates: Vec<f64>,
     /// Integrals of the errors of all controls.
     pub error_integrals: Vec<f64>,
+    /// Deflections of the bristles of all joints with friction, m; zero where a law has none.
+    pub joint_bristles_m: Vec<f64>,
 }
 
 /// The motion from time zero on, as polynomials of degree five over the steps of the run.
@@ -59,8 +62,9 @@ impl FreeMotion {
             (quintic.value(share), quintic.slope(share) / h)
         });
         let (coordinates, rates) = motions.unzip();
-        let integrals = piece.error_integrals.iter().map(|[start, end]| cubic(*start, *end, h, share));
-        FreeState { coordinates, rates, error_integrals: integrals.collect() }
+        let cubics = |ends: &[[[f64; 2]; 2]]| ends.iter().map(|[start, end]| cubic(*start, *end, h, share)).collect();
+        let (error_integrals, joint_bristles_m) = (cubics(&piece.error_integrals), cubics(&piece.joint_bristles));
+        FreeState { coordinates, rates, error_integrals, joint_bristles_m }
     }
 }
 
@@ -73,7 +77,7 @@ fn cubic(start: [f64; 2], end: [f64; 2], h: f64, share: f64) -> f64 {
 
 impl Observer for FreeMotion {
     fn step(&mut self, step: &mut Step<'_, '_>) {
-        let (mut jets, mut error_integrals) = (Vec::new(), Vec::new());
+        let (mut jets, mut error_integrals, mut joint_bristles) = (Vec::new(), Vec::new(), Vec::new());
         for (side, time_s) in [(0, step.start_s), (1, step.end_s)] {
             let dynamics = step.evaluate(time_s);
             let (coordinates, rates) = dynamics.free_state();
@@ -85,7 +89,11 @@ impl Observer for FreeMotion {
             for (k, jet) in error_integrals.iter_mut().enumerate() {
                 jet[side] = [dynamics.error_integrals()[k], dynamics.actuators()[k].error];
             }
+            joint_bristles.resize(dynamics.sample().frictions.len(), [[0.0; 2]; 2]);
+            for (k, jet) in joint_bristles.iter_mut().enumerate() {
+                jet[side] = [dynamics.joint_bristle_m(k).unwrap_or(0.0), dynamics.joint_bristle_rate_m_s(k)];
+            }
         }
-        self.pieces.push(Piece { start_s: step.start_s, end_s: step.end_s, jets, error_integrals });
+        self.pieces.push(Piece { start_s: step.start_s, end_s: step.end_s, jets, error_integrals, joint_bristles });
     }
 }

@@ -9,7 +9,7 @@ use crate::model::{Coupling, DriveId, JointId, JointKind};
 pub fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>, end_s: f64) -> f64 {
     let model = &mechanism.model;
     let scale = |joint: JointId| match model.joints[joint.0].kind {
-        JointKind::Prismatic { .. } => mechanism.size_m,
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } => mechanism.size_m,
         _ => 1.0,
     };
     let drives = model.drives.iter().enumerate();

@@ -2,13 +2,20 @@
 
 use crate::dynamics::Dynamics;
 use crate::math::Vec2;
-use crate::mechanism::{Mechanism, Sample};
+use crate::mechanism::{Mechanism, PlayShape, Sample};
 use std::f64::consts::TAU;
 
-/// What has to be back for a motion to repeat itself, read once a turn: the eccentricity of every joint with play, and for a
+/// What has to be back for a motion to repeat itself, read once a turn: the eccentricity of every joint with play, the tilt of
+/// every slider in its guide, and for a
 /// mechanism that its drives do not move alone position, angle and both rates (a turn as the unit of time) of every body.
 pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {
     let mut section: Vec<Vec2<f64>> = dynamics.plays().iter().map(|motion| motion.eccentricity_m).collect();
+    for (motion, numbers) in dynamics.plays().iter().zip(&dynamics.sample().plays) {
+        if let PlayShape::Slider(_) = numbers.shape {
+            let [line, axis] = motion.directions;
+            section.push(Vec2::new(line.cross(axis), 0.0));
+        }
+    }
     let mechanism = dynamics.mechanism();
     if !mechanism.is_driven() {
         for slot in 1..=mechanism.real.links.len() {
@@ -25,10 +32,14 @@ pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {
     section
 }
 
-/// The sizes that go with [`section`]: the radial clearances; a tenth of the mechanism's size for positions, a tenth of a radian
+/// The sizes that go with [`section`]: the clearances, and over half the length of a slider for its tilt; a tenth of the mechanism's size for positions, a tenth of a radian
 /// for angles.
 pub fn section_sizes(mechanism: &Mechanism, sample: &Sample<f64>) -> Vec<f64> {
     let mut sizes: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
+    sizes.extend(sample.plays.iter().filter_map(|play| match &play.shape {
+        PlayShape::Slider(block) => Some(play.clearance_m / block.half_length_m),
+        PlayShape::Pin { .. } | PlayShape::Slot(_) => None,
+    }));
     if !mechanism.is_driven() {
         let length_m = 0.1 * mechanism.size_m;
         for _ in &mechanism.real.links {

@@ -78,6 +78,11 @@ impl<'a> IdealReference<'a> {
             Source::Integrated(motion) => {
                 let state = motion.state(time_s);
                 dynamics.error_integrals_mut().copy_from_slice(&state.error_integrals);
+                for (index, deflection_m) in state.joint_bristles_m.iter().enumerate() {
+                    if dynamics.sample().frictions[index].law.has_bristle() {
+                        dynamics.set_joint_bristle(index, *deflection_m);
+                    }
+                }
                 set(dynamics, &state.coordinates, &state.rates);
             }
         }

@@ -3,13 +3,13 @@
 use super::motion::Layout;
 use crate::contact::PlayState;
 
-/// Positions, velocities, deflections of bristles and contact states at one instant: all that the motion after it depends on.
+/// Positions, velocities, deflections of bristles, integrals of the errors of controls and contact states at one instant: all that the motion after it depends on.
 ///
 /// The speed at which a contact began belongs to it, since contact laws remember that speed. The root of a penetration does not:
 /// a run that goes on reads the penetration off the positions until the next contact begins.
 #[derive(Debug, Clone)]
 pub struct MotionState {
-    /// As [`Layout`] has it; roots of penetrations and integrals are zero.
+    /// As [`Layout`] has it; roots of penetrations and the energy account are zero.
     pub(super) state: Vec<f64>,
     /// By contact.
     pub(super) contacts: Vec<PlayState<f64>>,
@@ -31,9 +31,9 @@ impl MotionState {
         self.state[layout.time()]
     }
 
-    /// Places of coordinates, rates and deflections of bristles.
+    /// Places of coordinates, rates, deflections of bristles and integrals of the errors of controls.
     pub(super) fn places(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
-        let bristles = layout.bristles.iter().chain(&layout.joint_bristles);
-        (0..layout.time()).chain(bristles.flatten().copied())
+        let further = layout.bristles.iter().chain(&layout.joint_bristles).chain(&layout.error_integrals);
+        (0..layout.time()).chain(further.flatten().copied())
     }
 }

@@ -6,7 +6,7 @@ use super::record::{JournalOrbit, MotionKind, SectionedOutput};
 use super::turns::Turns;
 use crate::dynamics::Dynamics;
 use crate::math::Vec2;
-use crate::mechanism::{Mechanism, Sample};
+use crate::mechanism::{Mechanism, PlayShape, Sample};
 
 /// What is kept of each look.
 #[derive(Debug, Clone)]
@@ -77,7 +77,9 @@ impl SectionRecorder {
             period_turns: period.map(|turns| turns as u32),
             repeat_share: REPEAT_SHARE,
             section_angle_rad: angle_rad.rem_euclid(std::f64::consts::TAU),
+            // A slider or a pin in a slot has no orbit in a hole.
             journals: journals
+                .filter(|((_, numbers), _)| matches!(numbers.shape, PlayShape::Pin { .. }))
                 .map(|((joint, numbers), (x_m, y_m))| JournalOrbit {
                     joint: mechanism.model.joints[joint.0].name.clone(),
                     label: String::new(),

@@ -141,7 +141,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         match &resume {
             Some(resume) => {
                 start_s = resume.time_s(&self.view.layout);
-                sample.drives.take_pieces_at(start_s);
+                sample.take_pieces_at(start_s);
                 state.copy_from_slice(&resume.state);
             }
             None => {
