@@ -4,6 +4,9 @@
 //! axis of abscissas, and θ its angle. With the clearance c on each side the penetrations are, for both signs of a,
 //! δ = y ± a sin θ + b cos θ - (b + c) at the upper face and δ = -y ∓ a sin θ + b cos θ - (b + c) at the lower one. The faces
 //! go on without ends here: where a guide has ends, a run in which a corner leaves them fails.
+//!
+//! The functions stand out of line: not every mechanism has them, and the compiler takes many times as long for an evaluation that
+//! holds them all.
 
 use super::contact::{ContactMotion, GapMotion, Sliding};
 use super::play::PlayMotion;
@@ -38,50 +41,65 @@ fn corner<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize)
 }
 
 /// δ at `place`, m.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn penetration_m<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     block: &SliderBlock<T>,
     place: usize,
 ) -> T {
-    let corner = corner(motion, block, place);
-    corner.normal.dot(corner.reach_m) - (block.half_height_m + play.clearance_m)
+    T::vectorize(
+        #[inline(always)]
+        || {
+            let corner = corner(motion, block, place);
+            corner.normal.dot(corner.reach_m) - (block.half_height_m + play.clearance_m)
+        },
+    )
 }
 
 /// Normal, penetration and its rate.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn contact<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     block: &SliderBlock<T>,
     place: usize,
 ) -> ContactMotion<T> {
-    let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
-    ContactMotion {
-        normal,
-        penetration_m: normal.dot(reach_m) - (block.half_height_m + play.clearance_m),
-        // The guide's material at the corner does not move along n against the face.
-        penetration_rate_m_s: normal.dot(velocity_m_s),
-        reaches_m: [reach_m, arm_m],
-    }
+    T::vectorize(
+        #[inline(always)]
+        || {
+            let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
+            ContactMotion {
+                normal,
+                penetration_m: normal.dot(reach_m) - (block.half_height_m + play.clearance_m),
+                // The guide's material at the corner does not move along n against the face.
+                penetration_rate_m_s: normal.dot(velocity_m_s),
+                reaches_m: [reach_m, arm_m],
+            }
+        },
+    )
 }
 
 /// Sliding of the slider's material on the guide's at the corner. Both forces act there, so friction has no arms of its own.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn sliding<T: Real>(
     motion: &PlayMotion<T>,
     block: &SliderBlock<T>,
     place: usize,
     tangent: Vec2<T>,
 ) -> Sliding<T> {
-    let material_m_s = tangent.dot(corner(motion, block, place).velocity_m_s);
-    Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
+    T::vectorize(
+        #[inline(always)]
+        || {
+            let material_m_s = tangent.dot(corner(motion, block, place).velocity_m_s);
+            Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
+        },
+    )
 }
 
 /// δ and its derivatives. With w the velocity of the slider's material at the corner on the guide's:
 /// δ̇ = n·w and δ̈ = n·ẇ + ω_i t·w, since n turns with the guide.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn gap<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
@@ -90,17 +108,22 @@ pub(super) fn gap<T: Real>(
     acceleration_m_s2: Vec2<T>,
     spin_rates_rad_s2: [T; 2],
 ) -> GapMotion<T> {
-    let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
-    let [spin_i, spin_j] = motion.spins_rad_s;
-    let [spin_rate_i, spin_rate_j] = spin_rates_rad_s2;
-    let arm_rate_m_s = arm_m.turned() * spin_j;
-    let reach_rate_m_s = motion.eccentricity_rate_m_s + arm_rate_m_s;
-    let change_m_s2 = acceleration_m_s2
-        .plus(arm_m.turned(), spin_rate_j)
-        .plus(arm_rate_m_s.turned(), spin_j)
-        .plus(reach_m.turned(), -spin_rate_i)
-        .plus(reach_rate_m_s.turned(), -spin_i);
-    let second = (spin_i * normal.turned().dot(velocity_m_s)) + normal.dot(change_m_s2);
-    let penetration_m = normal.dot(reach_m) - (block.half_height_m + play.clearance_m);
-    GapMotion { gap: [penetration_m, normal.dot(velocity_m_s), second], penetration_acceleration_m_s2: second }
+    T::vectorize(
+        #[inline(always)]
+        || {
+            let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
+            let [spin_i, spin_j] = motion.spins_rad_s;
+            let [spin_rate_i, spin_rate_j] = spin_rates_rad_s2;
+            let arm_rate_m_s = arm_m.turned() * spin_j;
+            let reach_rate_m_s = motion.eccentricity_rate_m_s + arm_rate_m_s;
+            let change_m_s2 = acceleration_m_s2
+                .plus(arm_m.turned(), spin_rate_j)
+                .plus(arm_rate_m_s.turned(), spin_j)
+                .plus(reach_m.turned(), -spin_rate_i)
+                .plus(reach_rate_m_s.turned(), -spin_i);
+            let second = (spin_i * normal.turned().dot(velocity_m_s)) + normal.dot(change_m_s2);
+            let penetration_m = normal.dot(reach_m) - (block.half_height_m + play.clearance_m);
+            GapMotion { gap: [penetration_m, normal.dot(velocity_m_s), second], penetration_acceleration_m_s2: second }
+        },
+    )
 }

@@ -49,6 +49,8 @@ pub struct Dynamics<'a, T> {
     pub(super) plays: Vec<PlayMotion<T>>,
     /// Forces of all contacts.
     pub(super) contacts: Vec<ContactForce<T>>,
+    /// Whether there are springs, loads or controls.
+    has_elements: bool,
     /// Slots of first and second body of each spring.
     pub(super) spring_slots: Vec<[usize; 2]>,
     /// Power that the dampers turned into heat at the last evaluation, W.
@@ -143,6 +145,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
             play_slots,
             plays,
             contacts,
+            has_elements: !(mechanism.model.springs.is_empty()
+                && mechanism.model.loads.is_empty()
+                && mechanism.model.controls.is_empty()),
             spring_slots: springs.map(|spring| spring.kind.bodies().map(|body| tree.slot_of_body[body.0])).collect(),
             damping_loss_w: T::zero(),
             loads,
@@ -219,12 +224,26 @@ impl<'a, T: Real> Dynamics<'a, T> {
                     frictions.begin(&self.kinematics, &self.sample.frictions);
                 }
                 self.add_bodies();
-                self.add_springs();
-                self.add_loads();
-                self.add_controls();
+                if self.has_elements {
+                    self.add_elements();
+                }
                 self.add_plays();
                 self.solve();
                 self.add_joint_friction();
+            },
+        );
+    }
+
+    /// Forces of springs, loads and actuators. Not every mechanism has them: out of line, or the compiler would take many times as
+    /// long for the evaluation as a whole.
+    #[inline(never)]
+    fn add_elements(&mut self) {
+        T::vectorize(
+            #[inline(always)]
+            || {
+                self.add_springs();
+                self.add_loads();
+                self.add_controls();
             },
         );
     }
