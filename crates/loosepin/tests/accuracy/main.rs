@@ -68,7 +68,7 @@ pub(crate) fn case_names() -> Vec<String> {
         .map(|path| path.file_name().expect("a folder has a name").to_string_lossy().into_owned())
         .collect();
     names.sort();
-    assert!(names.len() > 10, "the cases are missing");
+    assert!(names.len() > 20, "the cases are missing");
     names
 }
 
