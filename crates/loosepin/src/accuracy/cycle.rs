@@ -79,12 +79,12 @@ impl Walk<'_> {
             let mut next = last.clone();
             if next.move_to(time_s).is_err() {
                 let (end, error) = self.last_reachable(last.clone(), time_s);
-                let words = self.end_words(&end, &error);
-                let is_dead_point = !words.starts_with(CROSSING_WORDS);
+                let is_crossing = self.is_crossing(&end);
+                let words = if is_crossing { self.crossing_words(&end) } else { dead_point_words(&error) };
                 self.singular.push((end.time_s(), words));
                 // Branches that cross at a sample: the motion goes on smoothly, past this sample.
                 let past_s = time_s + PAST_CROSSING * (time_s - last.time_s());
-                if is_dead_point || last.move_to(past_s).is_err() {
+                if !is_crossing || last.move_to(past_s).is_err() {
                     return (states, Some(end.time_s()));
                 }
                 continue;
@@ -141,22 +141,13 @@ impl Walk<'_> {
         (after_s, before)
     }
 
-    /// What the end of the way is, in words.
-    fn end_words(&self, end: &IdealMotion<'_>, error: &SampleError) -> String {
+    /// Whether branches cross at the end of the way, where all speeds stay finite; else it is a dead point.
+    fn is_crossing(&self, end: &IdealMotion<'_>) -> bool {
         let fastest = end.kinematics().twists.iter().fold(0.0_f64, |fastest, twist| {
             let linear = twist.linear.length() / self.mechanism.size_m;
             fastest.max(twist.angular.abs()).max(linear)
         });
-        if fastest < DEAD_POINT_RATIO * self.input.speed_rad_s.abs() {
-            return self.crossing_words(end);
-        }
-        match error {
-            SampleError::CannotClose { open, .. } => format!(
-                "dead point: the drive cannot turn any further, the links no longer close at {}",
-                describe_path(&open.path)
-            ),
-            _ => "dead point: the drive cannot turn any further".to_owned(),
-        }
+        fastest < DEAD_POINT_RATIO * self.input.speed_rad_s.abs()
     }
 
     /// What is said where branches cross, with the ways on.
@@ -211,6 +202,17 @@ impl Walk<'_> {
             );
             self.singular.push((time_s, words));
         }
+    }
+}
+
+/// What is said of a dead point, by why the loops do not close beyond it.
+fn dead_point_words(error: &SampleError) -> String {
+    match error {
+        SampleError::CannotClose { open, .. } => format!(
+            "dead point: the drive cannot turn any further, the links no longer close at {}",
+            describe_path(&open.path)
+        ),
+        _ => "dead point: the drive cannot turn any further".to_owned(),
     }
 }
 

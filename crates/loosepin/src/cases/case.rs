@@ -10,7 +10,7 @@ use super::reference::Reference;
 use crate::accuracy::Scatter;
 use crate::diagnostics::{Complaints, Place};
 use crate::document::read_source;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Sample};
 use crate::model::{Model, Values};
 use crate::simulate::Column;
 use crate::study::Study;
@@ -27,6 +27,8 @@ pub struct Case {
     pub(super) mechanism: Mechanism,
     /// The nominal values.
     pub(super) values: Values,
+    /// Laid out for the mechanism.
+    pub(super) sample: Sample<f64>,
     /// What scatters, where the case has a study.
     pub(super) scatter: Vec<Scatter>,
     /// What it must meet, in the order of the file.
@@ -230,6 +232,7 @@ impl Case {
         let model = Model::from_path(&folder.join("model.toml"))?;
         let values = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
+        let sample = Sample::new(&mechanism, &values).map_err(|error| error.complaint(&model))?;
         let study_path = folder.join("study.toml");
         let study = if study_path.is_file() { Some(Study::from_path(&study_path)?) } else { None };
         let scatter = study.iter().flat_map(|study| &study.random).map(|input| Scatter {
@@ -238,7 +241,7 @@ impl Case {
         });
         let scatter = scatter.collect();
         let name = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let mut case = Case { name, model, mechanism, values, scatter, checks: Vec::new() };
+        let mut case = Case { name, model, mechanism, values, sample, scatter, checks: Vec::new() };
         let source = read_source(&folder.join("expected.toml"))?;
         case.checks = read_expected(&source, folder, &case)?;
         Ok(case)

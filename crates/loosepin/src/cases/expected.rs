@@ -12,7 +12,6 @@ use crate::accuracy::position_outputs;
 use crate::contact::NormalLaw;
 use crate::diagnostics::{Complaint, Complaints, Place, Source};
 use crate::document::{Entry, Reader, Table, Written, parse_toml};
-use crate::mechanism::Sample;
 use crate::model::BodyId;
 use crate::simulate::{Column, Reading, columns, input};
 use crate::units::{Dimension, ReadableUnit, Rule, SiUnit, parse_unit};
@@ -380,8 +379,7 @@ pub(super) fn open_reference(reader: &mut Reader, folder: &Path, file: &str, pla
 
 /// The dimension of the stiffness of a joint with play; that of a number for laws without one.
 pub(super) fn stiffness_dimension(case: &Case, play: usize) -> Dimension {
-    let Ok(sample) = Sample::<f64>::new(&case.mechanism, &case.values) else { return Dimension::NUMBER };
-    match &sample.plays[play].normal {
+    match &case.sample.plays[play].normal {
         NormalLaw::Point(law) => Dimension::contact_stiffness(law.exponent),
         NormalLaw::Linear(_) => Dimension::contact_stiffness(1.0),
         _ => Dimension::NUMBER,

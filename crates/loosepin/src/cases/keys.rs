@@ -42,7 +42,9 @@ pub(super) const REDUCTIONS: [(&str, Reduce); 4] = [
     ("angle_of_maximum", Reduce::AngleOfMaximum),
 ];
 
-const REDUCTION_WORDS: [&str; 4] = ["minimum", "maximum", "angle_of_minimum", "angle_of_maximum"];
+fn reduction_words() -> Vec<&'static str> {
+    REDUCTIONS.iter().map(|(word, _)| *word).collect()
+}
 
 /// A value, or one for each number of a list.
 const ONE_OR_EACH: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]);
@@ -59,7 +61,7 @@ pub(super) static NUMBER_KEYS: Keys = Keys::new(
         optional("joint", Kind::Reference("joint"), "\"gudgeon\"", "the joint with play"),
         optional("output", Kind::Reference("output"), "\"slider\"", "the output of the model"),
         optional("state", Kind::Text, "\"coupler.angle\"", "angle, omega or alpha of a body, where no output gives it"),
-        optional("reduce", Kind::Choice(&REDUCTION_WORDS), "\"maximum\"", "what is taken of the course in time"),
+        optional("reduce", Kind::ChoiceOf(reduction_words), "\"maximum\"", "what is taken of the course in time"),
         optional("angle", ONE_OR_EACH, "\"60 deg\"", "angle of the drive of the cycle"),
         optional("time", ONE_OR_EACH, "\"3 ms\"", "time from the start"),
         optional("penetration", ONE_OR_EACH, "\"10 um\"", "penetration of a contact at rest"),

@@ -10,8 +10,9 @@ use super::case::{
 use super::expected::{open_reference, si_unit, stiffness_dimension};
 use super::keys::{IMPACT_KEYS, SCRIPT_KEYS};
 use super::problem::CaseProblem;
+use crate::diagnostics::Place;
 use crate::document::{Reader, Table};
-use crate::units::{Dimension, ReadableUnit};
+use crate::units::{Dimension, ReadableUnit, decimal_exponent, power_of_ten};
 
 /// Positions (m) and angles (rad) at every row. The plays are 1e-4 m and more, and the script agrees with itself to 1e-11 m.
 const POSITION_TOLERANCE_M: f64 = 1e-8;
@@ -84,7 +85,7 @@ pub(super) fn read_script(reader: &mut Reader, root: &Table<'_>, folder: &Path, 
 struct Found {
     source: String,
     checks: Vec<Check>,
-    place: crate::diagnostics::Place,
+    place: Place,
     span_s: f64,
 }
 
@@ -145,7 +146,7 @@ impl Found {
         }
         let Some(entries) = table.get("impact").and_then(|entry| reader.list(&entry)) else { return };
         let impacts: Vec<Table<'_>> = entries.iter().filter_map(|entry| reader.table(entry, &IMPACT_KEYS)).collect();
-        let slowest_m_s = case.values[slowest(case, play)];
+        let slowest_m_s = case.sample.plays[play].minimum_impact_speed_m_s;
         // Contacts below the least impact speed of the law are no impacts.
         let impacts: Vec<Table<'_>> = impacts
             .into_iter()
@@ -186,19 +187,22 @@ fn joule() -> ReadableUnit {
     ReadableUnit { text: "J".to_owned(), si_per_unit: 1.0 }
 }
 
-/// The least power of ten that is not below a positive number.
+/// The least power of ten that is not below a positive number; zero for zero.
 fn power_of_ten_above(value: f64) -> f64 {
-    let text = format!("{value:e}");
-    let exponent: Option<i32> = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
-    let power = |exponent: i32| format!("1e{exponent}").parse().unwrap_or(value);
-    exponent.map_or(value, |exponent| if text.starts_with("1e") { power(exponent) } else { power(exponent + 1) })
+    decimal_exponent(value).map_or(value, |exponent| {
+        let below = power_of_ten(exponent);
+        if below >= value { below } else { power_of_ten(exponent + 1) }
+    })
 }
 
-/// The least impact speed of a joint with play.
-fn slowest(case: &Case, play: usize) -> crate::model::QuantityId {
-    let joint = &case.model.joints[case.mechanism.plays[play].0];
-    let crate::model::JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else {
-        unreachable!("a joint with play has a clearance")
-    };
-    case.model.contacts[clearance.contact.0].minimum_impact_speed_m_s
+#[cfg(test)]
+mod tests {
+    use super::power_of_ten_above;
+
+    #[test]
+    fn tolerances_are_powers_of_ten_that_are_not_below() {
+        for (value, power) in [(1e-5, 1e-5), (1.01e-5, 1e-4), (9.9, 10.0), (0.0, 0.0)] {
+            assert_eq!(power_of_ten_above(value), power, "{value:e}");
+        }
+    }
 }

@@ -7,6 +7,7 @@ use comfy_table::ColumnConstraint;
 
 use super::terminal::{push_table, table};
 use crate::cases::record::{CaseRecord, Comparison, NumberRecord};
+use crate::units::{decimal_exponent, format_number, power_of_ten};
 
 /// Heads of the columns.
 const HEAD: [&str; 7] = ["number", "expected", "obtained", "difference", "tolerance", "verdict", "source"];
@@ -82,11 +83,12 @@ fn verdict(records: &[CaseRecord]) -> String {
         .filter(|(_, number)| !number.is_within())
         .map(|(record, number)| format!("- {}: {}\n", record.name, number.name))
         .collect();
-    let cases = if records.len() == 1 { "1 case".to_owned() } else { format!("{} cases", records.len()) };
+    let counted = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let [cases, numbers] = [counted(records.len(), "case"), counted(numbers, "number")];
     if outside.is_empty() {
-        format!("{cases}, {numbers} numbers: all within their tolerances.\n")
+        format!("{cases}, {numbers}: all within their tolerances.\n")
     } else {
-        format!("{cases}, {numbers} numbers: {} outside of their tolerances.\n{}", outside.len(), outside.concat())
+        format!("{cases}, {numbers}: {} outside of their tolerances.\n{}", outside.len(), outside.concat())
     }
 }
 
@@ -123,7 +125,7 @@ fn cells(number: &NumberRecord, sources: &[&str]) -> Vec<String> {
         expected,
         obtained,
         difference,
-        format!("{}{unit}", crate::units::format_number(tolerance)),
+        format!("{}{unit}", format_number(tolerance)),
         if number.is_within() { "within" } else { "OUTSIDE" }.to_owned(),
         format!("{} {source}", number.origin),
     ]
@@ -133,15 +135,7 @@ fn cells(number: &NumberRecord, sources: &[&str]) -> Vec<String> {
 fn step_exponent(tolerance: f64) -> Option<i32> {
     // Half of what was written as 2e-6 must not fall below 1e-6 by round-off.
     const ABOVE_ROUND_OFF: f64 = 1.0 + 1e-9;
-    exponent(0.5 * tolerance * ABOVE_ROUND_OFF)
-}
-
-/// The exponent of the leading digit; none for zero.
-fn exponent(value: f64) -> Option<i32> {
-    if value == 0.0 || !value.is_finite() {
-        return None;
-    }
-    format!("{value:e}").split_once('e').and_then(|(_, exponent)| exponent.parse().ok())
+    decimal_exponent(0.5 * tolerance * ABOVE_ROUND_OFF)
 }
 
 /// A value to a multiple of a power of ten.
@@ -151,11 +145,10 @@ fn rounded(value: f64, step: Option<i32>) -> String {
     if value.is_nan() {
         return "none".to_owned();
     }
-    let Some(step) = step else { return crate::units::format_number(value) };
-    // Parsed, since powers of the platform may differ in their last digit.
-    let unit: f64 = format!("1e{step}").parse().unwrap_or(1.0);
+    let Some(step) = step else { return format_number(value) };
+    let unit = power_of_ten(step);
     let rounded = (value / unit).round() * unit;
-    let Some(leading) = exponent(rounded) else { return "0".to_owned() };
+    let Some(leading) = decimal_exponent(rounded) else { return "0".to_owned() };
     if PLAIN.contains(&leading) {
         format!("{rounded:.*}", usize::try_from(-step).unwrap_or(0))
     } else {
@@ -168,7 +161,7 @@ fn below(difference: f64) -> String {
     if difference.is_nan() {
         return "none".to_owned();
     }
-    exponent(difference).map_or("0".to_owned(), |exponent| format!("< 1e{}", exponent + 1))
+    decimal_exponent(difference).map_or("0".to_owned(), |exponent| format!("< 1e{}", exponent + 1))
 }
 
 #[cfg(test)]

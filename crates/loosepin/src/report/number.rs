@@ -1,7 +1,7 @@
 //! Numbers as people read them: their unit, sensible digits, and rounding that never makes a bound narrower.
 
 use crate::study::result::{InputDescription, Witness, WitnessValue};
-use crate::units::{DisplayUnits, SiUnit};
+use crate::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.
 pub(super) const PLAIN_DIGITS: usize = 4;
@@ -258,9 +258,7 @@ fn not_finite(value: f64) -> String {
 }
 
 fn decimal_magnitude(value: f64) -> i32 {
-    // Written as 1.234e5 by the formatter, so the exponent is exact where a logarithm may be off by one.
-    let text = format!("{:e}", value.abs());
-    text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+    decimal_exponent(value).unwrap_or(0)
 }
 
 fn round_to_place(value: f64, place: i32, rounding: Rounding) -> f64 {

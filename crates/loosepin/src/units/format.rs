@@ -88,6 +88,20 @@ pub fn format_number(value: f64) -> String {
     }
 }
 
+/// The exponent of the leading digit: n of 1.23e(n). None for zero and for what is not finite.
+pub fn decimal_exponent(value: f64) -> Option<i32> {
+    if value == 0.0 || !value.is_finite() {
+        return None;
+    }
+    // Written by the formatter, so that the exponent is exact where a logarithm may be off by one.
+    format!("{value:e}").split_once('e').and_then(|(_, exponent)| exponent.parse().ok())
+}
+
+/// 10 to this power, the same on every machine: parsed, since powers of the platform may differ in their last digit.
+pub fn power_of_ten(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(f64::NAN)
+}
+
 fn without_trailing_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
@@ -95,6 +109,15 @@ fn without_trailing_zeros(text: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn powers_of_ten_are_those_of_the_leading_digit() {
+        for (value, exponent) in [(1e-5, -5), (9.999e-6, -6), (-123.0, 2), (1.0, 0), (1e22, 22)] {
+            assert_eq!(decimal_exponent(value), Some(exponent), "{value:e}");
+        }
+        assert_eq!([0.0, f64::NAN, f64::INFINITY].map(decimal_exponent), [None; 3]);
+        assert_eq!([-5, 0, 3].map(power_of_ten), [1e-5, 1.0, 1e3]);
+    }
 
     #[test]
     fn numbers_show_what_was_written() {
