@@ -75,9 +75,6 @@ pub fn conduct<O: Observer>(
     }
 }
 
-/// Vectors of eight lanes that are worked on at once.
-const VECTORS: usize = 2;
-
 /// The one place that names lane groups: the token proves that this processor has their instructions.
 fn on_lanes<S: InstructionSet, O: Observer>(
     _token: S,
@@ -88,7 +85,7 @@ fn on_lanes<S: InstructionSet, O: Observer>(
     queue: &mut dyn Queue<Observer = O>,
 ) {
     let level = level.filter(|_| settings.machine_code);
-    Batch::<LaneGroup<S, VECTORS>, O>::conduct(mechanism, readings, settings, level, queue);
+    Batch::<LaneGroup<S>, O>::conduct(mechanism, readings, settings, level, queue);
 }
 
 /// A queue of one run.
