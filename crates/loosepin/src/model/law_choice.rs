@@ -113,7 +113,9 @@ impl Model {
 mod tests {
     use crate::contact::NormalDescription;
     use crate::model::{ContactId, Model};
-    use crate::templates::find_template;
+
+    /// The slider-crank template.
+    const SLIDER_CRANK: &str = include_str!("../../templates/slider-crank/model.toml");
 
     fn law(name: &str) -> NormalDescription {
         NormalDescription::all().find(|law| law.name() == name).unwrap()
@@ -121,8 +123,7 @@ mod tests {
 
     /// The slider-crank template with these lines in its contact, in place of materials and law.
     fn model(lines: &str) -> Model {
-        let text = find_template("slider-crank").unwrap().model;
-        let (before, rest) = text.split_once("[contact.steel_pin]").unwrap();
+        let (before, rest) = SLIDER_CRANK.split_once("[contact.steel_pin]").unwrap();
         let (_, after) = rest.split_once("\n[").unwrap();
         let text = format!("{before}[contact.steel_pin]\n{lines}\n[{after}");
         Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}\n{text}"))
