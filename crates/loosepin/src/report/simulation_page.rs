@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::answer::turns;
+use super::answer::{turn_word, turns};
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
@@ -66,11 +66,10 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         title: record.model.clone(),
         kicker: "Simulation",
         subtitle: html! {
-            (record.settings.drive)
             @if let Some(speed) = record.settings.drive_speed_rad_s {
-                " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+                (record.settings.drive) " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
             }
-            ", " (turns(record.settings.recorded_turns))
+            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s))
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: answer(record, &writer),
@@ -116,7 +115,10 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.value(extreme.maximum.value_si, &extreme.unit),
         ));
     } else {
-        sentences.push(format!("{with}, {} were recorded.", turns(record.settings.recorded_turns)));
+        sentences.push(format!(
+            "{with}, {} were recorded.",
+            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s)
+        ));
     }
     for joint in &record.joints {
         sentences.push(format!(
@@ -175,7 +177,7 @@ fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> 
 fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let mut sentences = vec![format!(
-        "{}: {} departs from its reference by {} at most, with up to {} in {}.",
+        "Control {}: {} departs from its reference by {} at most, with up to {} in {}.",
         control.name,
         control.measured,
         writer.value(largest(&control.error_si), &control.unit),
@@ -187,12 +189,12 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
         let period = writer.value(swing.period_s, &SiUnit::TIME);
         sentences.push(match swing.course {
             SwingCourse::Steady => format!(
-                "{}: {} does not come to rest although its reference does: it keeps swinging by {amplitude} either way, once \
+                "Control {}: {} does not come to rest although its reference does: it keeps swinging by {amplitude} either way, once \
                  in {period} (a limit cycle, over {} swings).",
                 control.name, control.measured, swing.swings
             ),
             SwingCourse::Grows => format!(
-                "{}: {} swings more and more although its reference rests: by {amplitude} either way in the end, once in \
+                "Control {}: {} swings more and more although its reference rests: by {amplitude} either way in the end, once in \
                  {period}.",
                 control.name, control.measured
             ),
@@ -273,8 +275,11 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         html! {
             strong { (writer.value(point.value_si, unit)) } " "
             span.quiet {
-                (writer.value(point.time_s, &SiUnit::TIME)) ", " (record.settings.drive) " at "
-                (writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest))
+                (writer.value(point.time_s, &SiUnit::TIME))
+                @if record.settings.drive_speed_rad_s.is_some() {
+                    ", " (record.settings.drive) " at "
+                    (writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest))
+                }
             }
         }
     };
@@ -300,7 +305,7 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let shown = record.impacts.len().min(MOST_IMPACTS);
     html! {
-        @for joint in &record.joints { h3 { (joint.joint) } (facts(&joint_facts(joint, writer))) }
+        @for joint in &record.joints { h3 { (joint.joint) } (facts(&joint_facts(joint, turn_word(record.settings.drive_speed_rad_s), writer))) }
         @if record.contact_forces.iter().any(|history| !history.force_n.is_empty()) {
             (force_chart(record, writer).figure())
         }
@@ -317,11 +322,13 @@ fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 }
 
 fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) -> Markup {
+    // The phase of a cycle in which no drive turns tells nothing that the time does not.
+    let has_angle = record.settings.drive_speed_rad_s.is_some();
     let row = |impact: &ImpactRecord| {
         html! {
             tr {
                 th scope="row" { (writer.value(impact.time_s, &SiUnit::TIME)) }
-                td { (writer.value(impact.drive_angle_rad, &SiUnit::ANGLE)) }
+                @if has_angle { td { (writer.value(impact.drive_angle_rad, &SiUnit::ANGLE)) } }
                 td { (impact.joint) }
                 td { (writer.value(impact.speed_m_s, &SiUnit::VELOCITY)) }
                 td { (writer.value(impact.duration_s, &SiUnit::TIME)) }
@@ -340,7 +347,7 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
             thead {
                 tr {
                     th scope="col" { "Onset" }
-                    th scope="col" { "Angle of " (record.settings.drive) }
+                    @if has_angle { th scope="col" { "Angle of " (record.settings.drive) } }
                     th scope="col" { "Joint" }
                     th scope="col" { "Approach speed" }
                     th scope="col" { "Duration" }
@@ -399,7 +406,7 @@ fn control_chart(
     chart.figure()
 }
 
-fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Markup)> {
+fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(String, Markup)> {
     let mut rows = vec![
         ("Contact law".to_owned(), html! { (joint.law) }),
         (
@@ -407,7 +414,7 @@ fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Mark
             html! {
                 (count(joint.contacts, writer)) ", of which " (count(joint.impacts, writer)) " impacts"
                 @if let Some(per_turn) = joint.impacts_per_turn {
-                    " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per turn)"
+                    " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per " (turn) ")"
                 }
             },
         ),
@@ -415,7 +422,7 @@ fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Mark
             "Loss of contact".to_owned(),
             html! {
                 "out of contact for " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact is lost "
-                (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per turn"
+                (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per " (turn)
             },
         ),
         (
@@ -504,8 +511,9 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Turns".to_owned(),
             html! {
-                (turns(settings.transient_turns)) " to start up, then " (turns(settings.recorded_turns)) " recorded, "
-                (settings.samples_per_turn) " samples per turn"
+                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " to start up, then "
+                (turns(settings.recorded_turns, settings.drive_speed_rad_s)) " recorded, "
+                (settings.samples_per_turn) " samples per " (turn_word(settings.drive_speed_rad_s))
             },
         ),
         (

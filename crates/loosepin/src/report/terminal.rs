@@ -86,11 +86,12 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
     let at = |point: &crate::simulate::record::ExtremePoint| {
-        format!(
-            "{}, {}",
-            writer.value(point.time_s, &SiUnit::TIME),
-            writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)
-        )
+        let time = writer.value(point.time_s, &SiUnit::TIME);
+        // The phase of a cycle in which no drive turns tells nothing that the time does not.
+        if record.settings.drive_speed_rad_s.is_none() {
+            return time;
+        }
+        format!("{time}, {}", writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest))
     };
     let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
     for extreme in &record.extremes {
@@ -227,7 +228,9 @@ pub fn sweep_text(record: &SweepRecord) -> String {
 /// How often and how long the parts of each joint with play do not touch, and how much of the impacts and of the clearance is
 /// beyond what the law is meant for.
 fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
-    let head = ["joint", "impacts a turn", "losses a turn", "out of contact", "too fast", "penetration/clearance"];
+    let [impacts, losses] = ["impacts", "losses"]
+        .map(|what| format!("{what} a {}", super::answer::turn_word(record.settings.drive_speed_rad_s)));
+    let head = ["joint", &impacts, &losses, "out of contact", "too fast", "penetration/clearance"];
     let mut contacts = table(&head, &[1, 2, 3, 4, 5]);
     let tenths = |value: f64| writer.shortest((value * 10.0).round() / 10.0, &SiUnit::NONE);
     for joint in &record.joints {

@@ -326,8 +326,9 @@ fn peer_backlash_keeps_a_servo_swinging() {
     assert!(record.energy.relative_residual < ACCOUNT, "{}", record.energy.relative_residual);
     let said = simulation_text(&record).replace('\n', " ");
     assert!(
-        said.contains("servo: load does not come to rest although its reference does: it keeps swinging by 0.20")
-            && said.contains("either way, once in 0.3918 s (a limit cycle, over 14 swings)."),
+        said.contains(
+            "Control servo: load does not come to rest although its reference does: it keeps swinging by 0.20"
+        ) && said.contains("either way, once in 0.3918 s (a limit cycle, over 14 swings)."),
         "{said}"
     );
     let page = simulation_page(&record);

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::report::answer::turns;
+use crate::report::answer::{turn_word, turns};
 use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
@@ -48,14 +48,14 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 }
             }
         }
-        @for joint in &result.impacts { (impacts(joint, writer)) }
+        @for joint in &result.impacts { (impacts(joint, turn_word(result.cycle.drive_speed_rad_s), writer)) }
     }
 }
 
-fn impacts(joint: &JointImpacts, writer: &NumberWriter) -> Markup {
+fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
     let [least, median, most] = joint.impacts_per_turn;
     let mut rows = vec![(
-        "Impacts per turn".to_owned(),
+        format!("Impacts per {turn}"),
         html! {
             (plain(median, writer)) " in the median run (" (plain(least, writer)) " to " (plain(most, writer)) ")"
         },
@@ -178,8 +178,8 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
                 @if let Some(speed) = result.cycle.drive_speed_rad_s {
                     " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
                 }
-                "; " (turns(result.cycle.transient_turns)) " to start up, then " (turns(result.cycle.recorded_turns))
-                " recorded"
+                "; " (turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s)) " to start up, then "
+                (turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s)) " recorded"
             },
         ),
         (
