@@ -193,7 +193,12 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
         ),
         optional(POISSON_RATIO[1], quantity(D::NUMBER, Rule::PoissonRatio), "0.34", "Poisson's ratio of the bearing"),
         optional(POISSON_RATIO[2], quantity(D::NUMBER, Rule::PoissonRatio), "0.3", "Poisson's ratio of the journal"),
-        optional("stiffness", Kind::Stiffness, "\"6.6e10 N/m^1.5\"", "stiffness K of F = K x^n, in place of materials"),
+        optional(
+            "stiffness",
+            Kind::Stiffness,
+            "\"6.6e10 N/m^1.5\"",
+            "stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m",
+        ),
         optional("exponent", quantity(D::NUMBER, Rule::AtLeastOne), "1.5", "exponent n of F = K x^n, beside stiffness"),
         optional(
             "minimum_impact_speed",
