@@ -90,6 +90,7 @@ impl Case {
                 rows: rows + 1,
                 readings: Vec::with_capacity(rows + 1),
             },
+            resume: None,
         }
     }
 

@@ -186,7 +186,7 @@ impl<'s> Queue for Waiting<'s> {
         let observer =
             Watch { index: self.next, times_s: &self.samples.times_s, positions_m: Vec::with_capacity(2 * TIMES) };
         self.next += 1;
-        Some(Run { sample: sample.clone(), arms: arms.clone(), window: self.samples.window, observer })
+        Some(Run { sample: sample.clone(), arms: arms.clone(), window: self.samples.window, observer, resume: None })
     }
     fn finished(&mut self, observer: Watch<'s>, outcome: Result<RunReport, RunFailure>) {
         self.outcomes[observer.index] = Some(outcome.map(|report| (observer.positions_m, report.counters)));

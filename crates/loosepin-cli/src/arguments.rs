@@ -33,6 +33,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     New(NewArguments),
+    Import(ImportArguments),
     Check(CheckArguments),
     Motion(MotionArguments),
     Simulate(SimulateArguments),
@@ -57,6 +58,29 @@ pub struct NewArguments {
     /// List the templates
     #[arg(long, conflicts_with_all = ["template", "folder"])]
     pub list: bool,
+}
+
+/// Make a model to fill in from a drawing: lines are links, circles are joints
+#[derive(Debug, Args)]
+#[command(
+    after_help = "A polyline, or lines that share an end without a circle, are one rigid link. Circles where links meet are \
+    joints, with the radius of the pin; what is on the layer 'ground' does not move; a circle that one link meets elsewhere is \
+    a point of it. Masses, inertias, gravity and speed stand in model.toml as \"?\" until they are filled in.\n\n\
+    Examples:\n  loosepin import sketch.dxf\n  loosepin import sketch.dxf my_mechanism --unit mm"
+)]
+pub struct ImportArguments {
+    /// Drawing (DXF)
+    #[arg(value_name = "DRAWING")]
+    pub drawing: PathBuf,
+    /// Folder to write model.toml into, made where there is none [default: the name of the drawing]
+    #[arg(value_name = "DIR")]
+    pub folder: Option<PathBuf>,
+    /// Unit of the drawing [default: as its header says]
+    #[arg(long)]
+    pub unit: Option<String>,
+    /// Distance within which ends and centres coincide, with its unit
+    #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
+    pub tolerance: String,
 }
 
 /// Say in words what models and studies are, and what is wrong with them
@@ -116,9 +140,15 @@ pub struct SimulateArguments {
     /// Rows to record in a turn, 1 to 1000000 [default: as in the model]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), allow_negative_numbers = true)]
     pub samples: Option<u32>,
+    /// Also measure over N turns how fast neighbouring motions part (largest Lyapunov exponent), 20 to 1000000
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=1_000_000), allow_negative_numbers = true)]
+    pub lyapunov: Option<u32>,
     /// Accuracy of positions over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
+    /// Table of measured curves to lay over the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
+    #[arg(long, value_name = "CSV")]
+    pub measured: Vec<PathBuf>,
     #[command(flatten)]
     pub output: OutputArguments,
 }

@@ -18,6 +18,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let ending = match &arguments.command {
         Command::New(new) => command::new::run(new),
+        Command::Import(import) => command::import::run(import),
         Command::Check(check) => command::check::run(check),
         Command::Motion(motion) => command::motion::run(motion),
         Command::Simulate(simulate) => command::simulate::run(simulate),

@@ -410,6 +410,7 @@ fn arguments_outside_their_range() {
         ("--turns <N>", "two", "must be a number in (0, 1e6]"),
         ("--transient <N>", "-1", "must be a number in [0, 1e6]"),
         ("--samples <N>", "0", "0 is not in 1..=1000000"),
+        ("--lyapunov <N>", "19", "19 is not in 20..=1000000"),
     ] {
         let name = flag.split(' ').next().expect("a name");
         desk.fail(
@@ -417,6 +418,17 @@ fn arguments_outside_their_range() {
             &format!("error: invalid value '{value}' for '{flag}': {reason}\n\nFor more information, try '--help'."),
         );
     }
+}
+
+#[test]
+fn a_motion_without_neighbours() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let no_play = "joint.gudgeon.radial_clearance=0mm";
+    desk.fail(
+        &["simulate", "model.toml", "--lyapunov", "20", "--set", no_play],
+        "error[E0812]: the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent\n\
+         hint: leave --lyapunov out, or give a joint some play",
+    );
 }
 
 #[test]

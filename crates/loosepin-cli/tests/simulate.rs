@@ -161,6 +161,22 @@ fn settings_and_flags_reach_the_run() {
 }
 
 #[test]
+fn the_kind_of_motion_is_told_and_stored() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let run =
+        ["simulate", "model.toml", "--set", "joint.gudgeon.radial_clearance=0.02mm", "--turns", "4", "--samples", "50"];
+    let said = desk.succeed(&[&run[..], &["--transient", "40", "--lyapunov", "20", "--out", "run"]].concat());
+    let words = said.output.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("The motion repeats itself every turn, over the 4 turns looked at."), "{words}");
+    assert!(words.contains("Largest Lyapunov exponent -") && words.contains("neighbouring motions meet"), "{words}");
+    let summary: serde_json::Value = serde_json::from_str(&desk.read("run/summary.json")).expect("JSON");
+    assert_eq!(summary["kind"]["period_turns"], 1);
+    assert_eq!(summary["lyapunov"]["kind"], "meet");
+    assert_eq!(summary["lyapunov"]["growth"].as_array().map(Vec::len), Some(20));
+    assert!(desk.read("run/report.html").contains("What kind of motion it is"));
+}
+
+#[test]
 fn identity_a_clearance_of_zero_is_the_ideal_mechanism() {
     let desk = Desk::with_model("slider_crank_5000");
     desk.succeed(&["simulate", "model.toml", "--set", "joint.gudgeon.radial_clearance=0mm", "--out", "run"]);

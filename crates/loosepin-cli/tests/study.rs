@@ -127,3 +127,18 @@ fn ctrl_c_ends_a_study_and_keeps_its_runs() {
          hint: run it again: the same command writes into the same folder\n"
     );
 }
+
+#[test]
+fn check_tells_what_is_one_of_a_list() {
+    let lists = "\"joint.gudgeon.radial_clearance\" = { any_of = [\"0.1 mm\", \"0.25 mm\"] }\n\
+                 \"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\", \"hertz\"] }";
+    let interval = "\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }";
+    let desk = desk(&SHORT_STUDY.replace(interval, lists));
+    let said = desk.succeed(&["check", "study.toml"]).output;
+    let expected = "2 inputs from lists\n  \
+                    joint.gudgeon.radial_clearance  any of 0.1 mm, 0.25 mm\n  \
+                    contact.steel_pin.law           any of lankarani-nikravesh, flores, hertz\n";
+    assert!(said.contains(expected), "{said}");
+    // Six combinations of 16 runs; 1024 where all is random; 128 of each combination where nothing is.
+    assert!(said.contains("At most 1888 runs"), "{said}");
+}

@@ -17,6 +17,18 @@ fn check_says_in_words_what_a_mechanism_is() {
 }
 
 #[test]
+fn check_says_what_film_of_oil_is_in_a_joint() {
+    let desk = Desk::new();
+    let text = case_text("slider_crank_5000", "model.toml")
+        .replace("[joint.main]", "film = { viscosity = \"0.04 Pa s\", roughness = \"2 um\" }\n[joint.main]")
+        .replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
+    desk.write("oiled.toml", &text);
+    let said = desk.succeed(&["check", "oiled.toml"]).output;
+    let line = "film of oil by finite-length: viscosity 0.04 Pa s, roughness 0.002 mm, 20 mm of bearing\n";
+    assert!(said.contains(line), "{said}");
+}
+
+#[test]
 fn check_says_what_a_study_comes_to() {
     let desk = Desk::with_model("slider_crank_5000");
     desk.write("study.toml", include_str!("expected/study.toml"));
@@ -71,7 +83,8 @@ fn templates_are_listed_written_and_good() {
     desk.fail(
         &["new", "four-br"],
         "error: invalid value 'four-br' for '[TEMPLATE]'\n  [possible values: slider-crank, four-bar, offset-slider-crank, inverted-slider-crank, \
-         whitworth-quick-return, scotch-yoke, double-slider, watt-six-bar, stephenson-six-bar, toggle-press, pantograph]\n\n  \
+         whitworth-quick-return, scotch-yoke, double-slider, watt-six-bar, stephenson-six-bar, toggle-press, pantograph, two-link-arm, \
+         three-link-arm, space-manipulator]\n\n  \
          tip: a similar value exists: 'four-bar'\n\nFor more information, try '--help'.",
     );
 }
@@ -145,7 +158,7 @@ fn motion_of_a_model_and_of_a_study() {
 }
 
 #[test]
-fn check_tells_springs_loads_motions_and_initial_states() {
+fn check_tells_springs_loads_motions_initial_states_guides_and_slots() {
     let desk = Desk::new();
     for (name, text, expected) in [
         (
@@ -162,6 +175,16 @@ fn check_tells_springs_loads_motions_and_initial_states() {
             "initial.toml",
             include_str!("../../loosepin/tests/files/pendulum_on_a_spring.toml"),
             include_str!("expected/check_initial.txt"),
+        ),
+        (
+            "guide.toml",
+            include_str!("../../../cases/slider_crank_guide/model.toml"),
+            include_str!("expected/check_guide.txt"),
+        ),
+        (
+            "slot.toml",
+            include_str!("../../loosepin/tests/files/scotch_yoke_with_play_in_its_slot.toml"),
+            include_str!("expected/check_slot.txt"),
         ),
     ] {
         desk.write(name, text);

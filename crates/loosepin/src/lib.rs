@@ -4,7 +4,8 @@
 //! Two wings and one bridge. Physics: [`contact`], [`model`], [`mechanism`], [`dynamics`], [`simulate`], [`accuracy`];
 //! it knows nothing of probability. Uncertainty: [`uncertainty`], [`bounds`]; it knows nothing of mechanisms.
 //! [`study`] joins them, [`sweep`] varies one number without either, [`cases`] holds the program against answers that are
-//! known, [`report`] only reads results. `docs/architecture.md` says who may import whom.
+//! known, [`report`] only reads results. [`import`] makes models of drawings, [`measured`] lays measured curves over a run.
+//! `docs/architecture.md` says who may import whom.
 
 pub mod accuracy;
 pub mod bounds;
@@ -13,8 +14,10 @@ pub mod contact;
 pub mod diagnostics;
 pub mod document;
 pub mod dynamics;
+pub mod import;
 pub mod integrate;
 pub mod math;
+pub mod measured;
 pub mod mechanism;
 pub mod model;
 pub mod native;

@@ -46,6 +46,9 @@ pub static TEMPLATES: &[Template] = templates! {
     "stephenson-six-bar"
     "toggle-press"
     "pantograph"
+    "two-link-arm"
+    "three-link-arm"
+    "space-manipulator"
 };
 
 impl Template {

@@ -44,7 +44,7 @@ fn a_study_is_read_in_file_order_and_si() {
     assert_eq!(paths, ["parameter.crank_length", "parameter.rod_length"]);
     assert_eq!(*study.random[1].variable.distribution(), Distribution::Normal { mean: 0.12, standard_deviation: 3e-5 });
     assert_eq!(study.epistemic[0].path, "joint.gudgeon.radial_clearance");
-    assert_eq!((study.epistemic[0].interval.lower(), study.epistemic[0].interval.upper()), (1e-4, 5e-4));
+    assert_eq!(study.epistemic[0].variable.ends(), [1e-4, 5e-4]);
     assert_eq!(study.asks[0].location, Where::Cycle);
     assert_eq!(study.asks[0].statistics[3], Statistic::Quantile(0.975));
     assert_eq!(study.asks[1].location, Where::Reduced(Reduction::MaximumAbsolute));

@@ -53,7 +53,8 @@ fn identity_a_section_is_what_a_simulation_shows_at_the_end_of_a_turn() {
         let mechanism = Mechanism::new(&model, &values).expect("the model compiles");
         let mut cycle = model.cycle.clone();
         (cycle.transient_turns, cycle.recorded_turns, cycle.samples_per_turn) = (0.0, 2.0, 1);
-        let plan = Plan { cycle, settings: plan.settings, with_states: false, overrides: Vec::new() };
+        let plan =
+            Plan { cycle, settings: plan.settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() };
         let simulation = simulate(&mechanism, &values, &plan).expect("the run is sound");
         let output = &simulation.record.outputs[0];
         assert_eq!((output.name.as_str(), record.outputs[0].name.as_str()), ("slider", "slider"));
@@ -63,6 +64,18 @@ fn identity_a_section_is_what_a_simulation_shows_at_the_end_of_a_turn() {
         // The simulation looks for the peak at its samples too.
         assert!(point.joints[0].peak_force_n <= joint.peak_force_n);
         assert!(point.joints[0].flight_share > 0.0 && point.joints[0].flight_share < 1.0);
+        assert_eq!(point.joints[0].flight_share, joint.flight_share);
+        assert_eq!(point.joints[0].losses_per_turn, joint.losses_per_turn);
+        // Every contact that began within the run ended, or lasts to its end; the run began in flight.
+        let ended = joint.losses_per_turn * 2.0;
+        assert!(ended == joint.contacts as f64 || ended + 1.0 == joint.contacts as f64, "{joint:?}");
+        // Contact takes the rest of the time. Gentle contacts are no impacts, and short.
+        let touching_s: f64 = simulation.record.impacts.iter().map(|impact| impact.duration_s).sum();
+        let end_s = simulation.record.time_s[2];
+        assert!((touching_s / end_s + joint.flight_share - 1.0).abs() < 1e-2, "{joint:?}");
+        let kind = simulation.record.kind.as_ref().expect("two turns were looked at");
+        assert_eq!((kind.turns, kind.period_turns), (2, point.period_turns));
+        assert_eq!(kind.outputs[0].deviation_si, point.sections_si[0]);
     }
 }
 
@@ -90,7 +103,7 @@ fn a_run_that_fails_is_a_row_with_its_reason() {
     assert!(reason.contains("gudgeon"), "{reason}");
     assert!(record.points[1..].iter().all(|point| point.failure.is_none()));
     assert!(
-        sweep_csv(&record).lines().nth(1).is_some_and(|row| row.starts_with("0.0,,,,,,\"")),
+        sweep_csv(&record).lines().nth(1).is_some_and(|row| row.starts_with("0.0,,,,,,,\"")),
         "{}",
         sweep_csv(&record)
     );

@@ -3,6 +3,7 @@
 pub mod cases;
 pub mod check;
 pub mod explain;
+pub mod import;
 mod inputs;
 pub mod motion;
 pub mod new;

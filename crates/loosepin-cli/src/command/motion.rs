@@ -9,7 +9,7 @@ use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
-use super::inputs::{overrides, warn};
+use super::inputs::{add_model, overrides, warn};
 use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::MotionArguments;
 use crate::console;
@@ -28,7 +28,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     });
     let settings: Vec<String> = widest_play(&file).into_iter().chain(arguments.set.iter().cloned()).collect();
     let set = model.set_values(&settings)?;
-    let mechanism = Mechanism::new(model, &set.values).map_err(|error| error.complaint(model))?;
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
     let plan = MotionPlan {
         span: model.cycle.span,
         positions: POSITIONS,
@@ -68,7 +68,7 @@ fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
     Ok(Done::Well)
 }
 
-/// Where a study knows a clearance as an interval only, the worst case is that of its upper end.
+/// Where a study knows a clearance as an interval or a list only, the worst case is that of the largest.
 fn widest_play(file: &InputFile) -> Vec<String> {
     let InputFile::Study(study) = file else { return Vec::new() };
     let is_clearance = |path: &str| path.starts_with("joint.") && path.ends_with(".radial_clearance");
@@ -76,7 +76,7 @@ fn widest_play(file: &InputFile) -> Vec<String> {
         .epistemic
         .iter()
         .filter(|input| is_clearance(&input.path))
-        .map(|input| format!("{}={}", input.path, format_value(input.interval.upper(), Dimension::LENGTH)))
+        .map(|input| format!("{}={}", input.path, format_value(input.variable.ends()[1], Dimension::LENGTH)))
         .collect()
 }
 
@@ -97,7 +97,7 @@ fn scatter(file: &InputFile) -> Vec<Scatter> {
 
 fn inputs(model: &Model, file: &InputFile, arguments: &MotionArguments) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Motion);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     if let InputFile::Study(study) = file {
         hasher.add("study", study.source().text());
     }

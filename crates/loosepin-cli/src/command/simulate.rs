@@ -1,16 +1,17 @@
 //! `loosepin simulate`.
 
 use loosepin::accuracy::check_quasi_static;
+use loosepin::measured::{MeasuredTable, lay_over};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
 use loosepin::results::{Claim, HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind};
 use loosepin::results::{ResultsFolder, SUMMARY_FILE};
 use loosepin::simulate::record::SimulationRecord;
-use loosepin::simulate::{Plan, Settings, history_csv, impacts_csv, simulate};
+use loosepin::simulate::{Plan, Settings, columns, history_csv, impacts_csv, simulate};
 use loosepin::units::Dimension;
 
-use super::inputs::{overrides, read_model};
+use super::inputs::{add_model, overrides, read_model};
 use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::SimulateArguments;
 use crate::console;
@@ -21,21 +22,27 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
+    let measured = measured(arguments)?;
     let claim = Claim {
         kind: ResultKind::Simulation,
         name: model.name.clone(),
-        inputs: inputs(&model, arguments, &plan),
+        inputs: inputs(&model, arguments, &plan, &measured),
         place: place(&arguments.output),
         with_force: arguments.output.force,
     };
     // Compiled first, so that a model that cannot run leaves no folder behind.
-    let mechanism = Mechanism::new(&model, &set.values).map_err(|error| error.complaint(&model))?;
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
+    let outputs = columns(&mechanism);
+    let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
+    for table in &measured {
+        table.check(&outputs)?;
+    }
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
         return show_again(&mut folder);
     }
-    match run_and_write(&mechanism, &set, &plan, &mut folder) {
+    match run_and_write(&mechanism, &set, &plan, &measured, &mut folder) {
         Ok(record) => tell(&record, &folder),
         Err(failure) => {
             folder.abandon()?;
@@ -55,11 +62,15 @@ fn run_and_write(
     mechanism: &Mechanism,
     set: &SetValues,
     plan: &Plan,
+    measured: &[MeasuredTable],
     folder: &mut ResultsFolder,
 ) -> Result<SimulationRecord, Failure> {
     let model = &mechanism.model;
     let mut simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(model))?;
     check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;
+    for table in measured {
+        lay_over(table, &mut simulation.record)?;
+    }
     folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
     folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
     folder.write(SUMMARY_FILE, to_json(&simulation.record, folder, SUMMARY_FILE)?.as_bytes())?;
@@ -84,15 +95,27 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         cycle,
         settings: Settings { tolerance_m, ..Settings::for_simulation() },
         with_states: arguments.states,
+        lyapunov_turns: arguments.lyapunov,
         overrides: overrides(&arguments.set),
     })
 }
 
-fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan) -> InputsHash {
+/// The tables of measured curves.
+fn measured(arguments: &SimulateArguments) -> Result<Vec<MeasuredTable>, Failure> {
+    arguments.measured.iter().map(|path| Ok(MeasuredTable::from_path(path)?)).collect()
+}
+
+fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan, measured: &[MeasuredTable]) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Simulation);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     for set in &arguments.set {
         hasher.add("set", set);
+    }
+    for table in measured {
+        hasher.add("measured", table.text());
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        hasher.add("lyapunov_turns", turns.to_string());
     }
     hasher
         .add_number("transient_turns", plan.cycle.transient_turns)

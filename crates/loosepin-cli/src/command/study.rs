@@ -3,15 +3,15 @@
 use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
-use loosepin::results::{Claim, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder};
+use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder};
 use loosepin::study::files::{
     BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, read_summary, runs_parquet, write_study,
 };
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::runs::RunsTable;
-use loosepin::study::{Conducted, StudyError, conduct};
+use loosepin::study::{Conducted, Study, StudyError, conduct};
 
-use super::inputs::read_study;
+use super::inputs::{add_model, read_study};
 use super::signals::stop_on_signals;
 use super::stored::{place, tell_again};
 use super::threads::threads;
@@ -26,10 +26,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
-        inputs: InputsHasher::new(ResultKind::Study)
-            .add("study", study.source().text())
-            .add("model", study.model.source().text())
-            .finish(),
+        inputs: inputs(&study),
         place: place(&arguments.output),
         with_force: arguments.output.force,
     };
@@ -95,4 +92,11 @@ fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
     Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
+}
+
+fn inputs(study: &Study) -> InputsHash {
+    let mut hasher = InputsHasher::new(ResultKind::Study);
+    hasher.add("study", study.source().text());
+    add_model(&mut hasher, &study.model);
+    hasher.finish()
 }

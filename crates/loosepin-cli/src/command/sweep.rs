@@ -10,7 +10,7 @@ use loosepin::sweep::record::SweepRecord;
 use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
 use loosepin::units::Dimension;
 
-use super::inputs::{overrides, read_model};
+use super::inputs::{add_model, overrides, read_model};
 use super::signals::stop_on_signals;
 use super::stored::{place, read_json, tell_again, to_json};
 use super::threads::threads;
@@ -33,7 +33,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     };
     // Compiled in the middle of the range, so that a clearance that begins at zero has play for most values.
     let middle = middle_values(&model, &set, &plan)?;
-    let mechanism = Mechanism::new(&model, &middle.values).map_err(|error| error.complaint(&model))?;
+    let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.complaint(&model))?;
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
@@ -101,12 +101,12 @@ fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<Set
     let mut settings: Vec<_> = set.settings.iter().map(|setting| (setting.id, setting.value_si)).collect();
     settings.push((plan.range.id, 0.5 * (plan.range.from_si + plan.range.to_si)));
     let values = model.quantities.evaluate(&settings).map_err(|error| Failure::of(&error))?;
-    Ok(SetValues { settings: set.settings.clone(), values })
+    Ok(SetValues { model: set.model.clone(), settings: set.settings.clone(), values })
 }
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Sweep);
-    hasher.add("model", model.source().text());
+    add_model(&mut hasher, model);
     for set in &arguments.set {
         hasher.add("set", set);
     }

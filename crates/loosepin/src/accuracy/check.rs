@@ -2,6 +2,7 @@
 
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
+use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{ExactWorstCase, exact_worst_case};
 use crate::math::Vec2;
@@ -13,12 +14,13 @@ use crate::units::SiUnit;
 /// Relative round-off and iteration error of the worst case.
 const RELATIVE_TOLERANCE: f64 = 1e-9;
 
-/// Compares every recorded position of a run with the worst case of the exact loops over |e_k| <= c_k + δmax,k, δmax,k the
-/// largest penetration of the run.
+/// Compares every recorded position of a run with the worst case of the exact loops over the play of all joints, each
+/// clearance widened by δmax,k, the largest penetration of the run: |e_k| <= c_k + δmax,k for a journal.
 ///
 /// `values` are those that the run was made with. A position counts as exceeded where it lies beyond by more than the
 /// tolerance of the run and round-off. Where the loops cannot be closed everywhere within the clearances (a dead point lies
-/// among them), there is no worst case: such samples are counted.
+/// among them), there is no worst case: such samples are counted. With a slider that can turn over in its
+/// guide there is none at all, and no output is compared.
 ///
 /// # Errors
 /// The ideal mechanism of the run cannot be built or moved.
@@ -28,16 +30,12 @@ pub fn quasi_static_check(
     record: &SimulationRecord,
 ) -> Result<Vec<QuasiStaticShare>, AccuracyError> {
     let sample = Sample::new(mechanism, values)?;
-    let radii_m: Vec<f64> = sample
-        .plays
-        .iter()
-        .zip(&record.joints)
-        .map(|(play, joint)| play.clearance_m + joint.largest_penetration_m)
-        .collect();
     // Where forces move the mechanism, its ideal motion is no worst case of the real one: the two drift apart in time.
-    if radii_m.is_empty() || !mechanism.is_driven() {
+    if sample.plays.is_empty() || !mechanism.is_driven() {
         return Ok(Vec::new());
     }
+    let penetrations_m = record.joints.iter().map(|joint| joint.largest_penetration_m);
+    let Ok(reaches) = PlayReach::of_sample(mechanism, &sample, penetrations_m) else { return Ok(Vec::new()) };
     let mut ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
     let mut loops = DisplacedLoops::new(mechanism, values);
     let mut compared: Vec<Compared<'_>> = position_outputs(mechanism)
@@ -54,7 +52,7 @@ pub fn quasi_static_check(
         for output in &mut compared {
             // An angle errs by what its length errs over the size of the mechanism.
             let scale_m = if output.output.unit == SiUnit::ANGLE { mechanism.size_m } else { 1.0 };
-            output.compare(&mut loops, &radii_m, row, *time_s, record.settings.tolerance_m / scale_m);
+            output.compare(&mut loops, &reaches, row, *time_s, record.settings.tolerance_m / scale_m);
         }
     }
     Ok(compared.into_iter().map(|output| output.share).collect())
@@ -97,10 +95,17 @@ impl<'r> Compared<'r> {
         Self { output, deviation_si, starts: Vec::new(), share }
     }
 
-    fn compare(&mut self, loops: &mut DisplacedLoops<'_>, radii_m: &[f64], row: usize, time_s: f64, tolerance_si: f64) {
+    fn compare(
+        &mut self,
+        loops: &mut DisplacedLoops<'_>,
+        reaches: &[PlayReach],
+        row: usize,
+        time_s: f64,
+        tolerance_si: f64,
+    ) {
         let deviation_si = self.deviation_si[row];
         let Ok(ExactWorstCase { lowest, highest }) =
-            exact_worst_case(loops, self.output.reading, radii_m, &self.starts)
+            exact_worst_case(loops, self.output.reading, reaches, &self.starts)
         else {
             self.share.samples_without_worst_case += 1;
             self.starts.clear();
@@ -115,6 +120,6 @@ impl<'r> Compared<'r> {
             (found.largest_share, found.time_s) = (share, Some(time_s));
             (found.deviation_si, found.worst_case_si) = (deviation_si, worst_case_si);
         }
-        self.starts = vec![lowest.eccentricities_m, highest.eccentricities_m];
+        self.starts = vec![lowest.displacements, highest.displacements];
     }
 }

@@ -15,6 +15,7 @@ impl Problem for AccuracyError {
             Self::BadStandardDeviation { .. } => Code::BadDistribution,
             Self::CannotCloseWithPlay { .. } => Code::CannotClose,
             Self::SingularWithPlay => Code::SingularPosition,
+            Self::TurnsOver { .. } => Code::NoQuasiStaticAnswer,
         }
     }
 
@@ -25,6 +26,7 @@ impl Problem for AccuracyError {
             Self::NotDriven => Some("use loosepin simulate: it follows the forces in time".to_owned()),
             Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } => None,
+            Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
                 Some("so near a dead point only a dynamic run tells what the play does".to_owned())
             }
@@ -41,7 +43,8 @@ impl AccuracyError {
             Self::NotDriven => Complaint::error(self, model.place("initial")),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
             Self::BadStandardDeviation { path, .. } => Complaint::error(self, model.place(path)),
-            Self::CannotCloseWithPlay { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::CannotCloseWithPlay { open } => Complaint::error(self, model.place(&open.path)),
+            Self::TurnsOver { joint } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
             Self::TooFewPositions { .. } | Self::SingularWithPlay => Complaint::error(self, None),
         }
     }

@@ -3,7 +3,7 @@
 use super::record::SingularPosition;
 use super::transmission::{Transmission, is_positive};
 use crate::mechanism::{IdealMotion, Mechanism, SampleError};
-use crate::model::CycleInput;
+use crate::model::{CycleInput, describe_path};
 use crate::simulate::maximum_within;
 use crate::units::{Dimension, format_value};
 
@@ -208,9 +208,10 @@ impl Walk<'_> {
 /// What is said of a dead point, by why the loops do not close beyond it.
 fn dead_point_words(error: &SampleError) -> String {
     match error {
-        SampleError::CannotClose { joint, .. } => {
-            format!("dead point: the drive cannot turn any further, the links no longer close at joint '{joint}'")
-        }
+        SampleError::CannotClose { open, .. } => format!(
+            "dead point: the drive cannot turn any further, the links no longer close at {}",
+            describe_path(&open.path)
+        ),
         _ => "dead point: the drive cannot turn any further".to_owned(),
     }
 }

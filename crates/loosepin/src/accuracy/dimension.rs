@@ -21,7 +21,7 @@ pub struct DimensionDirection {
 }
 
 impl DimensionDirection {
-    /// Whether nothing that shapes or drives the mechanism follows: no point, no angle of a joint, no drive.
+    /// Whether nothing that shapes or drives the mechanism follows: no point, no angle of a joint, no coupling, no drive.
     pub fn leaves_motion_alone(&self, mechanism: &Mechanism) -> bool {
         use crate::model::JointKind;
         let model = &mechanism.model;
@@ -30,9 +30,11 @@ impl DimensionDirection {
         let angles = model.joints.iter().flat_map(|joint| match joint.kind {
             JointKind::Revolute { .. } => Vec::new(),
             JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => vec![guide_angle_rad, slider_angle_rad],
+            JointKind::Slot { slot_angle_rad, .. } => vec![slot_angle_rad],
             JointKind::Rigid { angle_rad, .. } => vec![angle_rad],
         });
-        points.chain(drives).chain(angles).all(|id| self.derivatives[id] == 0.0)
+        let couplings = model.couplings.iter().flat_map(|coupling| coupling.law.quantities());
+        points.chain(drives).chain(angles).chain(couplings).all(|id| self.derivatives[id] == 0.0)
     }
 }
 

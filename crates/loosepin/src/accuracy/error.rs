@@ -1,8 +1,8 @@
 //! Why there is no quasi-static answer.
 
 use crate::mechanism::SampleError;
+use crate::mechanism::constraints::Opening;
 use crate::model::QuantityError;
-use crate::units::{Dimension, format_value};
 use thiserror::Error;
 
 /// Why the ideal motion or the quasi-static answer cannot be given.
@@ -39,16 +39,17 @@ pub enum AccuracyError {
         /// What was given, SI.
         standard_deviation_si: f64,
     },
-    /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
-    #[error(
-        "the links cannot close when the journals are displaced within their clearances: joint '{joint}' stays {} open",
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
-    CannotCloseWithPlay {
-        /// The joint with the largest gap.
+    /// A slider that its guide does not hold upright.
+    #[error("joint '{joint}': the slider can turn over in its guide, so that there is no quasi-static answer")]
+    TurnsOver {
+        /// The joint.
         joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+    },
+    /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
+    #[error("the links cannot close when the journals are displaced within their clearances: {open}")]
+    CannotCloseWithPlay {
+        /// What stays open furthest.
+        open: Opening,
     },
     /// Journals displaced within their clearances bring the mechanism into a singular position.
     #[error("a singular position lies within the clearances: there the drives no longer determine the motion")]

@@ -1,9 +1,10 @@
-//! The loops of the ideal mechanism at one instant, with journals displaced in their bearings.
+//! The loops of the ideal mechanism at one instant, with the bodies of joints with play displaced against each other.
 
 use super::error::AccuracyError;
 use super::position::PositionReading;
 use crate::math::{Dual, Vec2, determinant, solve_square};
-use crate::mechanism::{Geometry, Kinematics, Mechanism, constraints, point_m};
+use crate::mechanism::constraints::{self, Opening};
+use crate::mechanism::{Geometry, Kinematics, Mechanism, point_m};
 use crate::model::{PointId, Values};
 
 /// Newton steps from one displacement to the next; from nearby two or three are enough.
@@ -15,8 +16,9 @@ const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 /// A displacement that does not close at once is approached in at most this many halvings.
 const HALVINGS: u32 = 10;
 
-/// Ideal mechanism, every joint closed but for a chosen eccentricity e_k = r_journal - r_bearing (ground's frame) of
-/// each joint with play: Φ(q, e) = 0 at a fixed position of the drives.
+/// Ideal mechanism, every joint closed but for a chosen displacement e_k of each joint with play: Φ(q, e) = 0 at a fixed
+/// position of the drives. e_k = r_journal - r_bearing (ground's frame) of a journal, ordinate and angle of a slider in its
+/// guide ([`super::PlayReach`]).
 ///
 /// The coordinates q of the ideal tree are m and rad, free ones first. The assembly branch is the one of the position it
 /// was set to: a displacement that would leave it through a singular position is refused.
@@ -27,8 +29,10 @@ pub struct DisplacedLoops<'a> {
     geometry: Geometry<f64>,
     /// The same numbers as constants, for derivatives.
     dual_geometry: Geometry<Dual<f64>>,
-    /// Eccentricities, in the order of [`Mechanism::plays`].
-    eccentricities_m: Vec<Vec2<f64>>,
+    /// The numbers with all joints in the middle of their play.
+    centred_geometry: Geometry<f64>,
+    /// Displacements, in the order of [`Mechanism::plays`].
+    displacements: Vec<Vec2<f64>>,
     coordinates: Vec<f64>,
     /// Coordinates with all journals centred.
     centred: Vec<f64>,
@@ -51,7 +55,8 @@ impl<'a> DisplacedLoops<'a> {
             values,
             geometry: Geometry::new(&mechanism.model, tree, values),
             dual_geometry: Geometry::new(&mechanism.model, tree, values),
-            eccentricities_m: vec![Vec2::zero(); mechanism.plays.len()],
+            centred_geometry: Geometry::new(&mechanism.model, tree, values),
+            displacements: vec![Vec2::zero(); mechanism.plays.len()],
             coordinates: vec![0.0; columns],
             centred: vec![0.0; columns],
             is_positive: true,
@@ -71,21 +76,21 @@ impl<'a> DisplacedLoops<'a> {
         self.is_positive = determinant(&mut matrix, self.mechanism.ideal.free) > 0.0;
     }
 
-    /// Puts all journals back into the centre of their bearings.
+    /// Puts all joints back into the middle of their play.
     pub fn centre(&mut self) {
         let centred = vec![Vec2::zero(); self.mechanism.plays.len()];
-        self.set_eccentricities(&centred);
+        self.set_displacements(&centred);
         self.coordinates.copy_from_slice(&self.centred);
         self.set_kinematics();
     }
 
-    /// Moves the journals to `eccentricities_m` (in the order of [`Mechanism::plays`]) and closes the loops again, from
-    /// the present position on.
+    /// Moves the joints to `displacements` (in the order of [`Mechanism::plays`]) and closes the loops again, from the
+    /// present position on.
     ///
     /// # Errors
-    /// The loops cannot be closed, or a singular position lies on the way. The journals are then where they were.
-    pub fn displace(&mut self, eccentricities_m: &[Vec2<f64>]) -> Result<(), AccuracyError> {
-        let start = self.eccentricities_m.clone();
+    /// The loops cannot be closed, or a singular position lies on the way. The joints are then where they were.
+    pub fn displace(&mut self, displacements: &[Vec2<f64>]) -> Result<(), AccuracyError> {
+        let start = self.displacements.clone();
         let start_coordinates = self.coordinates.clone();
         let (mut reached, mut stride) = (0.0, 1.0);
         let smallest = 0.5_f64.powi(HALVINGS as i32);
@@ -93,11 +98,11 @@ impl<'a> DisplacedLoops<'a> {
         while reached < 1.0 {
             let share = f64::min(reached + stride, 1.0);
             let between: Vec<Vec2<f64>> = if share == 1.0 {
-                eccentricities_m.to_vec()
+                displacements.to_vec()
             } else {
-                start.iter().zip(eccentricities_m).map(|(a, b)| *a * (1.0 - share) + *b * share).collect()
+                start.iter().zip(displacements).map(|(a, b)| *a * (1.0 - share) + *b * share).collect()
             };
-            self.set_eccentricities(&between);
+            self.set_displacements(&between);
             match self.close() {
                 Ok(()) => {
                     reached = share;
@@ -107,7 +112,7 @@ impl<'a> DisplacedLoops<'a> {
                     stride *= 0.5;
                     self.coordinates.copy_from_slice(&last_coordinates);
                     if stride < smallest {
-                        self.set_eccentricities(&start);
+                        self.set_displacements(&start);
                         self.coordinates.copy_from_slice(&start_coordinates);
                         self.set_kinematics();
                         return Err(error);
@@ -118,9 +123,9 @@ impl<'a> DisplacedLoops<'a> {
         Ok(())
     }
 
-    /// The present eccentricities, m, in the order of [`Mechanism::plays`].
-    pub fn eccentricities_m(&self) -> &[Vec2<f64>] {
-        &self.eccentricities_m
+    /// The present displacements, in the order of [`Mechanism::plays`].
+    pub fn displacements(&self) -> &[Vec2<f64>] {
+        &self.displacements
     }
 
     /// Coordinates of the ideal tree in the present position.
@@ -134,23 +139,23 @@ impl<'a> DisplacedLoops<'a> {
         reading.value(&self.mechanism.ideal, &self.kinematics, &|point| point_m(model, values, point))
     }
 
-    /// Derivatives of `readings` when the journal of the joint with play `play` moves along `direction`.
+    /// Derivatives of `readings` when the joint with play `play` is displaced along `direction`.
     ///
     /// # Errors
     /// The position is singular.
-    pub fn derivatives_along_journal(
+    pub fn derivatives_along_play(
         &mut self,
         play: usize,
         direction: Vec2<f64>,
         readings: &[PositionReading],
     ) -> Result<Vec<f64>, AccuracyError> {
         let joint = self.mechanism.plays[play];
-        let at_m = self.eccentricities_m[play];
+        let at = self.displacements[play];
         let moving =
-            Vec2::new(Dual { value: at_m.x, derivative: direction.x }, Dual { value: at_m.y, derivative: direction.y });
+            Vec2::new(Dual { value: at.x, derivative: direction.x }, Dual { value: at.y, derivative: direction.y });
         let tree = &self.mechanism.ideal;
         let mut geometry = self.dual_geometry.clone();
-        geometry.set_eccentricity(tree, joint, moving);
+        geometry.set_displacement(tree, joint, moving, &self.centred_geometry);
         let (model, values) = (&self.mechanism.model, self.values);
         let driven = vec![0.0; tree.drives.len()];
         self.derivatives(&geometry, &driven, readings, &|point| point_m(model, values, point))
@@ -205,12 +210,12 @@ impl<'a> DisplacedLoops<'a> {
         self.kinematics.set_positions(&self.mechanism.ideal, &self.geometry, &self.coordinates);
     }
 
-    fn set_eccentricities(&mut self, eccentricities_m: &[Vec2<f64>]) {
-        self.eccentricities_m.copy_from_slice(eccentricities_m);
-        let tree = &self.mechanism.ideal;
-        for (&joint, &eccentricity_m) in self.mechanism.plays.iter().zip(eccentricities_m) {
-            self.geometry.set_eccentricity(tree, joint, eccentricity_m);
-            self.dual_geometry.set_eccentricity(tree, joint, Vec2::from_f64(eccentricity_m));
+    fn set_displacements(&mut self, displacements: &[Vec2<f64>]) {
+        self.displacements.copy_from_slice(displacements);
+        let (tree, centred) = (&self.mechanism.ideal, &self.centred_geometry);
+        for (&joint, &displacement) in self.mechanism.plays.iter().zip(displacements) {
+            self.geometry.set_displacement(tree, joint, displacement, centred);
+            self.dual_geometry.set_displacement(tree, joint, Vec2::from_f64(displacement), centred);
         }
     }
 
@@ -252,13 +257,7 @@ impl<'a> DisplacedLoops<'a> {
 
     fn cannot_close(&self) -> AccuracyError {
         let tree = &self.mechanism.ideal;
-        let (mut row, mut worst) = (0, -1.0);
-        for (index, residual) in self.residuals.iter().enumerate() {
-            if residual.abs() > worst || residual.is_nan() {
-                (row, worst) = (index, residual.abs());
-            }
-        }
-        let joint = tree.cuts[constraints::cut_of_row(tree, row)].joint;
-        AccuracyError::CannotCloseWithPlay { joint: self.mechanism.model.joints[joint.0].name.clone(), gap_m: worst }
+        let open = Opening::worst(&self.mechanism.model, tree, &self.residuals);
+        AccuracyError::CannotCloseWithPlay { open }
     }
 }

@@ -10,6 +10,7 @@ mod dimension;
 mod error;
 mod loops;
 mod motion;
+mod play_reach;
 mod position;
 pub mod record;
 mod sensitivity;
@@ -21,9 +22,10 @@ pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
 pub use motion::{MotionPlan, Scatter, motion};
+pub use play_reach::PlayReach;
 pub use position::{PositionOutput, PositionReading, position_outputs};
-pub use sensitivity::{dimension_derivatives, eccentricity_gradients};
+pub use sensitivity::{dimension_derivatives, play_gradients};
 pub use worst_case::{
     ExactWorstCase, WorstPosition, disc_standard_deviation_si, exact_worst_case, rim_standard_deviation_si,
-    starts_on_rims, worst_case_si,
+    starts_on_borders, worst_case_si,
 };

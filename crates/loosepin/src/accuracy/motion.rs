@@ -4,9 +4,10 @@ use super::cycle::Cycle;
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
+use super::play_reach::PlayReach;
 use super::position::{PositionOutput, PositionReading, position_outputs};
 use super::record::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
-use super::sensitivity::{dimension_derivatives, eccentricity_gradients};
+use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
 use crate::mechanism::{IdealMotion, Mechanism, Sample, point_m};
 use crate::model::{CycleSpan, QuantityId, Values};
@@ -61,6 +62,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     }
     let directions = directions(mechanism, values, &plan.scatter)?;
     let sample = Sample::new(mechanism, values)?;
+    let reaches = PlayReach::of_sample(mechanism, &sample, sample.plays.iter().map(|_| 0.0))?;
     let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
     let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions);
     if input.speed_rad_s < 0.0 {
@@ -69,7 +71,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     }
 
     let outputs = position_outputs(mechanism);
-    let mut recorder = Recorder::new(mechanism, values, &sample, &outputs, plan, &directions);
+    let mut recorder = Recorder::new(mechanism, values, &sample, reaches, &outputs, plan, &directions);
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
     for state in &cycle.states {
@@ -122,7 +124,7 @@ struct Recorder<'a> {
     values: &'a Values,
     loops: DisplacedLoops<'a>,
     readings: Vec<PositionReading>,
-    clearances_m: Vec<f64>,
+    reaches: Vec<PlayReach>,
     input: CycleSpan,
     directions: &'a [(Scatter, DimensionDirection)],
     outputs: Vec<OutputMotion>,
@@ -133,15 +135,15 @@ impl<'a> Recorder<'a> {
         mechanism: &'a Mechanism,
         values: &'a Values,
         sample: &Sample<f64>,
+        reaches: Vec<PlayReach>,
         outputs: &[PositionOutput],
         plan: &MotionPlan,
         directions: &'a [(Scatter, DimensionDirection)],
     ) -> Self {
         let model = &mechanism.model;
-        let clearances_m: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
-        let contributors = mechanism.plays.iter().zip(&clearances_m).map(|(joint, clearance_m)| JointContributor {
+        let contributors = mechanism.plays.iter().zip(&sample.plays).map(|(joint, play)| JointContributor {
             joint: model.joints[joint.0].name.clone(),
-            radial_clearance_m: *clearance_m,
+            radial_clearance_m: play.clearance_m,
             worst_case_si: Vec::new(),
         });
         let clearance = ClearanceAnswer { contributors: contributors.collect(), ..ClearanceAnswer::default() };
@@ -168,7 +170,7 @@ impl<'a> Recorder<'a> {
             values,
             loops: DisplacedLoops::new(mechanism, values),
             readings: outputs.iter().map(|output| output.reading).collect(),
-            clearances_m,
+            reaches,
             input: plan.span,
             directions,
             outputs: motions.collect(),
@@ -178,7 +180,7 @@ impl<'a> Recorder<'a> {
     fn record(&mut self, state: &IdealMotion<'_>) -> Result<(), AccuracyError> {
         let (mechanism, values) = (self.mechanism, self.values);
         self.loops.set_position(state.coordinates());
-        let gradients = eccentricity_gradients(&mut self.loops, &self.readings)?;
+        let gradients = play_gradients(&mut self.loops, &self.readings)?;
         for ((output, &reading), gradient) in self.outputs.iter_mut().zip(&self.readings).zip(gradients) {
             let [velocity, acceleration] =
                 reading.rates(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), &|point| {
@@ -187,7 +189,7 @@ impl<'a> Recorder<'a> {
             output.value_si.push(self.loops.value(reading));
             output.velocity_si.push(velocity);
             output.acceleration_si.push(acceleration);
-            let joints: Vec<_> = self.clearances_m.iter().copied().zip(gradient).collect();
+            let joints: Vec<_> = self.reaches.iter().copied().zip(gradient).collect();
             let answer = &mut output.clearance;
             answer.worst_case_si.push(worst_case_si(&joints));
             answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
@@ -230,10 +232,9 @@ fn mobility_words(mechanism: &Mechanism) -> String {
         counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
         counted(mechanism.model.drives.len(), "drive", "drives")
     );
-    for (joint, constraints) in &mechanism.redundant {
-        let name = &mechanism.model.joints[joint.0].name;
-        words
-            .push_str(&format!("; {} of joint '{name}' redundant", counted(*constraints, "constraint", "constraints")));
+    for (owner, constraints) in &mechanism.redundant {
+        let counted = counted(*constraints, "constraint", "constraints");
+        words.push_str(&format!("; {counted} of {} redundant", owner.words(&mechanism.model)));
     }
     words
 }

@@ -8,21 +8,22 @@ use crate::math::{Dual, Vec2};
 use crate::mechanism::{DriveMotion, Geometry, Mechanism, numbered_point_m, room};
 use crate::model::{CycleSpan, DriveId, Values};
 
-/// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`:
-/// m/m or rad/m. e_k is the journal's place minus the bearing's, in the ground's frame.
+/// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`, SI.
+/// e_k is the journal's place minus the bearing's, in the ground's frame; of a slider its ordinate and angle in the guide
+/// ([`super::PlayReach`]).
 ///
 /// # Errors
 /// The position is singular.
-pub fn eccentricity_gradients(
+pub fn play_gradients(
     loops: &mut DisplacedLoops<'_>,
     readings: &[PositionReading],
 ) -> Result<Vec<Vec<Vec2<f64>>>, AccuracyError> {
-    let plays = loops.eccentricities_m().len();
+    let plays = loops.displacements().len();
     let mut gradients = vec![vec![Vec2::zero(); plays]; readings.len()];
     for play in 0..plays {
-        let along_x = loops.derivatives_along_journal(play, Vec2::new(1.0, 0.0), readings)?;
-        let along_y = loops.derivatives_along_journal(play, Vec2::new(0.0, 1.0), readings)?;
-        for (gradient, (x, y)) in gradients.iter_mut().zip(along_x.into_iter().zip(along_y)) {
+        let along_first = loops.derivatives_along_play(play, Vec2::new(1.0, 0.0), readings)?;
+        let along_second = loops.derivatives_along_play(play, Vec2::new(0.0, 1.0), readings)?;
+        for (gradient, (x, y)) in gradients.iter_mut().zip(along_first.into_iter().zip(along_second)) {
             gradient[play] = Vec2::new(x, y);
         }
     }

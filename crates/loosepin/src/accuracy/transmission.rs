@@ -1,7 +1,8 @@
 //! How well the drives transmit motion in a position.
 
 use crate::math::{determinant, solve_square};
-use crate::mechanism::{CutKind, IdealMotion, Mechanism};
+use crate::mechanism::{CutKind, IdealMotion, Mechanism, RowOwner};
+use crate::units::Dimension;
 
 /// Whether the determinant of the loop matrix dΦ/dq is positive at the present position of `motion`. Its sign changes
 /// where the mechanism passes through a singular position.
@@ -80,5 +81,5 @@ fn is_angle_row(mechanism: &Mechanism, row: usize) -> bool {
         }
         first = end;
     }
-    false
+    RowOwner::of(&mechanism.ideal, row).dimension(&mechanism.model) == Dimension::ANGLE
 }

@@ -8,8 +8,8 @@ use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
 use super::probability_box::ProbabilityBox;
 use super::sample::Sample;
-use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme_point, smoothed};
-use super::smoother::Fit;
+use super::search::{Branch, Direction, SEARCH_RESOLUTION, Search, extreme_among, smoothed};
+use super::search_box::Place;
 use super::statistic::Statistic;
 use super::table::{Purpose, SampleTable};
 use super::treatment::TreatmentComparison;
@@ -63,8 +63,8 @@ impl DoubleLoop {
 pub(super) struct Evidence<'a> {
     pub plan: &'a DoubleLoop,
     pub pool: &'a Pool,
-    /// Outer points in the unit box.
-    pub places: Vec<Vec<f64>>,
+    /// Outer points in the search box.
+    pub places: Vec<Place>,
 }
 
 impl Evidence<'_> {
@@ -212,14 +212,14 @@ fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
 /// A measure with the models of what is searched.
 pub(super) struct Modelled<'a> {
     measure: &'a Measure,
-    fit: Option<Fit<'a>>,
-    margin_fit: Option<Fit<'a>>,
+    branches: Vec<Branch<'a>>,
+    margin_branches: Vec<Branch<'a>>,
 }
 
 impl<'a> Modelled<'a> {
     pub fn new(search: &'a Search<'_>, measure: &'a Measure) -> Self {
-        let margin_fit = measure.margin.as_ref().and_then(|margin| search.fit(&margin.target));
-        Self { measure, fit: search.fit(&measure.target), margin_fit }
+        let margin_branches = measure.margin.as_ref().map_or_else(Vec::new, |margin| search.branches(&margin.target));
+        Self { measure, branches: search.branches(&measure.target), margin_branches }
     }
 
     /// The outer point at which the statistic, smoothed where its differences are partly noise, goes furthest.
@@ -233,7 +233,7 @@ impl<'a> Modelled<'a> {
         if let Some(point) = estimates.iter().position(|estimate| estimate.value == outward) {
             return Some(point);
         }
-        let mut scores = smoothed(&measure.target, self.fit.as_ref(), |point| measure.target_errors[point]);
+        let mut scores = smoothed(&measure.target, &self.branches, |point| measure.target_errors[point]);
         for (point, score) in scores.iter_mut().enumerate() {
             // Failed runs move the two estimates apart; the target is the low one.
             let gap = measure.high[point].value - measure.low[point].value;
@@ -270,25 +270,32 @@ impl<'a> Modelled<'a> {
         let at_witness = target.values[witness];
         let beyond = |a: f64, b: f64| if direction.is_beyond(a, b) { a } else { b };
         let conceded = direction.sign() * SEARCH_RESOLUTION * target.range();
-        let most = || beyond(search.reach(target, self.fit.as_ref(), direction), at_witness + conceded);
+        let most = || beyond(search.furthest_reach(target, &self.branches, direction), at_witness + conceded);
         match self.measure.kind {
             MeasureKind::Plain => beyond(most(), attained),
             MeasureKind::Deviation => beyond(most().max(0.0).sqrt(), attained),
             MeasureKind::Probability(event) => {
-                let mut furthest = attained;
                 if !event.can_change(samples) {
                     return attained;
                 }
-                let between = target.values.iter().filter(|&&share| share > 0.0 && share < 1.0).count() as f64;
-                if between >= LEAST_SHARE_BETWEEN * target.values.len() as f64 {
-                    furthest = beyond(furthest, most());
+                let mut furthest = attained;
+                for branch in &self.branches {
+                    let shares = branch.points.iter().map(|&point| target.values[point]);
+                    let between = shares.filter(|&share| share > 0.0 && share < 1.0).count() as f64;
+                    if between >= LEAST_SHARE_BETWEEN * branch.points.len() as f64 {
+                        let most = beyond(search.reach(target, branch, direction), at_witness + conceded);
+                        furthest = beyond(furthest, most);
+                    }
                 }
-                if let Some(margin) = &self.measure.margin
-                    && let Some(nearest) = extreme_point(&margin.target.values, direction)
-                {
-                    let most = search.reach(&margin.target, self.margin_fit.as_ref(), direction);
-                    let shifted = shifted_share(samples[nearest], event, margin.shift(nearest, most), direction);
-                    furthest = beyond(furthest, shifted);
+                for branch in &self.margin_branches {
+                    if let Some(margin) = &self.measure.margin
+                        && let Some(nearest) =
+                            extreme_among(&margin.target.values, branch.points.iter().copied(), direction)
+                    {
+                        let most = search.reach(&margin.target, branch, direction);
+                        let shifted = shifted_share(samples[nearest], event, margin.shift(nearest, most), direction);
+                        furthest = beyond(furthest, shifted);
+                    }
                 }
                 furthest.clamp(0.0, 1.0)
             }

@@ -22,11 +22,11 @@ pub enum Guarantee {
 /// How the kinds of uncertainty are treated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Treatment {
-    /// Every interval taken as a uniform distribution.
+    /// Every interval taken as a uniform distribution, every member of a list as equally probable.
     ProbabilityOnly,
-    /// Every random input cut to an interval.
+    /// Every random input cut to an interval; every combination of the members of lists.
     IntervalOnly,
-    /// Random inputs random, epistemic inputs unknown within their intervals.
+    /// Random inputs random, epistemic inputs unknown within their intervals and lists.
     Mixed,
 }
 
@@ -122,7 +122,7 @@ pub struct Bounds {
     pub comparisons: Vec<TreatmentComparison>,
     /// Values of the epistemic inputs at every outer point, in the order of the outer index.
     pub outer_points: Vec<Vec<f64>>,
-    /// Outer index of the centre of the epistemic box.
+    /// Outer index of the centre of the epistemic box, discrete inputs at their first members.
     pub centre_point: u32,
     /// Runs in the table.
     pub runs: usize,

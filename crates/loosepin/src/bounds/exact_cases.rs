@@ -19,7 +19,7 @@ impl<F: Fn(&[f64], &[f64]) -> f64 + Sync> Response for Function<F> {
 /// A problem with one column.
 pub(super) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statistics: &[Statistic]) -> Problem {
     let random = random.iter().cloned().map(|distribution| RandomVariable::try_new(distribution).unwrap()).collect();
-    let epistemic = epistemic.iter().map(|&(lower, upper)| Interval::try_new(lower, upper).unwrap()).collect();
+    let epistemic = epistemic.iter().map(|&(lower, upper)| Interval::try_new(lower, upper).unwrap().into()).collect();
     Problem {
         random,
         epistemic,
@@ -36,7 +36,7 @@ pub(super) const STANDARD_NORMAL: Distribution = Distribution::Normal { mean: 0.
 
 /// Fails where `exact` lies outside the widened bounds or an error exceeds `most_error`; tells all numbers.
 #[track_caller]
-fn check(pair: &BoundPair, exact: (f64, f64), most_error: f64) {
+pub(super) fn check(pair: &BoundPair, exact: (f64, f64), most_error: f64) {
     let covers = pair.lower.widened <= exact.0 + ROUND_OFF && pair.upper.widened >= exact.1 - ROUND_OFF;
     let is_tight = pair.lower.error.total() <= most_error && pair.upper.error.total() <= most_error;
     // What is attained may miss the exact value inwards or, by sampling error, outwards.
@@ -45,7 +45,7 @@ fn check(pair: &BoundPair, exact: (f64, f64), most_error: f64) {
 }
 
 /// Of numbers about 1.
-const ROUND_OFF: f64 = 1e-12;
+pub(super) const ROUND_OFF: f64 = 1e-12;
 
 #[test]
 fn analytic_sum_of_a_normal_variable_and_an_interval() {
@@ -306,7 +306,7 @@ fn analytic_probability_box_of_a_sum() {
 }
 
 /// All numbers of a result as text: equal text means equal bits.
-fn bits(bounds: &Bounds) -> String {
+pub(super) fn bits(bounds: &Bounds) -> String {
     format!("{bounds:?}")
 }
 

@@ -1,7 +1,9 @@
 //! Bounds of statistics over the epistemic inputs: the direct double loop.
 //!
 //! A response turns a row of numbers into a row of numbers. Its random inputs X have distributions, its epistemic inputs
-//! u are known to lie in a box U. For every requested statistic S of every requested column Y = g(X, u),
+//! u are known to lie in a set U: intervals, and lists of which each holds the one that is true. Every combination of the
+//! members of lists has a box of the intervals of its own, searched by itself with the same random numbers; the extremes are
+//! those of all boxes. For every requested statistic S of every requested column Y = g(X, u),
 //!
 //! ```text
 //! S_low = min over u in U of S(u),   S_up = max over u in U of S(u),   S(u) = statistic of g(X, u) over X.
@@ -45,6 +47,8 @@ pub use statistic::Statistic;
 pub use table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use treatment::{Band, TreatmentComparison};
 
+#[cfg(test)]
+mod discrete_cases;
 #[cfg(test)]
 mod exact_cases;
 #[cfg(test)]

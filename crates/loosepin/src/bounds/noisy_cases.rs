@@ -3,21 +3,21 @@
 use super::exact_cases::{
     Function, SLIDER_CRANK_EPISTEMIC, SLIDER_CRANK_RANDOM, STANDARD_NORMAL, problem, slider_crank,
 };
-use super::{Problem, Sampling, Statistic, evaluate};
+use super::{Problem, Request, Sampling, Statistic, evaluate};
 use crate::uncertainty::{Distribution, hash, normal_cdf, normal_quantile};
 
 /// A miss is a bound narrower than the truth by more than round-off.
 const ROUND_OFF: f64 = 1e-12;
 
 /// One statistic with its exact bounds, and the largest mean error that its bounds may state.
-struct Expected {
+pub(super) struct Expected {
     statistic: Statistic,
     lower: f64,
     upper: f64,
     most_error: f64,
 }
 
-fn expect(statistic: Statistic, lower: f64, upper: f64, most_error: f64) -> Expected {
+pub(super) fn expect(statistic: Statistic, lower: f64, upper: f64, most_error: f64) -> Expected {
     Expected { statistic, lower, upper, most_error }
 }
 
@@ -33,12 +33,25 @@ fn check_misses(
     expected: &[Expected],
     function: impl Fn(&[f64], &[f64]) -> f64 + Sync + Copy,
 ) {
-    let statistics: Vec<Statistic> = expected.iter().map(|expected| expected.statistic).collect();
+    let sampling = Sampling { outer, inner, ..Sampling::default() };
+    let problem = Problem { sampling, ..problem(random, epistemic, &[]) };
+    check_misses_of(seeds, &problem, expected, function);
+}
+
+/// [`check_misses`] for any inputs and sampling; requests and seed of the problem are replaced.
+#[track_caller]
+pub(super) fn check_misses_of(
+    seeds: u64,
+    problem: &Problem,
+    expected: &[Expected],
+    function: impl Fn(&[f64], &[f64]) -> f64 + Sync + Copy,
+) {
+    let requests = expected.iter().map(|expected| Request { column: 0, statistic: expected.statistic });
+    let problem = Problem { requests: requests.collect(), ..problem.clone() };
     let mut misses = vec![[0_u64; 2]; expected.len()];
     let mut errors = vec![[0.0; 2]; expected.len()];
     for seed in 0..seeds {
-        let sampling = Sampling { outer, inner, seed, ..Sampling::default() };
-        let problem = Problem { sampling, ..problem(random, epistemic, &statistics) };
+        let problem = Problem { sampling: Sampling { seed, ..problem.sampling }, ..problem.clone() };
         let bounds = evaluate(problem, &Function(function)).unwrap();
         for (i, (pair, expected)) in bounds.pairs.iter().zip(expected).enumerate() {
             misses[i][0] += u64::from(pair.lower.widened > expected.lower + ROUND_OFF);

@@ -9,13 +9,13 @@ use super::measure::{Measure, target};
 use super::moments::mean;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
-use super::problem::{Problem, ProblemError, Request};
+use super::problem::{MOST_POINTS, Problem, ProblemError, Request};
 use super::sample::{Confidence, Estimate};
 use super::search::{Direction, Search, Target};
-use super::search_box::SearchBox;
+use super::search_box::{Place, SearchBox};
 use super::statistic::Statistic;
 use super::table::{Purpose, RunInputs, SampleTable};
-use crate::uncertainty::{Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
+use crate::uncertainty::{EpistemicVariable, Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
@@ -30,8 +30,8 @@ const MIXTURE: u64 = 0x006d_6978_7475;
 /// A checked problem and its plan: the direct double loop, in rounds.
 ///
 /// Round 0 holds the corners, the centre and low-discrepancy points of the epistemic box, with all inner runs at each; the
-/// runs of the probability-only treatment; and the first points of the joint box for the interval-only treatment. Later
-/// rounds add points where a model of some requested statistic promises more than has been attained, until none does or
+/// runs of the probability-only treatment; and the first points of the joint box for the interval-only treatment; of each box
+/// there is one for every combination of the members of lists. Later rounds add points where a model of some requested statistic promises more than has been attained, until none does or
 /// the budget is spent. The inner points are the same at every u (common random numbers).
 #[derive(Debug, Clone)]
 pub struct DoubleLoop {
@@ -44,8 +44,8 @@ pub struct DoubleLoop {
     joint_box: SearchBox,
     candidates: Vec<Vec<f64>>,
     joint_candidates: Vec<Vec<f64>>,
-    first_outer: Vec<Vec<f64>>,
-    first_extreme: Vec<Vec<f64>>,
+    first_outer: Vec<Place>,
+    first_extreme: Vec<Place>,
     mixture: ScrambledSobol,
 }
 
@@ -102,19 +102,23 @@ impl DoubleLoop {
     pub fn try_new(problem: Problem) -> Result<Self, PlanError> {
         problem.check()?;
         let sampling = problem.sampling;
-        let mut joint_box = Vec::with_capacity(problem.random.len() + problem.epistemic.len());
+        let mut joint_box: Vec<EpistemicVariable> = Vec::with_capacity(problem.random.len() + problem.epistemic.len());
         for (input, variable) in problem.random.iter().enumerate() {
             let standard_deviations = problem.cut_standard_deviations;
             let end = |signed: f64| variable.quantile(normal_cdf(signed));
             let interval = Interval::try_new(end(-standard_deviations), end(standard_deviations))
                 .map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
-            joint_box.push(interval);
+            joint_box.push(interval.into());
         }
-        joint_box.extend(&problem.epistemic);
+        joint_box.extend_from_slice(&problem.epistemic);
         let (epistemic_box, joint_box) = (SearchBox::new(problem.epistemic.clone()), SearchBox::new(joint_box));
         let (epistemic, joint) = (epistemic_box.dimensions(), joint_box.dimensions());
-        let first =
-            |dimensions: usize, count: usize| first_points(sampling.seed, dimensions, first_count(dimensions, count));
+        let combinations = epistemic_box.combinations();
+        let first = |dimensions: usize, count: usize| -> Result<Vec<Place>, SobolError> {
+            let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
+            let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
+            Ok((0..combinations).flat_map(places).collect())
+        };
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
             inner: inner_runs(&problem)?,
@@ -122,7 +126,7 @@ impl DoubleLoop {
             joint_candidates: candidates(joint)?,
             first_outer: first(epistemic, sampling.outer)?,
             first_extreme: first(joint, sampling.extreme)?,
-            mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.intervals().len())?,
+            mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.inputs().len())?,
             epistemic_box,
             joint_box,
             problem,
@@ -134,16 +138,15 @@ impl DoubleLoop {
         &self.problem
     }
 
-    /// Outer index of the centre of the epistemic box.
+    /// Outer index of the centre of the epistemic box, discrete inputs at their first members.
     pub fn centre_point(&self) -> u32 {
-        let dimensions = self.epistemic_box.dimensions();
-        if dimensions == 0 { 0 } else { structural_point_count(dimensions) as u32 - 1 }
+        structural_point_count(self.epistemic_box.dimensions()) as u32 - 1
     }
 
     /// The most runs that the plan may come to.
     pub fn most_runs(&self) -> usize {
         let sampling = &self.problem.sampling;
-        let outer = if self.epistemic_box.dimensions() == 0 { 1 } else { sampling.outer };
+        let outer = if self.epistemic_box.dimensions() == 0 { self.first_outer.len() } else { sampling.outer };
         let mixture = if self.has_mixture() { sampling.mixture } else { 0 };
         let extreme = if self.has_extremes() { sampling.extreme } else { 0 };
         outer * self.inner.len() + mixture + extreme
@@ -202,7 +205,7 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, pool: &Pool, count: usize) -> Vec<Vec<f64>> {
+    fn next_outer(&self, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
         let targets: Vec<(Target, Vec<Direction>)> = self
             .searched()
@@ -217,10 +220,10 @@ impl DoubleLoop {
             })
             .collect();
         let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count)
+        search.next_points(&targets, count, MOST_POINTS)
     }
 
-    fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Vec<f64>> {
+    fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.extreme_places(pool);
         let targets: Vec<(Target, Vec<Direction>)> = self
             .problem
@@ -229,7 +232,7 @@ impl DoubleLoop {
             .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
         let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count)
+        search.next_points(&targets, count, MOST_POINTS)
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -275,13 +278,13 @@ impl DoubleLoop {
         target(&at, &self.confidence)
     }
 
-    /// Places of the outer points in the unit box.
-    pub(super) fn outer_places(&self, pool: &Pool) -> Vec<Vec<f64>> {
+    /// Places of the outer points.
+    pub(super) fn outer_places(&self, pool: &Pool) -> Vec<Place> {
         pool.points.iter().map(|point| self.epistemic_box.place_of(&point.epistemic)).collect()
     }
 
-    /// Places of single runs in the unit box of all inputs.
-    pub(super) fn extreme_places(&self, pool: &Pool) -> Vec<Vec<f64>> {
+    /// Places of single runs in the box of all inputs.
+    pub(super) fn extreme_places(&self, pool: &Pool) -> Vec<Place> {
         let values = |point: &PoolPoint| [&point.random[..], &point.epistemic].concat();
         pool.points.iter().map(|point| self.joint_box.place_of(&values(point))).collect()
     }
@@ -308,7 +311,7 @@ impl DoubleLoop {
 
     /// Whether the probability-only treatment needs runs of its own: without epistemic inputs it is the double loop.
     pub(super) fn has_mixture(&self) -> bool {
-        !self.problem.compared_columns.is_empty() && self.epistemic_box.dimensions() > 0
+        !self.problem.compared_columns.is_empty() && !self.epistemic_box.is_a_point()
     }
 
     /// Whether the interval-only treatment needs runs of its own: without random inputs it is the double loop.
@@ -316,11 +319,11 @@ impl DoubleLoop {
         !self.problem.compared_columns.is_empty() && !self.problem.random.is_empty()
     }
 
-    fn points_per_round(&self, budget: usize, first: &[Vec<f64>]) -> usize {
+    fn points_per_round(&self, budget: usize, first: &[Place]) -> usize {
         (budget - first.len()).div_ceil(REFINING_ROUNDS)
     }
 
-    fn runs_at(&self, round: u32, point: u32, place: &[f64]) -> impl Iterator<Item = RunInputs> {
+    fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
         let epistemic = self.epistemic_box.values_at(place);
         self.inner.iter().map(move |(replicate, index, random)| RunInputs {
             round,
@@ -343,8 +346,8 @@ impl DoubleLoop {
                     .map(|(input, variable)| variable.quantile(self.mixture.point(replicate, index, input)))
                     .collect();
                 let epistemic = self.problem.epistemic.iter().enumerate();
-                let epistemic = epistemic.map(|(input, interval)| {
-                    interval.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
+                let epistemic = epistemic.map(|(input, variable)| {
+                    variable.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
                 });
                 let epistemic = epistemic.collect();
                 RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
@@ -352,7 +355,7 @@ impl DoubleLoop {
         })
     }
 
-    fn extreme_run(&self, round: u32, point: u32, place: &[f64]) -> RunInputs {
+    fn extreme_run(&self, round: u32, point: u32, place: &Place) -> RunInputs {
         let mut random = self.joint_box.values_at(place);
         let epistemic = random.split_off(self.problem.random.len());
         RunInputs { round, purpose: Purpose::Extreme, point, replicate: 0, index: 0, random, epistemic }

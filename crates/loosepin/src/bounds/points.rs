@@ -5,9 +5,9 @@ use crate::uncertainty::{ScrambledSobol, SobolError, hash};
 /// Up to this many dimensions all corners are used.
 const ALL_CORNERS_DIMENSIONS: usize = 4;
 
-/// Number of corners and the centre of a box.
+/// Number of corners and the centre of a box; one where it is a point.
 pub(super) fn structural_point_count(dimensions: usize) -> usize {
-    corners(dimensions).len() + 1
+    if dimensions == 0 { 1 } else { corners(dimensions).len() + 1 }
 }
 
 /// Corners of the unit box: all of them up to four dimensions, beyond that a two-level orthogonal array of strength 2 and

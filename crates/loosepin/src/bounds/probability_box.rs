@@ -22,7 +22,7 @@ pub struct ProbabilityBox {
     pub column: usize,
     /// The values y, increasing; empty where no run finished.
     pub values: Vec<f64>,
-    /// P(Y <= y) when every epistemic input is taken as uniform, for each y, failed runs taken as not below: the
+    /// P(Y <= y) when every interval is taken as uniform and every member of a list as equally probable, for each y, failed runs taken as not below: the
     /// probability-only treatment. Nothing where the problem compares no columns, so that it was not sampled.
     pub probability_only: Option<Vec<f64>>,
     /// min over u of P(Y <= y), for each y; `widened` is made increasing.

@@ -3,8 +3,9 @@
 use thiserror::Error;
 
 use super::points::structural_point_count;
+use super::search_box::SearchBox;
 use super::statistic::Statistic;
-use crate::uncertainty::{Interval, MAXIMUM_DIMENSIONS, RandomVariable};
+use crate::uncertainty::{EpistemicVariable, MAXIMUM_DIMENSIONS, RandomVariable};
 
 /// One statistic of one column of the response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,8 +48,8 @@ impl Default for Sampling {
 pub struct Problem {
     /// Distributions of the random inputs, taken as independent.
     pub random: Vec<RandomVariable>,
-    /// Intervals of the epistemic inputs.
-    pub epistemic: Vec<Interval>,
+    /// What is known of the epistemic inputs.
+    pub epistemic: Vec<EpistemicVariable>,
     /// Number of columns of the response.
     pub columns: usize,
     /// Statistics whose bounds are asked for.
@@ -138,6 +139,35 @@ pub enum ProblemError {
         /// What usually serves.
         recommended: usize,
     },
+    /// Too few points for the corners and the centre of a box for each combination of the members of lists.
+    #[error(
+        "{name} {count}; {combinations} combinations of members, each with the corners and the centre of a box with \
+         {dimensions} inputs, need at least {least}\n\
+         hint: {recommended} is a good start"
+    )]
+    TooFewForCombinations {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Combinations of the members of lists.
+        combinations: usize,
+        /// Dimensions of each box.
+        dimensions: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// More combinations of members than can be searched one by one.
+    #[error(
+        "{combinations} combinations of the members of lists; must be at most {MOST_COMBINATIONS}\n\
+         hint: shorten the lists, or take numbers that lie close together as an interval"
+    )]
+    TooManyCombinations {
+        /// How many there are.
+        combinations: usize,
+    },
     /// More points than the search can model.
     #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
     TooManyPoints {
@@ -157,7 +187,10 @@ pub enum ProblemError {
 }
 
 /// The smoother factorises matrices of this order.
-const MOST_POINTS: usize = 512;
+pub(super) const MOST_POINTS: usize = 512;
+
+/// Every combination of members is run, and searched by itself.
+const MOST_COMBINATIONS: usize = 64;
 
 impl Problem {
     /// Checks everything that does not need a run.
@@ -179,16 +212,20 @@ impl Problem {
         if !self.random.is_empty() {
             check_multiple("inner", inner, replicates)?;
         }
-        let wide = self.epistemic.iter().filter(|interval| interval.lower() < interval.upper()).count();
-        if wide > 0 {
-            check_points("outer", outer, wide)?;
+        let search_box = SearchBox::new(self.epistemic.clone());
+        let (wide, combinations) = (search_box.dimensions(), search_box.combinations());
+        if combinations > MOST_COMBINATIONS {
+            return Err(ProblemError::TooManyCombinations { combinations });
+        }
+        if !search_box.is_a_point() {
+            check_points("outer", outer, wide, combinations)?;
         }
         if !self.compared_columns.is_empty() {
-            if wide > 0 {
+            if !search_box.is_a_point() {
                 check_multiple("mixture", mixture, replicates)?;
             }
             if !self.random.is_empty() {
-                check_points("extreme", extreme, self.random.len() + wide)?;
+                check_points("extreme", extreme, self.random.len() + wide, combinations)?;
             }
         }
         Ok(())
@@ -231,13 +268,18 @@ fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result
     }
 }
 
-fn check_points(name: &'static str, count: usize, dimensions: usize) -> Result<(), ProblemError> {
-    let least = structural_point_count(dimensions);
+fn check_points(name: &'static str, count: usize, dimensions: usize, combinations: usize) -> Result<(), ProblemError> {
+    let least = combinations * structural_point_count(dimensions);
     if count < least {
-        return Err(ProblemError::TooFewPoints { name, count, dimensions, least, recommended: (3 * least).max(64) });
+        let recommended = (3 * least).max(64);
+        return Err(if combinations == 1 {
+            ProblemError::TooFewPoints { name, count, dimensions, least, recommended }
+        } else {
+            ProblemError::TooFewForCombinations { name, count, combinations, dimensions, least, recommended }
+        });
     }
-    if count > MOST_POINTS {
-        return Err(ProblemError::TooManyPoints { name, count, most: MOST_POINTS });
+    if count > MOST_POINTS * combinations {
+        return Err(ProblemError::TooManyPoints { name, count, most: MOST_POINTS * combinations });
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use super::search_box::Place;
 use super::smoother::{Fit, Smoother};
 
 /// The model's error bar in an optimistic prediction, in standard deviations.
@@ -80,10 +81,25 @@ impl Target {
 }
 
 /// All points so far, and the models that targets share.
+///
+/// Every combination of the discrete inputs has models of its own, which know nothing of the others; the extremes are taken
+/// over all of them.
 pub(super) struct Search<'a> {
-    points: &'a [Vec<f64>],
+    points: &'a [Place],
+    /// The points of each combination.
+    groups: Vec<Vec<usize>>,
     smoothers: BTreeMap<Vec<usize>, Option<Smoother>>,
     targets: usize,
+}
+
+/// The model of a target in one combination of the discrete inputs.
+pub(super) struct Branch<'a> {
+    /// The points of the combination.
+    pub points: Vec<usize>,
+    /// Those at which the target is defined.
+    defined: Vec<usize>,
+    /// The model; nothing where the target is defined at too few points.
+    fit: Option<Fit<'a>>,
 }
 
 /// How far a target may go beyond what has been attained, by its model.
@@ -100,57 +116,79 @@ struct Reach {
 impl<'a> Search<'a> {
     /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
     pub fn new<'t>(
-        points: &'a [Vec<f64>],
+        points: &'a [Place],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
+        let combinations = points.iter().map(|point| point.combination + 1).max().unwrap_or(1);
+        let mut groups = vec![Vec::new(); combinations];
+        for (index, point) in points.iter().enumerate() {
+            groups[point.combination].push(index);
+        }
         // For each set of defined points: whether any target has noise, and how often each point is an extreme.
-        let mut groups: BTreeMap<Vec<usize>, (bool, BTreeMap<usize, usize>)> = BTreeMap::new();
+        let mut sets: BTreeMap<Vec<usize>, (bool, BTreeMap<usize, usize>)> = BTreeMap::new();
         let mut target_count = 0;
         for target in targets {
             target_count += 1;
-            let (has_noise, extremes) = groups.entry(defined(target)).or_default();
-            *has_noise |= target.noise_variance > 0.0;
-            for direction in Direction::BOTH {
-                if let Some(point) = extreme_point(&target.values, direction) {
-                    *extremes.entry(point).or_default() += 1;
+            for group in &groups {
+                let (has_noise, extremes) = sets.entry(defined(target, group)).or_default();
+                *has_noise |= target.noise_variance > 0.0;
+                for direction in Direction::BOTH {
+                    if let Some(point) = extreme_among(&target.values, group.iter().copied(), direction) {
+                        *extremes.entry(point).or_default() += 1;
+                    }
                 }
             }
         }
         let prepare = |(defined, (has_noise, extremes)): (Vec<usize>, (bool, BTreeMap<usize, usize>))| {
             let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
             extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
-            let near = extremes.into_iter().take(MOST_NEIGHBOURHOODS).flat_map(|(point, _)| neighbours(&points[point]));
+            let near =
+                extremes.into_iter().take(MOST_NEIGHBOURHOODS).flat_map(|(point, _)| neighbours(&points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
-            let known = defined.iter().map(|&i| points[i].clone()).collect();
+            let known = defined.iter().map(|&i| points[i].at.clone()).collect();
             let smoother = Smoother::try_new(known, &places, has_noise);
             (defined, smoother)
         };
-        Self { points, smoothers: groups.into_iter().map(prepare).collect(), targets: target_count }
+        Self { points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }
     }
 
-    /// The model of `target`; nothing where it is defined at too few points.
-    pub fn fit(&self, target: &Target) -> Option<Fit<'_>> {
-        let defined = defined(target);
+    /// The models of `target`, one for each combination of the discrete inputs.
+    pub fn branches(&self, target: &Target) -> Vec<Branch<'_>> {
+        let branch = |points: &Vec<usize>| {
+            let defined = defined(target, points);
+            Branch { points: points.clone(), fit: self.fit(target, &defined), defined }
+        };
+        self.groups.iter().map(branch).collect()
+    }
+
+    fn fit(&self, target: &Target, defined: &[usize]) -> Option<Fit<'_>> {
         let values: Vec<f64> = defined.iter().map(|&i| target.values[i]).collect();
-        Some(self.smoothers.get(&defined)?.as_ref()?.fit(&values, target.noise_variance))
+        Some(self.smoothers.get(defined)?.as_ref()?.fit(&values, target.noise_variance))
     }
 
-    /// The most that the model of `target`, its `fit`, allows in `direction`, anywhere in the box; infinite without one.
-    pub fn reach(&self, target: &Target, fit: Option<&Fit<'_>>, direction: Direction) -> f64 {
-        let Some(fit) = fit else { return direction.sign() * f64::INFINITY };
+    /// The most that the model of `target` in one combination, `branch`, allows in `direction`, anywhere in the box; infinite
+    /// without one.
+    pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction) -> f64 {
+        let Some(fit) = &branch.fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
         let most = if is_located { located_reach(fit, direction) } else { reach(fit, direction).optimistic };
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
+    /// The furthest that any of the models of `target` allows in `direction`.
+    pub fn furthest_reach(&self, target: &Target, branches: &[Branch<'_>], direction: Direction) -> f64 {
+        let reaches = branches.iter().map(|branch| self.reach(target, branch, direction));
+        reaches.reduce(|a, b| if direction.is_beyond(b, a) { b } else { a }).unwrap_or(direction.sign() * f64::INFINITY)
+    }
+
     /// At most `count` new points for the ends of `targets` that are sought, most promising first; none where no gain
-    /// exceeds the resolution.
-    pub fn next_points(&self, targets: &[(Target, Vec<Direction>)], count: usize) -> Vec<Vec<f64>> {
+    /// exceeds the resolution, and none in a combination that has `most_points` already.
+    pub fn next_points(&self, targets: &[(Target, Vec<Direction>)], count: usize, most_points: usize) -> Vec<Place> {
         let mut promises: Vec<Promise> = targets
             .par_iter()
             .enumerate()
-            .flat_map_iter(|(index, (target, directions))| self.promises(index, target, directions))
+            .flat_map_iter(|(index, (target, directions))| self.promises(index, target, directions, most_points))
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
         // What a model expects and what it merely allows take turns: every target allows more than it expects.
@@ -159,18 +197,20 @@ impl<'a> Search<'a> {
         let most = LOCATED_PER_POINT * count;
         let (mut expected, mut allowed) = (distinct(expected, most).into_iter(), distinct(allowed, most).into_iter());
         let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
-        let located: Vec<Vec<f64>> = turns
+        let located: Vec<Place> = turns
             .collect::<Vec<Promise>>()
             .into_par_iter()
             .filter_map(|promise| {
-                let fit = self.fit(&targets[promise.target].0)?;
-                Some(locate(&fit, promise.direction, promise.optimism, promise.place))
+                let target = &targets[promise.target].0;
+                let combination = promise.place.combination;
+                let fit = self.fit(target, &defined(target, &self.groups[combination]))?;
+                Some(Place { combination, at: locate(&fit, promise.direction, promise.optimism, promise.place.at) })
             })
             .collect();
-        let mut chosen: Vec<Vec<f64>> = Vec::new();
+        let mut chosen: Vec<Place> = Vec::new();
         for place in located {
-            let is_new = self.points.iter().all(|point| distance(point, &place) > LEAST_DISTANCE)
-                && chosen.iter().all(|point| distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
+            let is_new = self.points.iter().all(|point| point.distance(&place) > LEAST_DISTANCE)
+                && chosen.iter().all(|point| point.distance(&place) > LEAST_DISTANCE_IN_ROUND);
             if is_new && chosen.len() < count {
                 chosen.push(place);
             }
@@ -178,20 +218,24 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    fn promises(&self, index: usize, target: &Target, directions: &[Direction]) -> Vec<Promise> {
-        let Some(fit) = self.fit(target) else { return Vec::new() };
+    /// Where the models of a target promise more than has been attained in any combination.
+    fn promises(&self, index: usize, target: &Target, directions: &[Direction], most_points: usize) -> Vec<Promise> {
         let mut promises = Vec::new();
-        for &direction in directions {
-            let reach = reach(&fit, direction);
-            let attained = extreme(&target.values, direction);
-            let mut promise = |value: f64, optimism: f64, place: Vec<f64>| {
-                let merit = direction.sign() * (value - attained) / target.resolutions[direction.index()];
-                if merit > 1.0 {
-                    promises.push(Promise { target: index, direction, optimism, merit, place });
-                }
-            };
-            promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
-            promise(reach.expected, 0.0, reach.expected_at);
+        for (combination, branch) in self.branches(target).iter().enumerate() {
+            let Some(fit) = branch.fit.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
+            for &direction in directions {
+                let reach = reach(fit, direction);
+                let attained = extreme(&target.values, direction);
+                let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
+                    let merit = direction.sign() * (value - attained) / target.resolutions[direction.index()];
+                    if merit > 1.0 {
+                        let place = Place { combination, at };
+                        promises.push(Promise { target: index, direction, optimism, merit, place });
+                    }
+                };
+                promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
+                promise(reach.expected, 0.0, reach.expected_at);
+            }
         }
         promises
     }
@@ -202,7 +246,7 @@ struct Promise {
     direction: Direction,
     optimism: f64,
     merit: f64,
-    place: Vec<f64>,
+    place: Place,
 }
 
 /// The first `count` promises that are not near each other.
@@ -212,7 +256,7 @@ fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
         if kept.len() == count {
             break;
         }
-        if kept.iter().all(|other| distance(&other.place, &promise.place) > LEAST_DISTANCE_IN_ROUND) {
+        if kept.iter().all(|other| other.place.distance(&promise.place) > LEAST_DISTANCE_IN_ROUND) {
             kept.push(promise);
         }
     }
@@ -251,14 +295,14 @@ fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
 }
 
-/// The values of `target` as its model sees them: unchanged unless it takes part of their differences for noise, and never
+/// The values of `target` as its models see them: unchanged unless a model takes part of their differences for noise, and never
 /// moved by more than the error of each value itself.
-pub(super) fn smoothed(target: &Target, fit: Option<&Fit<'_>>, errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
+pub(super) fn smoothed(target: &Target, branches: &[Branch<'_>], errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
     let mut values = target.values.clone();
-    if let Some(fit) = fit.filter(|fit| fit.is_smoothed()) {
-        let defined = defined(target);
-        let means = fit.at_places().skip(fit.places().len() - defined.len());
-        for (point, (mean, _)) in defined.into_iter().zip(means) {
+    for branch in branches {
+        let Some(fit) = branch.fit.as_ref().filter(|fit| fit.is_smoothed()) else { continue };
+        let means = fit.at_places().skip(fit.places().len() - branch.defined.len());
+        for (&point, (mean, _)) in branch.defined.iter().zip(means) {
             let (below, above) = errors(point);
             values[point] = mean.max(values[point] - below).min(values[point] + above);
         }
@@ -273,8 +317,18 @@ pub(super) fn extreme(values: &[f64], direction: Direction) -> f64 {
 
 /// Where the extreme of the finite values is.
 pub(super) fn extreme_point(values: &[f64], direction: Direction) -> Option<usize> {
+    extreme_among(values, 0..values.len(), direction)
+}
+
+/// Where the extreme of the finite values at `points` is.
+pub(super) fn extreme_among(
+    values: &[f64],
+    points: impl Iterator<Item = usize>,
+    direction: Direction,
+) -> Option<usize> {
     let mut best: Option<usize> = None;
-    for (point, &value) in values.iter().enumerate() {
+    for point in points {
+        let value = values[point];
         if value.is_finite() && best.is_none_or(|best| direction.is_beyond(value, values[best])) {
             best = Some(point);
         }
@@ -345,29 +399,28 @@ fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64
     place
 }
 
-fn defined(target: &Target) -> Vec<usize> {
-    (0..target.values.len()).filter(|&i| target.values[i].is_finite()).collect()
-}
-
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |most, (x, y)| f64::max(most, (x - y).abs()))
+/// The points of `group` at which `target` is defined.
+fn defined(target: &Target, group: &[usize]) -> Vec<usize> {
+    group.iter().copied().filter(|&i| target.values[i].is_finite()).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Direction, Search, Target, extreme};
     use crate::bounds::points::{candidates, first_points};
+    use crate::bounds::search_box::Place;
 
     /// Searches both ends of `function` with `count` points in rounds of five.
     fn ends(dimensions: usize, count: usize, function: impl Fn(&[f64]) -> f64) -> (f64, f64) {
         let candidates = candidates(dimensions).unwrap();
-        let mut points = first_points(11, dimensions, count / 2).unwrap();
+        let place = |at| Place { combination: 0, at };
+        let mut points: Vec<Place> = first_points(11, dimensions, count / 2).unwrap().into_iter().map(place).collect();
         loop {
-            let values: Vec<f64> = points.iter().map(|u| function(u)).collect();
+            let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
             let resolutions = [1e-9; 2];
             let target = Target { values: values.clone(), noise_variance: 0.0, resolutions };
             let search = Search::new(&points, &candidates, [&target]);
-            let next = search.next_points(&[(target, Direction::BOTH.to_vec())], 5.min(count - points.len()));
+            let next = search.next_points(&[(target, Direction::BOTH.to_vec())], 5.min(count - points.len()), 512);
             if next.is_empty() {
                 return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
             }

@@ -1,24 +1,48 @@
-//! The box that is searched, as a unit box without the inputs that are single numbers.
+//! What is searched: a unit box without the inputs that are single numbers, once for every combination of the discrete inputs.
 
-use crate::uncertainty::Interval;
+use crate::uncertainty::EpistemicVariable;
 
-/// A box of intervals; those of no width are held and do not count as dimensions.
+/// A box of intervals; those of no width are held and do not count as dimensions. Inputs that are one of a list do not either:
+/// every combination of their members has a box of its own.
 #[derive(Debug, Clone)]
 pub(super) struct SearchBox {
-    intervals: Vec<Interval>,
+    inputs: Vec<EpistemicVariable>,
     wide: Vec<usize>,
 }
 
+/// A point of one of the boxes.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Place {
+    /// Which combination of the discrete inputs, the member of the first one changing fastest.
+    pub combination: usize,
+    /// Where in the unit box of the intervals.
+    pub at: Vec<f64>,
+}
+
+impl Place {
+    /// The largest difference along an axis; infinite between different boxes.
+    pub fn distance(&self, other: &Self) -> f64 {
+        if self.combination != other.combination {
+            return f64::INFINITY;
+        }
+        self.at.iter().zip(&other.at).fold(0.0, |most, (x, y)| f64::max(most, (x - y).abs()))
+    }
+}
+
 impl SearchBox {
-    /// The box of these intervals.
-    pub fn new(intervals: Vec<Interval>) -> Self {
-        let wide = (0..intervals.len()).filter(|&i| intervals[i].lower() < intervals[i].upper()).collect();
-        Self { intervals, wide }
+    /// The box of these inputs.
+    pub fn new(inputs: Vec<EpistemicVariable>) -> Self {
+        let is_wide = |input: &EpistemicVariable| match input {
+            EpistemicVariable::Interval(interval) => interval.lower() < interval.upper(),
+            EpistemicVariable::OneOf(_) => false,
+        };
+        let wide = (0..inputs.len()).filter(|&i| is_wide(&inputs[i])).collect();
+        Self { inputs, wide }
     }
 
-    /// All intervals.
-    pub fn intervals(&self) -> &[Interval] {
-        &self.intervals
+    /// All inputs.
+    pub fn inputs(&self) -> &[EpistemicVariable] {
+        &self.inputs
     }
 
     /// Number of intervals that are wider than a point.
@@ -26,41 +50,95 @@ impl SearchBox {
         self.wide.len()
     }
 
-    /// Values of all inputs at `place` in the unit box.
-    pub fn values_at(&self, place: &[f64]) -> Vec<f64> {
-        let mut values: Vec<f64> = self.intervals.iter().map(Interval::lower).collect();
-        for (&input, &fraction) in self.wide.iter().zip(place) {
-            values[input] = self.intervals[input].at(fraction);
+    /// Number of combinations of the discrete inputs; 1 where there are none.
+    pub fn combinations(&self) -> usize {
+        self.inputs.iter().fold(1, |combinations: usize, input| combinations.saturating_mul(input.choices()))
+    }
+
+    /// Whether there is one value of the inputs and no other.
+    pub fn is_a_point(&self) -> bool {
+        self.dimensions() == 0 && self.combinations() == 1
+    }
+
+    /// Values of all inputs at `place`.
+    pub fn values_at(&self, place: &Place) -> Vec<f64> {
+        let mut rest = place.combination;
+        let mut values: Vec<f64> = self
+            .inputs
+            .iter()
+            .map(|input| match input {
+                EpistemicVariable::Interval(interval) => interval.lower(),
+                EpistemicVariable::OneOf(members) => {
+                    let value = members.values()[rest % members.values().len()];
+                    rest /= members.values().len();
+                    value
+                }
+            })
+            .collect();
+        for (&input, &fraction) in self.wide.iter().zip(&place.at) {
+            values[input] = self.inputs[input].at(fraction);
         }
         values
     }
 
-    /// Where `values` of all inputs lie in the unit box.
-    pub fn place_of(&self, values: &[f64]) -> Vec<f64> {
-        self.wide.iter().map(|&input| self.intervals[input].fraction_of(values[input])).collect()
+    /// Where `values` of all inputs lie.
+    pub fn place_of(&self, values: &[f64]) -> Place {
+        let (mut combination, mut weight) = (0, 1);
+        let mut at = Vec::with_capacity(self.wide.len());
+        for (index, (input, &value)) in self.inputs.iter().zip(values).enumerate() {
+            match input {
+                EpistemicVariable::Interval(interval) => {
+                    if self.wide.contains(&index) {
+                        at.push(interval.fraction_of(value));
+                    }
+                }
+                EpistemicVariable::OneOf(members) => {
+                    combination += weight * members.index_of(value);
+                    weight *= members.values().len();
+                }
+            }
+        }
+        Place { combination, at }
     }
 
-    /// Whether the first inputs lie within their intervals.
+    /// Whether the first inputs lie within their ends.
     pub fn holds(&self, values: &[f64]) -> bool {
-        values
-            .iter()
-            .zip(&self.intervals)
-            .all(|(&value, interval)| value >= interval.lower() && value <= interval.upper())
+        values.iter().zip(&self.inputs).all(|(&value, input)| {
+            let [lower, upper] = input.ends();
+            value >= lower && value <= upper
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::SearchBox;
-    use crate::uncertainty::Interval;
+    use super::{Place, SearchBox};
+    use crate::uncertainty::{Interval, Members};
 
     #[test]
     fn identity_places_and_values_are_inverse_and_points_are_held() {
-        let intervals = [(0.5, 2.5), (3.25, 3.25), (-1.0, 0.5)].map(|(a, b)| Interval::try_new(a, b).unwrap());
+        let intervals = [(0.5, 2.5), (3.25, 3.25), (-1.0, 0.5)].map(|(a, b)| Interval::try_new(a, b).unwrap().into());
         let search_box = SearchBox::new(intervals.to_vec());
-        assert_eq!(search_box.dimensions(), 2);
-        assert_eq!(search_box.values_at(&[0.25, 1.0]), [1.0, 3.25, 0.5]);
-        assert_eq!(search_box.place_of(&[1.0, 3.25, 0.5]), [0.25, 1.0]);
+        assert_eq!((search_box.dimensions(), search_box.combinations()), (2, 1));
+        let place = Place { combination: 0, at: vec![0.25, 1.0] };
+        assert_eq!(search_box.values_at(&place), [1.0, 3.25, 0.5]);
+        assert_eq!(search_box.place_of(&[1.0, 3.25, 0.5]), place);
         assert!(search_box.holds(&[1.0, 3.25]) && !search_box.holds(&[1.0, 3.0]));
+    }
+
+    #[test]
+    fn identity_every_combination_of_members_is_met_once() {
+        let members = |values: &[f64]| Members::try_new(values.to_vec()).unwrap().into();
+        let interval = Interval::try_new(0.5, 2.5).unwrap().into();
+        let search_box = SearchBox::new(vec![members(&[7.0, 3.0, 4.0]), interval, members(&[-1.5, 2.0])]);
+        assert_eq!((search_box.dimensions(), search_box.combinations()), (1, 6));
+        let mut met: Vec<Vec<f64>> = Vec::new();
+        for combination in 0..6 {
+            let place = Place { combination, at: vec![0.25] };
+            let values = search_box.values_at(&place);
+            assert_eq!(search_box.place_of(&values), place);
+            assert!(values[1] == 1.0 && !met.contains(&values), "{values:?}");
+            met.push(values);
+        }
     }
 }

@@ -36,7 +36,7 @@ pub struct TreatmentComparison {
     pub column: usize,
     /// Probability of the central band, in (0, 1); an interval-only band has none of its own.
     pub probability: f64,
-    /// Every interval taken as uniform: both quantiles of the mixture.
+    /// Every interval taken as uniform, every member of a list as equally probable: both quantiles of the mixture.
     pub probability_only: Band,
     /// Every random input cut to an interval: the extremes of the response.
     pub interval_only: Band,
@@ -146,12 +146,12 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
         .par_iter()
         .zip(&targets)
         .map(|(&column, target)| {
-            let fit = search.fit(target);
+            let branches = search.branches(target);
             Direction::BOTH.map(|direction| {
                 let sign = direction.sign();
                 let (value, witness) = furthest_run(evidence, table, column, direction);
                 let searched = extreme(&target.values, direction);
-                let further = search.reach(target, fit.as_ref(), direction);
+                let further = search.furthest_reach(target, &branches, direction);
                 let conceded = SEARCH_RESOLUTION * target.range();
                 let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
                 let has_box = plan.joint_box().dimensions() > 0;

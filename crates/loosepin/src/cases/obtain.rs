@@ -91,9 +91,10 @@ impl<'c> Runs<'c> {
         }
     }
 
-    /// Numbers of the impacts of a joint in a run, in the order of time.
+    /// Numbers of the impacts of a joint in a run, of all its contacts, in the order of time.
     pub fn impacts(&self, simulation: &Simulation, play: usize, of: ImpactNumber) -> Vec<f64> {
-        let name = &self.case.model.joints[self.case.mechanism.plays[play].0].name;
+        let mechanism = &self.case.mechanism;
+        let names: Vec<String> = mechanism.contacts_of(play).map(|contact| mechanism.contact_name(contact)).collect();
         let number = |impact: &ImpactRecord| match of {
             ImpactNumber::Onset => impact.time_s,
             ImpactNumber::Speed => impact.speed_m_s,
@@ -101,7 +102,7 @@ impl<'c> Runs<'c> {
             ImpactNumber::SeparationSpeed => impact.separation_speed_m_s.unwrap_or(f64::NAN),
             ImpactNumber::Duration => impact.duration_s,
         };
-        simulation.record.impacts.iter().filter(|impact| impact.joint == *name).map(number).collect()
+        simulation.record.impacts.iter().filter(|impact| names.contains(&impact.joint)).map(number).collect()
     }
 
     /// The run that a history is held against, with a row at each of its times.
@@ -141,7 +142,7 @@ impl<'c> Runs<'c> {
         cycle.recorded_turns = span_s / turn_s;
         cycle.samples_per_turn = ((rows as f64 / cycle.recorded_turns).round() as usize).max(1);
         let settings = Settings::for_simulation();
-        let plan = Plan { cycle, settings, with_states: rows > 1, overrides: Vec::new() };
+        let plan = Plan { cycle, settings, with_states: rows > 1, lyapunov_turns: None, overrides: Vec::new() };
         let simulation = simulate(&mechanism, &values, &plan).map_err(|failure| failure.complaint(model))?;
         let simulation = Rc::new(simulation);
         self.done.push((key, Rc::clone(&simulation)));

@@ -8,7 +8,7 @@
 //!
 //! What the equations of motion evaluate are the numbers of a law: [`NormalLaw`] and [`FrictionLaw`], enums with one struct
 //! for each form of the force. A new form is one file with one struct that implements [`NormalContact`] or [`Friction`],
-//! and one line in the list at the end of `normal.rs` or `friction.rs`.
+//! and one line in the list at the end of `normal.rs` or `friction.rs`. Films of oil are in `film/`, with a list of their own.
 
 mod ambrosio;
 mod anagnostopoulos;
@@ -20,6 +20,7 @@ mod dubowsky_freudenstein;
 mod esdu;
 mod exact_linear_restitution;
 mod exact_restitution;
+mod film;
 mod flores;
 mod friction;
 mod gonthier;
@@ -49,6 +50,10 @@ mod stribeck;
 mod threlfall;
 mod zhiying_qishao;
 
+pub use film::{
+    FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure,
+    FiniteLengthFilm, OcvirkFilm, OcvirkPrintedFilm, PinkusSternlichtFilm,
+};
 pub use friction::{
     BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
 };
@@ -59,7 +64,9 @@ pub use normal::{NormalContact, NormalForce, NormalLaw};
 pub use point::PointContact;
 pub use restitution::{damping_factor_that_delivers, delivered_restitution, free_impact_penetration_m};
 pub use state::PlayState;
-pub use stiffness::{compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s};
+pub use stiffness::{
+    compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,
+};
 
 use std::fmt::Debug;
 

@@ -1,4 +1,4 @@
-//! Contact stiffness of a pin in a hole, and the speed up to which the contact laws hold.
+//! Contact stiffness of a pin in a hole and of a corner on a plane, and the speed up to which the contact laws hold.
 
 /// h = (1 - ν²)/E, 1/Pa, without 1/π.
 ///
@@ -15,6 +15,13 @@ pub fn cylinder_stiffness_n_m1_5(compliances_1_pa: [f64; 2], bearing_radius_m: f
     let journal_radius_m = bearing_radius_m - radial_clearance_m;
     let curvature_m = bearing_radius_m * journal_radius_m / radial_clearance_m;
     4.0 / (3.0 * (compliances_1_pa[0] + compliances_1_pa[1])) * curvature_m.sqrt() // eq. (9)
+}
+
+/// K = 4/(3(h_i + h_j)) · √ρ, N/m^1.5: Hertz' sphere of radius ρ, m, on a plane, K = 4/3 E* √ρ with 1/E* = h_i + h_j.
+///
+/// Eq. (9) of \[SC16\] is of a pin in a hole and means nothing for a corner; this choice is ours.
+pub fn sphere_stiffness_n_m1_5(compliances_1_pa: [f64; 2], radius_m: f64) -> f64 {
+    4.0 / (3.0 * (compliances_1_pa[0] + compliances_1_pa[1])) * radius_m.sqrt()
 }
 
 /// Impact speed up to which Lankarani and Nikravesh's law is meant to hold: 1e-5 √(E/ρ), m/s (about 0.05 for steel).
@@ -35,6 +42,14 @@ mod tests {
         // c from 0.5 to 0.1 mm: K x 2.28 (method.md, section 2).
         let tight = cylinder_stiffness_n_m1_5([h, h], 0.010, 0.0001);
         assert!((tight / k - 2.28).abs() < 0.005);
+    }
+
+    #[test]
+    fn analytic_rounded_corner_of_steel_on_steel() {
+        let h = compliance_1_pa(207e9, 0.3);
+        // E* = E/(2(1 - ν²)) = 113.736 GPa; 4/3 E* √(5 mm).
+        let k = sphere_stiffness_n_m1_5([h, h], 0.005);
+        assert!((k / 1.072316e10 - 1.0).abs() < 1e-5, "{k}");
     }
 
     #[test]

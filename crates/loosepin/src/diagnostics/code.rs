@@ -125,6 +125,10 @@ since ignoring it would change the result in silence."
     BadCount "E0208" "a count is not possible"
 "Counts (samples, turns, seeds) are whole numbers within the limits that the complaint names."
 
+    ToFillIn "E0209" "a value is still to be filled in"
+"A model that was made from a drawing has \"?\" where a number is due that no drawing tells: masses, inertias, speeds. Write the \
+number with its unit in its place."
+
     ExpressionSyntax "E0301" "a value cannot be read"
 "A value is a number with its unit, \"0.5 mm\" or \"1e-4 kg m^2\", or arithmetic over such values and parameters, \
 \"2 * crank_length + 1 mm\". Known are + - * / ^, parentheses, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, abs, min \
@@ -180,7 +184,8 @@ the part that does not change: give it a name under [parameter]."
 start_position). A joint with clearance has no such coordinate. The cycle counts the turns of a revolute drive."
 
     DrivenTwice "E0404" "a joint is driven twice"
-"Two drives prescribe the coordinate of one joint. Remove one of them."
+"Two drives prescribe the coordinate of one joint, or a control acts in a joint that a drive or another control moves. Remove \
+one of them."
 
     UnknownPath "E0405" "a path names no quantity"
 "Quantities are named by their place in the model file: `parameter.crank_length`, `body.crank.mass`, \
@@ -201,6 +206,14 @@ no effect. Often an expression names another one by mistake."
 
     SetTwice "E0409" "a value is set twice"
 "Two settings on the command line give values to one quantity. Neither wins in silence; remove one of them."
+
+    CouplingNotPossible "E0410" "a coupling does not fit its joints"
+"Gears and belts couple two revolute joints, a rack a revolute and a prismatic one, and both wheels hang on one body: the frame, \
+or the carrier of a planetary gear. Angles and positions are counted from that body."
+
+    TableNotReadable "E0411" "a table in a CSV file cannot be read"
+"A CSV table has two columns, separated by a comma, with names and units in its first row (`time [s], angle [deg]`) and plain numbers \
+below, the first column increasing. Lines that begin with # are comments."
 
     BreaksRule "E0501" "a value is outside its range"
 "Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
@@ -250,6 +263,15 @@ pose is given by the angle of the drive that the cycle counts."
 "The runs at each point are split into equal replicates, whose spread tells the sampling error: `inner` must be a multiple \
 of `replicates`, best `replicates` times a power of two."
 
+    BadList "E0612" "a list of what is possible is no choice"
+"An epistemic input that is one of a list, any_of = [...], needs at least two members, and each of them once. Where only one is \
+possible, write it in the model file."
+
+    LawNotPossible "E0613" "a law needs what the model does not give"
+"A law of contact can be one of a list, or be set, where the model is complete for it: every law but kelvin-voigt needs \
+restitution, a line-contact law materials and the bearing_length of each of its joints. Linear laws take a stiffness in N/m in \
+place of materials, so that no list can hold them beside others."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
 that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \
@@ -278,6 +300,18 @@ computed. Start a few degrees away, or drive another joint."
 it has freedoms that no drive moves, and as many rates (none at all for a mechanism without drives means at rest). What is \
 given beyond that must agree with the links. Everything else follows from the joints."
 
+    ControlNotPossible "E0707" "a control does not fit the mechanism"
+"A control needs a freedom that no drive moves. Inverse dynamics, fed forward along the references, is worked out for open chains \
+on the ground in which every joint is driven or controlled, so that the motion without play is known."
+
+    FrictionNotPossible "E0708" "friction in a joint cannot be computed"
+"Friction in an ideal joint is as large as what the joint carries. Where constraints repeat each other, rigid bodies do not say \
+how they share the force."
+
+    NoQuasiStaticAnswer "E0709" "play for which there is no quasi-static answer"
+"The quasi-static answer takes each joint as anywhere within its play. A slider whose half-height and clearance together \
+exceed half its diagonal can turn over in its guide, and then its play has no end. A dynamic run still tells what happens."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 
@@ -305,9 +339,9 @@ first one; `loosepin simulate` with the values of the study shows it alone."
 "Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
     PinLeavesBearing "E0808" "a pin is pressed out of its hole"
-"The penetration of a contact grew so deep that the centre of the pin left the hole. No contact law holds there: the parts are \
-far too soft, or the drive far too fast, for the masses that they carry. Look at the stiffness or Young's modulus, the speed and \
-the masses."
+"The penetration of a contact grew so deep that the centre of the pin left the hole, or the axis of the slider its guide. No \
+contact law holds there: the parts are far too soft, or the drive far too fast, for the masses that they carry. Look at the \
+stiffness or Young's modulus, the speed and the masses."
 
     BeyondContactLaw "E0809" "a contact is deeper than its law goes"
 "Line-contact laws with a logarithm (johnson, esdu-78035, dubowsky-freudenstein, radzimovsky) give the penetration for a force; \
@@ -317,6 +351,24 @@ or look whether the parts are far too soft or the drive far too fast."
     ClearanceOutsideFit "E0810" "a clearance to which the contact law was not fitted"
 "The law of Pereira, Ramalho and Ambrósio is a formula fitted to computed contacts, for radial clearances from 0.005 to 10 mm. \
 Outside it means nothing, so such a clearance is refused. In a study, a run with such a clearance fails by this reason."
+
+    RoughnessOutsideFilm "E0811" "a roughness that does not go with a film of oil"
+"The roughness of a film is the thickness below which it no longer stiffens. It must be less than half of the radial clearance, or \
+there is hardly a film at all; and the film of finite length is computed for films down to 0.002 of the clearance. In a study, a \
+run outside of that fails by this reason."
+
+    NothingIsFree "E0812" "a motion has no neighbours"
+"A Lyapunov exponent tells how fast neighbouring motions part. Where ideal joints leave no motion beside the one that the \
+drives prescribe, there are no neighbours: the mechanism follows its drives exactly."
+
+    Jams "E0813" "friction in a joint has no solution"
+"Friction in an ideal joint is as large as what the joint carries, and what it carries depends on the friction. With much \
+friction, a long arm or a short guide no friction force fits any more (jamming, Painlevé's paradox): a rigid body has no motion \
+then."
+
+    SliderBeyondGuide "E0814" "a slider leaves its guide"
+"The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
+the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
 
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
@@ -340,6 +392,23 @@ A file with a key `model` at its top is a study."
     ResultNotStorable "E0906" "a result cannot be laid out as a file"
 "A value of the result has no form in JSON, CSV or Parquet, or its columns do not fit together. This is a slip of ours: please \
 report it with the files that lead to it."
+
+    MeasuredTable "E1001" "a table of measured values cannot be used"
+"A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
+the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \
+value that was not measured."
+
+    MeasuredOutside "E1002" "a measured value lies outside what was recorded"
+"Measured values are held against the run at the same time or angle. Times count from the start of the run; angles are moved by \
+whole turns so that the first of them lies in the first recorded turn. Record more turns, or cut the table."
+
+    NotADrawing "E1101" "a drawing cannot be read"
+"`loosepin import` reads DXF files, as text or binary, of any version since R10. The reason is that of the reader, with the line of \
+the file."
+
+    DrawingNotAMechanism "E1102" "a drawing is not a sketch of a mechanism"
+"Lines and polylines are links, circles are joints. Every circle is met by a link, every link meets a circle, and what stands in \
+the ground is on a layer called ground. The complaint gives the place in the coordinates of the drawing."
 }
 
 #[cfg(test)]
@@ -361,6 +430,6 @@ mod tests {
     #[test]
     fn an_unknown_code_is_refused() {
         let error = "E9999".parse::<Code>().expect_err("no such code");
-        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E0906");
+        assert_eq!(error.to_string(), "there is no code 'E9999'; codes run from E0101 to E1102");
     }
 }

@@ -29,8 +29,22 @@ pub fn describe_path(dotted: &str) -> String {
 }
 
 /// Tables whose entries are tables under names of the person's choosing.
-const NAMED: [&str; 11] =
-    ["body", "contact", "joint", "spring", "load", "drive", "output", "random", "epistemic", "expected", "history"];
+const NAMED: [&str; 14] = [
+    "body",
+    "contact",
+    "joint",
+    "spring",
+    "load",
+    "coupling",
+    "cam",
+    "drive",
+    "control",
+    "output",
+    "random",
+    "epistemic",
+    "expected",
+    "history",
+];
 
 fn describe(keys: &[&str]) -> String {
     match keys {

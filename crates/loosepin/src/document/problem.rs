@@ -112,6 +112,12 @@ pub enum DocumentProblem {
         /// What should.
         due: &'static str,
     },
+    /// A mark where a value is due.
+    #[error("{entry} is still to be filled in")]
+    ToFillIn {
+        /// The entry.
+        entry: String,
+    },
     /// A list of the wrong length.
     #[error("{entry} has {found} entries; {due} are due")]
     WrongLength {
@@ -235,6 +241,7 @@ impl Problem for DocumentProblem {
             Self::MoreThanOneOf { .. } => Code::ConflictingKeys,
             Self::WrongType { .. } | Self::WrongLength { .. } => Code::WrongType,
             Self::UnknownChoice { .. } => Code::UnknownChoice,
+            Self::ToFillIn { .. } => Code::ToFillIn,
             Self::BadName { .. } => Code::BadName,
             Self::BadCount { .. } => Code::BadCount,
             Self::MissingUnit { .. } => Code::MissingUnit,

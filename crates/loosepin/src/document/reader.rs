@@ -13,6 +13,9 @@ use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_value, parse_quantity};
 
+/// What stands in a file where a value is still to be filled in.
+const TO_FILL_IN: &str = "?";
+
 /// Reads a file as UTF-8 text.
 ///
 /// # Errors
@@ -377,6 +380,10 @@ impl Reader {
     /// What stands where a quantity is due.
     pub fn written<'t>(&mut self, entry: &Entry<'t>) -> Option<Written<'t>> {
         match entry.value {
+            DeValue::String(text) if text.trim() == TO_FILL_IN => {
+                self.complain(&DocumentProblem::ToFillIn { entry: entry.path.describe() }, entry.span);
+                None
+            }
             DeValue::String(text) => Some(Written::Text(text)),
             DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(entry).map(Written::Number),
             _ => self.wrong_type(entry, TEXT_WITH_UNIT),

@@ -1,7 +1,7 @@
 //! Forces where the two bodies of a joint with play touch.
 
-use super::pin;
 use super::play::PlayMotion;
+use super::{corner, film, pin, slot};
 use crate::contact::{NormalContact, PlayState};
 use crate::math::{Real, Vec2};
 use crate::mechanism::{PlayGeometry, PlayShape};
@@ -66,7 +66,7 @@ pub struct ContactForce<T> {
     pub moment_on_bearing_n_m: T,
     /// Power that the normal contact turns into heat: -(F_el - F_N) δ̇ = (F_N - F_el) δ̇, W.
     pub contact_loss_w: T,
-    /// Power that friction turns into heat: -F_T v_T with the material sliding velocity, W.
+    /// Power that friction turns into heat, -F_T v_T with the material sliding velocity, and a film of oil, W.
     pub friction_loss_w: T,
     /// Normal force F_N, N.
     pub normal_n: T,
@@ -76,6 +76,10 @@ pub struct ContactForce<T> {
     pub bristle_rate_m_s: T,
     /// Sliding velocity v_T that friction goes by, m/s; zero where there is no friction.
     pub sliding_m_s: T,
+    /// Stiffness at this place over that of the contact's law; one but for the ends of a slot.
+    pub stiffness_share: T,
+    /// Abscissa of the corner along the guide's line, m; zero but for a slider.
+    pub along_m: T,
 }
 
 /// The gap function of a contact, positive in contact, and the second derivative of the penetration.
@@ -90,22 +94,36 @@ pub struct GapMotion<T> {
 impl<T: Real> PlayMotion<T> {
     /// How the two bodies come near each other at `place`.
     #[inline(always)]
-    pub fn contact(&self, play: &PlayGeometry<T>, _place: usize) -> ContactMotion<T> {
-        match play.shape {
+    pub fn contact(&self, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
+        match &play.shape {
             PlayShape::Pin { .. } => pin::contact(self, play),
+            PlayShape::Slider(block) => corner::contact(self, play, block, place),
+            PlayShape::Slot(shape) => slot::contact(self, play, shape),
         }
     }
 
     /// δ at `place`, m, alone.
     #[inline(always)]
-    pub fn penetration_at_m(&self, play: &PlayGeometry<T>, _place: usize) -> T {
-        match play.shape {
+    pub fn penetration_at_m(&self, play: &PlayGeometry<T>, place: usize) -> T {
+        match &play.shape {
             PlayShape::Pin { .. } => self.penetration_m(play.clearance_m),
+            PlayShape::Slider(block) => corner::penetration_m(self, play, block, place),
+            PlayShape::Slot(shape) => slot::penetration_m(self, play, shape),
+        }
+    }
+
+    /// The elastic energy at `place` where the penetration is `penetration_m`, J.
+    #[inline(always)]
+    pub fn stored_energy_j(&self, play: &PlayGeometry<T>, penetration_m: T) -> T {
+        let stored_j = play.normal.stored_energy_j(penetration_m);
+        match &play.shape {
+            PlayShape::Slot(shape) => stored_j * slot::stiffening(self, shape).share,
+            PlayShape::Pin { .. } | PlayShape::Slider(_) => stored_j,
         }
     }
 
     /// The force at `place` with the penetration and the bristles read off the motion. In flight (`state.contact` zero)
-    /// everything is zero.
+    /// everything is zero but the film of oil, where there is one.
     #[inline(always)]
     pub fn force(&self, play: &PlayGeometry<T>, place: usize, state: &PlayState<T>) -> ContactForce<T> {
         self.force_with_unknowns(play, place, state, &ContactUnknowns::none())
@@ -126,7 +144,7 @@ impl<T: Real> PlayMotion<T> {
         let tangent = contact.normal.turned(); // eq. (3)
         let penetration_m = contact.penetration_m * state.contact; // eq. (4)
         let rate_m_s = contact.penetration_rate_m_s; // eq. (6)
-        let force = match &unknowns.root {
+        let mut force = match &unknowns.root {
             None => play.normal.force(penetration_m, rate_m_s, state), // eq. (8)
             Some(unknown) => {
                 let depth_root = penetration_m.max(T::zero()).sqrt();
@@ -134,6 +152,15 @@ impl<T: Real> PlayMotion<T> {
                 play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, state)
             }
         };
+        let mut push_n = Vec2::zero();
+        let mut stiffness_share = T::one();
+        if let PlayShape::Slot(shape) = &play.shape {
+            let stiffening = slot::stiffening(self, shape);
+            stiffness_share = stiffening.share;
+            force.total_n *= stiffness_share;
+            force.elastic_n *= stiffness_share;
+            push_n = tangent * (stiffening.pull_1_m * play.normal.stored_energy_j(penetration_m));
+        }
         let contact_loss_w = (force.total_n - force.elastic_n) * rate_m_s;
         let mut result = ContactForce {
             on_journal_n: contact.normal * -force.total_n,
@@ -145,12 +172,20 @@ impl<T: Real> PlayMotion<T> {
             penetration_rate_m_s: rate_m_s,
             bristle_rate_m_s: T::zero(),
             sliding_m_s: T::zero(),
+            stiffness_share,
+            along_m: T::zero(),
         };
+        if let PlayShape::Slot(_) = play.shape {
+            result.on_journal_n += push_n;
+            result.moment_on_bearing_n_m = -contact.reaches_m[0].cross(result.on_journal_n);
+        }
         if play.friction.acts() {
-            let Sliding { sliding_m_s, material_m_s, arms_m } = match play.shape {
+            let Sliding { sliding_m_s, material_m_s, arms_m } = match &play.shape {
                 PlayShape::Pin { bearing_radius_m } => {
-                    pin::sliding(self, play, bearing_radius_m, tangent, penetration_m)
+                    pin::sliding(self, play, *bearing_radius_m, tangent, penetration_m)
                 }
+                PlayShape::Slider(block) => corner::sliding(self, block, place, tangent),
+                PlayShape::Slot(shape) => slot::sliding(self, play, shape, contact.normal, penetration_m),
             };
             let friction_n = match unknowns.bristle_m {
                 None => play.friction.force_n(sliding_m_s, force.total_n),
@@ -163,17 +198,38 @@ impl<T: Real> PlayMotion<T> {
             result.sliding_m_s = sliding_m_s;
             result.on_journal_n += tangent * friction_n;
             result.moment_on_journal_n_m = arms_m[1] * friction_n;
-            result.moment_on_bearing_n_m = -(arms_m[0] * friction_n);
+            match play.shape {
+                PlayShape::Slot(_) => result.moment_on_bearing_n_m -= arms_m[0] * friction_n,
+                _ => result.moment_on_bearing_n_m = -(arms_m[0] * friction_n),
+            }
             result.friction_loss_w = -(friction_n * material_m_s);
+        }
+        if let Some(film) = &play.film {
+            film::add(self, film, play.clearance_m, &mut result);
+        }
+        if let PlayShape::Slider(_) = play.shape {
+            result.along_m = self.directions[0].dot(contact.reaches_m[0]);
+            // Both forces act at the corner.
+            result.moment_on_journal_n_m = contact.reaches_m[1].cross(result.on_journal_n);
+            result.moment_on_bearing_n_m = -contact.reaches_m[0].cross(result.on_journal_n);
         }
         result
     }
 
-    /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame.
+    /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame, and the rates of both
+    /// spins, rad/s².
     #[inline(always)]
-    pub fn gap(&self, play: &PlayGeometry<T>, _place: usize, acceleration_m_s2: Vec2<T>) -> GapMotion<T> {
-        match play.shape {
+    pub fn gap(
+        &self,
+        play: &PlayGeometry<T>,
+        place: usize,
+        acceleration_m_s2: Vec2<T>,
+        spin_rates_rad_s2: [T; 2],
+    ) -> GapMotion<T> {
+        match &play.shape {
             PlayShape::Pin { .. } => pin::gap(self, play, acceleration_m_s2),
+            PlayShape::Slider(block) => corner::gap(self, play, block, place, acceleration_m_s2, spin_rates_rad_s2),
+            PlayShape::Slot(shape) => slot::gap(self, play, shape, acceleration_m_s2, spin_rates_rad_s2[0]),
         }
     }
 }

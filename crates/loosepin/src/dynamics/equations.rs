@@ -1,14 +1,18 @@
 //! Mass matrix, forces and accelerations.
 
 use super::contact::{ContactForce, ContactUnknowns, GapMotion};
+use super::control::ActuatorForce;
+use super::inverse::InverseDynamics;
+use super::joint_friction::JointFrictions;
 use super::load::LoadForce;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
 use crate::mechanism::{
-    Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room, turned_by,
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room,
+    turned_by,
 };
-use crate::model::Course;
+use crate::model::{Course, FeedForward};
 
 /// Powers that the energy account integrates, W.
 #[derive(Debug, Clone, Copy)]
@@ -17,6 +21,8 @@ pub struct Powers<T> {
     pub drives_w: T,
     /// Supplied by all loads.
     pub loads_w: T,
+    /// Supplied by the actuators of all controls.
+    pub controls_w: T,
     /// Turned into heat by normal contact.
     pub contact_loss_w: T,
     /// Turned into heat by friction.
@@ -43,6 +49,8 @@ pub struct Dynamics<'a, T> {
     pub(super) plays: Vec<PlayMotion<T>>,
     /// Forces of all contacts.
     pub(super) contacts: Vec<ContactForce<T>>,
+    /// Whether there are springs, loads or controls.
+    has_elements: bool,
     /// Slots of first and second body of each spring.
     pub(super) spring_slots: Vec<[usize; 2]>,
     /// Power that the dampers turned into heat at the last evaluation, W.
@@ -51,10 +59,20 @@ pub struct Dynamics<'a, T> {
     pub(super) loads: Vec<LoadForce<T>>,
     /// Power of the loads at the last evaluation, W.
     pub(super) loads_w: T,
-    /// Room for the functions of loads.
+    /// Places of the actuator's and of the measured joint of each control.
+    pub(super) control_places: Vec<[JointPlace; 2]>,
+    /// Actuators at the last evaluation.
+    pub(super) actuators: Vec<ActuatorForce<T>>,
+    /// Integrals of the errors of the controls, rad s or m s.
+    pub(super) error_integrals: Vec<T>,
+    /// Power of the actuators at the last evaluation, W.
+    pub(super) controls_w: T,
+    /// What controls feed forward.
+    pub(super) inverse: Option<InverseDynamics<'a, T>>,
+    /// Room for the functions of loads and controls.
     pub(super) function_room: Vec<T>,
     /// Room for the functions of drives.
-    drive_room: Vec<TimeDual<T>>,
+    pub(super) drive_room: Vec<TimeDual<T>>,
     /// Time of the last state, s.
     pub(super) time_s: T,
     /// Free accelerations q̈.
@@ -66,13 +84,15 @@ pub struct Dynamics<'a, T> {
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
-    forces: Vec<T>,
+    pub(super) forces: Vec<T>,
     /// Partial velocities of the centre of mass of the link at hand.
     centre_partials: Vec<Vec2<T>>,
     pub(super) jacobian: Vec<T>,
     constraint_biases: Vec<T>,
     /// J M⁻¹ Jᵀ.
     pub(super) gram: GramSystem<T>,
+    /// Friction in ideal joints, where there is any.
+    pub(super) joint_frictions: Option<JointFrictions<T>>,
 }
 
 impl<'a, T: Real> Dynamics<'a, T> {
@@ -105,7 +125,12 @@ impl<'a, T: Real> Dynamics<'a, T> {
             torque_n_m: T::zero(),
         });
         let loads = loads.collect();
-        let steps = mechanism.model.loads.iter().map(|load| match &load.course {
+        let fed_forward = mechanism.model.controls.iter().filter_map(|control| match &control.feed_forward {
+            FeedForward::Course(course) => Some(course),
+            FeedForward::None | FeedForward::InverseDynamics => None,
+        });
+        let courses = mechanism.model.loads.iter().map(|load| &load.course).chain(fed_forward);
+        let steps = courses.map(|course| match course {
             Course::Function(function) => function.steps(),
             _ => 0,
         });
@@ -120,10 +145,18 @@ impl<'a, T: Real> Dynamics<'a, T> {
             play_slots,
             plays,
             contacts,
+            has_elements: !(mechanism.model.springs.is_empty()
+                && mechanism.model.loads.is_empty()
+                && mechanism.model.controls.is_empty()),
             spring_slots: springs.map(|spring| spring.kind.bodies().map(|body| tree.slot_of_body[body.0])).collect(),
             damping_loss_w: T::zero(),
             loads,
             loads_w: T::zero(),
+            control_places: mechanism.control_places(),
+            actuators: vec![ActuatorForce::none(); mechanism.model.controls.len()],
+            error_integrals: vec![T::zero(); mechanism.model.controls.len()],
+            controls_w: T::zero(),
+            inverse: mechanism.known_chain.as_ref().map(InverseDynamics::new),
             function_room: vec![T::zero(); function_steps],
             drive_room: vec![Dual::constant(Dual::constant(T::zero())); room(&mechanism.model)],
             time_s: T::zero(),
@@ -136,6 +169,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             jacobian: vec![T::zero(); rows * z],
             constraint_biases: vec![T::zero(); rows],
             gram: GramSystem::new(tree.constraint_scales(), n),
+            joint_frictions: JointFrictions::new(mechanism, sample),
         }
     }
 
@@ -186,11 +220,30 @@ impl<'a, T: Real> Dynamics<'a, T> {
             || {
                 self.set_motion(time_s, free_coordinates, free_rates);
                 self.set_forces(states, unknowns);
+                if let Some(frictions) = &mut self.joint_frictions {
+                    frictions.begin(&self.kinematics, &self.sample.frictions);
+                }
                 self.add_bodies();
-                self.add_springs();
-                self.add_loads();
+                if self.has_elements {
+                    self.add_elements();
+                }
                 self.add_plays();
                 self.solve();
+                self.add_joint_friction();
+            },
+        );
+    }
+
+    /// Forces of springs, loads and actuators. Not every mechanism has them: out of line, or the compiler would take many times as
+    /// long for the evaluation as a whole.
+    #[inline(never)]
+    fn add_elements(&mut self) {
+        T::vectorize(
+            #[inline(always)]
+            || {
+                self.add_springs();
+                self.add_loads();
+                self.add_controls();
             },
         );
     }
@@ -267,6 +320,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
         if slot == 0 {
             return;
         }
+        if let Some(frictions) = &mut self.joint_frictions {
+            frictions.take_force(slot, self.kinematics.poses[slot].position_m + arm_m, force_n, moment_n_m);
+        }
         let about_origin = moment_n_m + arm_m.cross(force_n);
         let partials = self.kinematics.partials(slot);
         for (dependence, partial) in self.mechanism.real.links[slot - 1].dependences.iter().zip(partials) {
@@ -308,6 +364,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let mut powers = Powers {
             drives_w: T::zero(),
             loads_w: self.loads_w,
+            controls_w: self.controls_w,
             contact_loss_w: T::zero(),
             friction_loss_w: T::zero(),
             damping_loss_w: self.damping_loss_w,
@@ -315,6 +372,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
         for force in &self.contacts {
             powers.contact_loss_w += force.contact_loss_w;
             powers.friction_loss_w += force.friction_loss_w;
+        }
+        if self.joint_frictions.is_some() {
+            powers.friction_loss_w += self.joint_friction_loss_w();
         }
         let tree = &self.mechanism.real;
         for k in 0..tree.drives.len() {
@@ -372,9 +432,11 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let motion = &self.plays[at.play];
         let [i, j] = self.play_slots[at.play];
         let twists = &self.kinematics.twists;
-        let acceleration = acceleration_at(&self.acceleration(j), &twists[j], motion.journal_arm_m)
-            - acceleration_at(&self.acceleration(i), &twists[i], motion.bearing_arm_m);
-        motion.gap(&self.sample.plays[at.play], at.place, acceleration)
+        let (change_i, change_j) = (self.acceleration(i), self.acceleration(j));
+        let acceleration = acceleration_at(&change_j, &twists[j], motion.journal_arm_m)
+            - acceleration_at(&change_i, &twists[i], motion.bearing_arm_m);
+        let spin_rates = [change_i.angular, change_j.angular];
+        motion.gap(&self.sample.plays[at.play], at.place, acceleration, spin_rates)
     }
     /// Slots of bearing body and journal body of the joints with play.
     pub fn play_slots(&self) -> &[[usize; 2]] {

@@ -2,8 +2,8 @@
 
 use super::equations::Dynamics;
 use crate::math::{Real, Vec2};
-use crate::mechanism::points_of;
-use crate::model::{Course, JointId, JointKind, LoadKind};
+use crate::mechanism::JointPlace;
+use crate::model::{Course, LoadKind};
 
 /// What a load does to its body.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +42,10 @@ impl<T: Real> Dynamics<'_, T> {
         let load = &self.mechanism.model.loads[index];
         let slot = self.loads[index].slot;
         let [coordinate, rate] = match (&load.course, load.joint) {
-            (Course::Function(_), Some(joint)) => self.joint_motion(index, joint),
+            (Course::Function(_), Some(joint)) => {
+                let place = JointPlace::new(&self.mechanism.model, &self.mechanism.real, joint);
+                self.sample.loads[index].joint.motion(&place, &self.kinematics)
+            }
             _ => [T::zero(); 2],
         };
         let numbers = &self.sample.loads[index];
@@ -55,26 +58,6 @@ impl<T: Real> Dynamics<'_, T> {
                 LoadForce { slot, arm_m, force_n: direction * size, torque_n_m: T::zero() }
             }
             LoadKind::Torque { .. } => LoadForce { slot, arm_m: Vec2::zero(), force_n: Vec2::zero(), torque_n_m: size },
-        }
-    }
-
-    /// Coordinate and rate of the joint that a load reads: angle of the journal's body from the bearing's, or position s of
-    /// the slider along the guide: s = d·e with e from guide point to slider point, ṡ = d·ė + ω d⊥·e.
-    #[inline(always)]
-    fn joint_motion(&self, load: usize, joint: JointId) -> [T; 2] {
-        let kind = &self.mechanism.model.joints[joint.0].kind;
-        let [i, j] = points_of(kind).map(|point| self.mechanism.real.slot_of_body[point.body.0]);
-        let (poses, twists) = (&self.kinematics.poses, &self.kinematics.twists);
-        match kind {
-            JointKind::Prismatic { .. } => {
-                let numbers = &self.sample.loads[load];
-                let line = poses[i].turn(numbers.joint_line);
-                let arms = [poses[i].turn(numbers.joint_arms_m[0]), poses[j].turn(numbers.joint_arms_m[1])];
-                let gap = poses[j].position_m + arms[1] - poses[i].position_m - arms[0];
-                let gap_rate = twists[j].at(arms[1]) - twists[i].at(arms[0]);
-                [line.dot(gap), line.dot(gap_rate) + twists[i].angular * line.turned().dot(gap)]
-            }
-            _ => [poses[j].angle_rad - poses[i].angle_rad, twists[j].angular - twists[i].angular],
         }
     }
 }

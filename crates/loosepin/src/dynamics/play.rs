@@ -1,12 +1,13 @@
 //! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1-6; method, section 2).
 
 use crate::math::{Real, Vec2};
-use crate::mechanism::{Kinematics, PlayGeometry};
+use crate::mechanism::{Kinematics, PlayGeometry, PlayShape};
 
-/// Where the journal is in its bearing and how it moves.
+/// Where the journal is in its bearing, or the slider in its guide, and how it moves.
 #[derive(Debug, Clone, Copy)]
 pub struct PlayMotion<T> {
-    /// Eccentricity e = r_j - r_i, m, in the ground's frame.
+    /// Eccentricity e = r_j - r_i of the journal's centre from the bearing's (the slider's from the guide's point), m, in the
+    /// ground's frame.
     pub eccentricity_m: Vec2<T>,
     /// ė, m/s.
     pub eccentricity_rate_m_s: Vec2<T>,
@@ -16,6 +17,8 @@ pub struct PlayMotion<T> {
     pub journal_arm_m: Vec2<T>,
     /// Angular velocities ω_i (bearing) and ω_j (journal), rad/s.
     pub spins_rad_s: [T; 2],
+    /// Directions of the guide's or slot's line and of the slider's axis in the ground's frame; zero where there is none.
+    pub directions: [Vec2<T>; 2],
 }
 
 impl<T: Real> PlayMotion<T> {
@@ -33,6 +36,13 @@ impl<T: Real> PlayMotion<T> {
             bearing_arm_m,
             journal_arm_m,
             spins_rad_s: [twist_i.angular, twist_j.angular],
+            directions: match play.shape {
+                PlayShape::Pin { .. } => [Vec2::zero(); 2],
+                PlayShape::Slot(slot) => [kinematics.poses[i].turn(slot.line), Vec2::zero()],
+                PlayShape::Slider(block) => {
+                    [kinematics.poses[i].turn(block.line), kinematics.poses[j].turn(block.axis)]
+                }
+            },
         }
     }
 

@@ -54,12 +54,12 @@ impl<T: Real> Dynamics<'_, T> {
     /// need, Σ (m a - m g) minus the other forces on them (Newton and Euler).
     pub fn joint_force_n(&self, joint: JointId) -> Vec2<T> {
         if let Some(index) = self.mechanism.plays.iter().position(|&play| play == joint) {
-            return self.play_force_n(index);
+            return self.play_force_n(index) + self.actuator_force_n(joint);
         }
         let tree = &self.mechanism.real;
         let forces = self.cut_forces_n();
         if let Some(index) = tree.cuts.iter().position(|cut| cut.joint == joint) {
-            return forces[index];
+            return forces[index] + self.actuator_force_n(joint);
         }
         let Some((root, forward)) = tree.links.iter().enumerate().find_map(|(index, link)| match link.attachment {
             Attachment::Revolute { joint: own, forward, .. }
@@ -105,9 +105,26 @@ impl<T: Real> Dynamics<'_, T> {
         for (index, slots) in self.spring_slots().iter().enumerate() {
             subtract(*slots, self.spring_force(index).on_second_n);
         }
+        for (slots, on_second) in self.coupling_forces_n() {
+            subtract(slots, on_second);
+        }
         for load in self.loads() {
             if beyond[load.slot] {
                 needed -= load.force_n;
+            }
+        }
+        for ((force, places), control) in
+            self.actuators.iter().zip(&self.control_places).zip(&self.mechanism.model.controls)
+        {
+            // The actuator of this very joint is part of what the joint does.
+            if control.joint != joint {
+                let [first, second] = places[0].slots;
+                if beyond[second] {
+                    needed -= force.on_second_n;
+                }
+                if beyond[first] {
+                    needed += force.on_second_n;
+                }
             }
         }
         if forward { needed } else { -needed }
@@ -117,6 +134,30 @@ impl<T: Real> Dynamics<'_, T> {
     fn play_force_n(&self, play: usize) -> Vec2<T> {
         let forces = self.contacts.iter().zip(&self.sample.contacts).filter(|(_, at)| at.play == play);
         forces.map(|(force, _)| force.on_journal_n).reduce(|sum, force| sum + force).unwrap_or(Vec2::zero())
+    }
+
+    /// What couplings do to prismatic joints: slots of guide and slider, and force on the slider, N. Revolute joints get torques
+    /// alone: λ ∂Φ/∂q along the coordinate of each joint.
+    fn coupling_forces_n(&self) -> Vec<([usize; 2], Vec2<T>)> {
+        let tree = &self.mechanism.real;
+        let mut forces = Vec::new();
+        let multipliers = &self.multipliers[tree.cut_rows()..];
+        for ((places, numbers), multiplier) in tree.couplings.iter().zip(&self.sample.real.couplings).zip(multipliers) {
+            let slope = numbers.slope(places, &self.kinematics);
+            for (side, gradient) in [(0, -slope), (1, T::one())] {
+                if places[side].is_prismatic {
+                    let (_, line) = numbers.joints[side].line_of_action(&places[side], &self.kinematics);
+                    forces.push((places[side].slots, line * (gradient * *multiplier)));
+                }
+            }
+        }
+        forces
+    }
+
+    /// Force of the actuator in `joint` on its second body, N; zero where there is none.
+    fn actuator_force_n(&self, joint: JointId) -> Vec2<T> {
+        let control = self.mechanism.model.controls.iter().position(|control| control.joint == joint);
+        control.map_or(Vec2::zero(), |control| self.actuators[control].on_second_n)
     }
 
     /// Forces of the cut joints on their second bodies, N: λ times the gradient with respect to the second point.
@@ -130,10 +171,10 @@ impl<T: Real> Dynamics<'_, T> {
                 let first = self.multipliers[row];
                 let force = match cut.kind {
                     CutKind::Revolute | CutKind::Rigid => Vec2::new(first, self.multipliers[row + 1]),
-                    CutKind::Prismatic => {
+                    CutKind::Prismatic | CutKind::Slot => {
                         let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
                         let (sine, cosine) = angle.sin_cos();
-                        Vec2::new(-sine, cosine) * first
+                        Vec2::new(-sine, cosine) * first + self.guide_friction_n(cut.joint)
                     }
                 };
                 row += cut.kind.rows();

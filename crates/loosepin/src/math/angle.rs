@@ -30,7 +30,7 @@ const COSINE: [f64; 6] = [
 #[inline(always)]
 pub fn sin_cos<T: Real>(angle_rad: T) -> (T, T) {
     let constant = T::from_f64;
-    let quarter_turns = rounded(angle_rad * constant(std::f64::consts::FRAC_2_PI));
+    let quarter_turns = (angle_rad * constant(std::f64::consts::FRAC_2_PI)).nearest_whole();
     let coarse = quarter_turns.mul_add(constant(-HALF_PI_PARTS[0]), angle_rad);
     let reduced = quarter_turns.mul_add(constant(-HALF_PI_PARTS[1]), coarse);
 
@@ -41,20 +41,13 @@ pub fn sin_cos<T: Real>(angle_rad: T) -> (T, T) {
 
     // Odd quarter turns exchange the two. The quarter turn is told from a half integer, so that no rounding meets a tie.
     let halves = quarter_turns.mul_add(constant(0.5), constant(-0.25));
-    let is_odd = T::zero().less_than(halves - rounded(halves));
+    let is_odd = T::zero().less_than(halves - halves.nearest_whole());
     let fourths = quarter_turns.mul_add(constant(0.25), constant(-0.125));
-    let place = fourths - rounded(fourths); // -1/8, 1/8, 3/8, -3/8 for 0, 1, 2, 3 quarter turns
+    let place = fourths - fourths.nearest_whole(); // -1/8, 1/8, 3/8, -3/8 for 0, 1, 2, 3 quarter turns
     let (first, second) = (T::select(is_odd, cosine, sine), T::select(is_odd, sine, cosine));
     let sine = T::select(constant(0.25).less_than(place.abs()), -first, first);
     let cosine = T::select(T::zero().less_than(place), -second, second);
     (sine, cosine)
-}
-
-/// The nearest whole number, for magnitudes below 2⁵¹: adding and taking away 1.5 · 2⁵² rounds.
-#[inline(always)]
-fn rounded<T: Real>(value: T) -> T {
-    const ROUNDER: f64 = 6_755_399_441_055_744.0;
-    value + T::from_f64(ROUNDER) - T::from_f64(ROUNDER)
 }
 
 /// Σ c_k xᵏ by Horner's rule.

@@ -105,6 +105,10 @@ impl<T: Real> Real for Dual<T> {
         Self { value, derivative: self.derivative / (value + value) }
     }
     #[inline(always)]
+    fn nearest_whole(self) -> Self {
+        Self::constant(self.value.nearest_whole())
+    }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         (

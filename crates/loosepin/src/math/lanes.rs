@@ -1,6 +1,6 @@
 //! Several runs side by side: one lane of a vector register is one run.
 //!
-//! A [`LaneGroup`] is one or more vectors of eight numbers. What instructions it becomes (AVX-512, AVX2, NEON, ...) is
+//! A [`LaneGroup`] is two vectors of eight numbers. What instructions it becomes (AVX-512, AVX2, NEON, ...) is
 //! chosen when the program runs; the results have the same bits on all of them, since every multiply-add is a fused one
 //! and no operation mixes lanes.
 
@@ -17,6 +17,8 @@ use std::sync::OnceLock;
 
 /// Numbers in one vector.
 const WIDTH: usize = 8;
+/// Vectors in a group.
+const VECTORS: usize = 2;
 
 /// A number that holds one value for each of several runs; `f64` is the case of one run.
 pub trait Lanes: Real {
@@ -155,31 +157,26 @@ instruction_sets!(fearless_simd::x86::Avx512, fearless_simd::x86::Avx2);
 #[cfg(target_arch = "aarch64")]
 instruction_sets!(fearless_simd::aarch64::Neon);
 
-/// `VECTORS` vectors of eight lanes on the instruction set `S`.
+/// Two vectors of eight lanes on the instruction set `S`, which keep the units of a processor busier than one.
+///
+/// Every operation is written out for both: the compiler would have to unroll a loop over them, thousands of times in the
+/// equations of motion.
 #[derive(Clone, Copy)]
 #[repr(transparent)]
-pub struct LaneGroup<S: InstructionSet, const VECTORS: usize>([f64x8<S>; VECTORS]);
+pub struct LaneGroup<S: InstructionSet>([f64x8<S>; VECTORS]);
 
-impl<S: InstructionSet, const VECTORS: usize> LaneGroup<S, VECTORS> {
+impl<S: InstructionSet> LaneGroup<S> {
     #[inline(always)]
     fn map(self, f: impl Fn(f64x8<S>) -> f64x8<S>) -> Self {
-        let mut result = self.0;
-        for vector in &mut result {
-            *vector = f(*vector);
-        }
-        Self(result)
+        Self([f(self.0[0]), f(self.0[1])])
     }
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64x8<S>, f64x8<S>) -> f64x8<S>) -> Self {
-        let mut result = self.0;
-        for (vector, other) in result.iter_mut().zip(other.0) {
-            *vector = f(*vector, other);
-        }
-        Self(result)
+        Self([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
     }
 }
 
-impl<S: InstructionSet, const VECTORS: usize> fmt::Debug for LaneGroup<S, VECTORS> {
+impl<S: InstructionSet> fmt::Debug for LaneGroup<S> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_list().entries(self.0.iter().flat_map(|vector| vector.as_slice())).finish()
     }
@@ -187,14 +184,14 @@ impl<S: InstructionSet, const VECTORS: usize> fmt::Debug for LaneGroup<S, VECTOR
 
 macro_rules! operators {
     ($($operator:ident $method:ident $assign:ident $assign_method:ident),*) => {$(
-        impl<S: InstructionSet, const VECTORS: usize> $operator for LaneGroup<S, VECTORS> {
+        impl<S: InstructionSet> $operator for LaneGroup<S> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.zip(other, #[inline(always)] |a, b| a.$method(b))
             }
         }
-        impl<S: InstructionSet, const VECTORS: usize> $assign for LaneGroup<S, VECTORS> {
+        impl<S: InstructionSet> $assign for LaneGroup<S> {
             #[inline(always)]
             fn $assign_method(&mut self, other: Self) {
                 *self = $operator::$method(*self, other);
@@ -204,7 +201,7 @@ macro_rules! operators {
 }
 operators!(Add add AddAssign add_assign, Sub sub SubAssign sub_assign, Mul mul MulAssign mul_assign);
 
-impl<S: InstructionSet, const VECTORS: usize> Div for LaneGroup<S, VECTORS> {
+impl<S: InstructionSet> Div for LaneGroup<S> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -215,7 +212,7 @@ impl<S: InstructionSet, const VECTORS: usize> Div for LaneGroup<S, VECTORS> {
         )
     }
 }
-impl<S: InstructionSet, const VECTORS: usize> Neg for LaneGroup<S, VECTORS> {
+impl<S: InstructionSet> Neg for LaneGroup<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -226,20 +223,17 @@ impl<S: InstructionSet, const VECTORS: usize> Neg for LaneGroup<S, VECTORS> {
     }
 }
 
-impl<S: InstructionSet, const VECTORS: usize> Real for LaneGroup<S, VECTORS> {
+impl<S: InstructionSet> Real for LaneGroup<S> {
     type Mask = [mask64x8<S>; VECTORS];
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self([f64x8::splat(S::proof(), value); VECTORS])
+        let vector = f64x8::splat(S::proof(), value);
+        Self([vector, vector])
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
-        let mut result = self.0;
-        for k in 0..VECTORS {
-            result[k] = self.0[k].mul_add_precise(factor.0[k], addend.0[k]);
-        }
-        Self(result)
+        Self([self.0[0].mul_add_precise(factor.0[0], addend.0[0]), self.0[1].mul_add_precise(factor.0[1], addend.0[1])])
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -284,19 +278,11 @@ impl<S: InstructionSet, const VECTORS: usize> Real for LaneGroup<S, VECTORS> {
     }
     #[inline(always)]
     fn less_than(self, other: Self) -> Self::Mask {
-        let mut mask = [mask64x8::splat(S::proof(), false); VECTORS];
-        for k in 0..VECTORS {
-            mask[k] = self.0[k].simd_lt(other.0[k]);
-        }
-        mask
+        [self.0[0].simd_lt(other.0[0]), self.0[1].simd_lt(other.0[1])]
     }
     #[inline(always)]
     fn select(mask: Self::Mask, chosen: Self, otherwise: Self) -> Self {
-        let mut result = chosen.0;
-        for k in 0..VECTORS {
-            result[k] = mask[k].select(chosen.0[k], otherwise.0[k]);
-        }
-        Self(result)
+        Self([mask[0].select(chosen.0[0], otherwise.0[0]), mask[1].select(chosen.0[1], otherwise.0[1])])
     }
     #[inline(always)]
     fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
@@ -304,7 +290,7 @@ impl<S: InstructionSet, const VECTORS: usize> Real for LaneGroup<S, VECTORS> {
     }
 }
 
-impl<S: InstructionSet, const VECTORS: usize> Lanes for LaneGroup<S, VECTORS> {
+impl<S: InstructionSet> Lanes for LaneGroup<S> {
     const COUNT: usize = WIDTH * VECTORS;
 
     #[inline(always)]
@@ -324,18 +310,11 @@ impl<S: InstructionSet, const VECTORS: usize> Lanes for LaneGroup<S, VECTORS> {
     }
     #[inline(always)]
     fn flags(mask: Self::Mask) -> u32 {
-        let mut flags = 0;
-        for (k, part) in mask.iter().enumerate() {
-            flags |= (part.to_bitmask() as u32) << (k * WIDTH);
-        }
-        flags
+        mask[0].to_bitmask() as u32 | (mask[1].to_bitmask() as u32) << WIDTH
     }
     #[inline(always)]
     fn mask(flags: u32) -> Self::Mask {
-        let mut mask = [mask64x8::splat(S::proof(), false); VECTORS];
-        for (k, part) in mask.iter_mut().enumerate() {
-            *part = mask64x8::from_bitmask(S::proof(), u64::from(flags >> (k * WIDTH)) & 0xff);
-        }
-        mask
+        let low = mask64x8::from_bitmask(S::proof(), u64::from(flags) & 0xff);
+        [low, mask64x8::from_bitmask(S::proof(), u64::from(flags >> WIDTH) & 0xff)]
     }
 }

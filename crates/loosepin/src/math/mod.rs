@@ -1,6 +1,7 @@
 //! Numbers that the equations run on: plain, dual (exact derivatives), and small geometry and linear algebra over them.
 
 mod angle;
+mod arctangent;
 mod dual;
 mod exponential;
 mod gram;
@@ -12,6 +13,7 @@ mod spline;
 mod vector;
 
 pub use angle::sin_cos;
+pub use arctangent::arctangent;
 pub use dual::Dual;
 pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm};
 pub use gram::GramSystem;
@@ -19,5 +21,5 @@ pub use hermite::Quintic;
 pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};
 pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
 pub use real::Real;
-pub use spline::{clamped_spline, cubic_piece, periodic_spline};
+pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};
 pub use vector::Vec2;

@@ -42,6 +42,13 @@ pub trait Real:
     fn less_than(self, other: Self) -> Self::Mask;
     /// `chosen` where `mask` holds, else `otherwise`.
     fn select(mask: Self::Mask, chosen: Self, otherwise: Self) -> Self;
+    /// The nearest whole number, for magnitudes below 2⁵¹: adding and taking away 1.5 · 2⁵² rounds. It does not move with the
+    /// number.
+    #[inline(always)]
+    fn nearest_whole(self) -> Self {
+        const ROUNDER: f64 = 6_755_399_441_055_744.0;
+        self + Self::from_f64(ROUNDER) - Self::from_f64(ROUNDER)
+    }
     /// Runs `kernel` compiled for the instruction set of this type: put around every larger piece of arithmetic, whose
     /// functions are all `#[inline(always)]`, so that they are compiled with it.
     fn vectorize<R>(kernel: impl FnOnce() -> R) -> R;

@@ -53,6 +53,60 @@ pub fn periodic_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
     moments
 }
 
+/// The same for a spline whose second derivative is zero at both ends: it goes on straight from there.
+pub fn natural_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
+    let last = points.len() - 1;
+    let (two, six) = (T::from_f64(2.0), T::from_f64(6.0));
+    let (h, s) = chords(points);
+    let inner = 1..last;
+    let lower: Vec<T> = inner.clone().map(|i| h[i - 1]).collect();
+    let diagonal: Vec<T> = inner.clone().map(|i| two * (h[i - 1] + h[i])).collect();
+    let upper: Vec<T> = inner.clone().map(|i| h[i]).collect();
+    let right: Vec<T> = inner.map(|i| six * (s[i] - s[i - 1])).collect();
+    let mut moments = vec![T::zero()];
+    moments.extend(tridiagonal(&lower, &diagonal, &upper, right));
+    moments.push(T::zero());
+    moments
+}
+
+/// Slopes at the nodes of a curve of cubic pieces through `points` that rises only where they rise and falls only where they fall,
+/// and whose slope does not jump: the weighted harmonic mean of the chords' slopes on both sides, zero where they differ in sign;
+/// at the ends the slope of a parabola through three points, as far as it keeps the shape.
+///
+/// F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304, eq. (5) with Brodlie's weights.
+pub fn monotone_slopes(points: &[[f64; 2]]) -> Vec<f64> {
+    let last = points.len() - 1;
+    let (h, s) = chords(points);
+    let end = |near: usize, far: usize| {
+        let slope = ((2.0 * h[near] + h[far]) * s[near] - h[near] * s[far]) / (h[near] + h[far]);
+        if slope * s[near] <= 0.0 {
+            0.0
+        } else if s[near] * s[far] <= 0.0 && slope.abs() > 3.0 * s[near].abs() {
+            3.0 * s[near]
+        } else {
+            slope
+        }
+    };
+    let inner = (1..last).map(|i| {
+        if s[i - 1] * s[i] <= 0.0 {
+            return 0.0;
+        }
+        let (before, after) = (2.0 * h[i] + h[i - 1], h[i] + 2.0 * h[i - 1]);
+        (before + after) / (before / s[i - 1] + after / s[i])
+    });
+    let mut slopes = vec![end(0, 1)];
+    slopes.extend(inner);
+    slopes.push(end(last - 1, last - 2));
+    slopes
+}
+
+/// Coefficients of the cubic c0 + c1 u + c2 u² + c3 u³ between two points, u from the first, with the slopes there.
+pub fn cubic_with_slopes([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], [m0, m1]: [f64; 2]) -> [f64; 4] {
+    let h = x1 - x0;
+    let s = (y1 - y0) / h;
+    [y0, m0, (3.0 * s - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * s) / (h * h)]
+}
+
 /// Coefficients of the cubic c0 + c1 u + c2 u² + c3 u³ between two points, u from the first, with the second derivatives
 /// there.
 pub fn cubic_piece<T: Real>([x0, y0]: [T; 2], [x1, y1]: [T; 2], [m0, m1]: [T; 2]) -> [T; 4] {
@@ -125,6 +179,33 @@ mod tests {
         let last = cubic_piece(POINTS[3], POINTS[4], [moments[3], moments[4]]);
         assert!((last[1] + h * (2.0 * last[2] + h * 3.0 * last[3]) - first[1]).abs() < 1e-12, "it goes on as it began");
         assert_eq!(moments[0], moments[4]);
+    }
+
+    #[test]
+    fn identity_a_natural_spline_ends_straight() {
+        let moments = natural_spline(&POINTS);
+        assert!(jumps(&POINTS, &moments) < 1e-12, "{}", jumps(&POINTS, &moments));
+        assert_eq!((moments[0], moments[4]), (0.0, 0.0));
+        // Points on a line stay on it.
+        let line = POINTS.map(|[x, _]| [x, 0.3 - 1.7 * x]);
+        assert!(natural_spline(&line).iter().all(|moment| moment.abs() < 1e-12));
+    }
+
+    #[test]
+    fn identity_a_monotone_curve_keeps_between_its_points() {
+        let points = [[0.0, 0.1], [0.3, 0.2], [0.4, 5.0], [1.9, 5.1], [2.0, 5.1], [2.7, 9.0], [3.1, 8.0]];
+        let slopes = monotone_slopes(&points);
+        for i in 0..points.len() - 1 {
+            let c = cubic_with_slopes(points[i], points[i + 1], [slopes[i], slopes[i + 1]]);
+            let (low, high) = (points[i][1].min(points[i + 1][1]), points[i][1].max(points[i + 1][1]));
+            for k in 0..=20 {
+                let u = (points[i + 1][0] - points[i][0]) * f64::from(k) / 20.0;
+                let value = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+                assert!(value > low - 1e-14 && value < high + 1e-14, "piece {i}: {value} outside of {low} to {high}");
+            }
+        }
+        let line = points.map(|[x, _]| [x, 0.3 - 1.7 * x]);
+        assert!(monotone_slopes(&line).iter().all(|slope| (slope + 1.7).abs() < 1e-12));
     }
 
     #[test]

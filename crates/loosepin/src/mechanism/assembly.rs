@@ -1,14 +1,14 @@
 //! Closing the loops for the first time: from hints to a configuration.
 
+use super::constraints::Opening;
 use super::drive::Drives;
 use super::error::MechanismError;
 use super::geometry::{CutGeometry, Geometry};
-use super::ideal::worst_joint;
 use super::initial::StartEquations;
 use super::kinematics::{Kinematics, Pose};
-use super::tree::{Attachment, Cut, CutKind, Tree};
+use super::tree::{Attachment, Cut, CutKind, Tree, bodies_of};
 use crate::math::{factor_ldl, solve_ldl};
-use crate::model::Values;
+use crate::model::{Model, Values};
 
 /// Starting points tried: the hinted one, then others spread over the circle.
 const STARTS: usize = 48;
@@ -44,14 +44,16 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
     for start in 0..STARTS {
         let mut z = starting_point(equations, &drives, &hints, size_m, start);
         let worst = close(equations, &mut kinematics, &mut z, size_m);
-        if !(worst <= CLOSED * size_m) || !all_face_the_right_way(tree, geometry, &kinematics) {
+        let is_elsewhere =
+            !all_face_the_right_way(tree, geometry, &kinematics) || !found.is_empty() && is_turns_on(model, tree, &z);
+        if !(worst <= CLOSED * size_m) || is_elsewhere {
             if best_open.as_ref().is_none_or(|(gap, _)| worst < *gap) {
                 best_open = Some((worst, z));
             }
             continue;
         }
-        // Given angles have their turns already.
-        if model.initial.is_empty() {
+        // Given angles have their turns already, and couplings tell one turn from another.
+        if model.initial.is_empty() && model.couplings.is_empty() {
             unwind(tree, geometry, &mut kinematics, &hints, &mut z);
         }
         let poses = kinematics.poses.clone();
@@ -61,7 +63,7 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
             let distance = hints.iter().map(|&(slot, hint)| 1.0 - (poses[slot].angle_rad - hint).cos()).sum();
             found.push(Configuration { distance, coordinates: z, poses });
         }
-        if tree.cuts.is_empty() && model.initial.is_empty() {
+        if tree.constraint_rows() == 0 && model.initial.is_empty() {
             break;
         }
     }
@@ -80,11 +82,11 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
             if let Some(error) = equations.contradiction(&residuals) {
                 return Err(error);
             }
-            let (joint, gap_m) = worst_joint(model, tree, &residuals[..tree.constraint_rows()]);
+            let open = Opening::worst(model, tree, &residuals[..tree.constraint_rows()]);
             Err(if model.initial.is_empty() {
-                MechanismError::CannotClose { joint, gap_m }
+                MechanismError::CannotClose { open }
             } else {
-                MechanismError::CannotCloseAsGiven { joint, gap_m }
+                MechanismError::CannotCloseAsGiven { open }
             })
         }
     }
@@ -261,6 +263,16 @@ fn cut_turn_rad(cut: &Cut, numbers: &CutGeometry<f64>, kinematics: &Kinematics<f
     kinematics.poses[cut.slots[1]].angle_rad + numbers.angles_rad[1]
         - kinematics.poses[cut.slots[0]].angle_rad
         - numbers.angles_rad[0]
+}
+
+/// Whether a body stands more than half a turn from zero in a mechanism with couplings: the same position, its wheels in mesh with
+/// other teeth, is no other way of assembling the links.
+fn is_turns_on(model: &Model, tree: &Tree, z: &[f64]) -> bool {
+    let is_far = |angle_rad: f64| angle_rad.abs() > std::f64::consts::PI;
+    let wheels = model.couplings.iter().flat_map(|coupling| [coupling.first, coupling.second]);
+    let wheels: Vec<_> = wheels.flat_map(|joint| bodies_of(&model.joints[joint.0].kind)).collect();
+    let mut turning = tree.links.iter().filter(|link| wheels.contains(&link.body));
+    turning.any(|link| matches!(link.attachment, Attachment::Revolute { coordinate, .. } if is_far(z[coordinate])))
 }
 
 /// The sine of an angle that should be zero is zero at a half turn as well: that is no assembly.

@@ -11,12 +11,14 @@ impl Problem for MechanismError {
             Self::TooFewDrives { .. } => Code::TooFewDrives,
             Self::TooManyDrives { .. } => Code::TooManyDrives,
             Self::DrivenLoop { .. } => Code::DrivenLoop,
+            Self::CarriedNotDetermined { .. } => Code::FrictionNotPossible,
             Self::CannotClose { .. } => Code::CannotClose,
             Self::SingularStart { .. } => Code::SingularPosition,
             Self::StartNotDetermined { .. }
             | Self::StartNotNeeded
             | Self::StartContradicts { .. }
             | Self::CannotCloseAsGiven { .. } => Code::StartNotPossible,
+            Self::NothingToControl { .. } | Self::NoInverseDynamics { .. } => Code::ControlNotPossible,
         }
     }
 
@@ -34,7 +36,13 @@ impl Problem for MechanismError {
             Self::StartNotNeeded => "remove [initial], or a drive",
             Self::StartContradicts { .. } => "leave it out: it follows from the others; or change those",
             Self::CannotCloseAsGiven { .. } => "leave out what follows from the other values under [initial]",
+            Self::NothingToControl { .. } => "remove the drive of what the control is to move, or the control",
+            Self::NoInverseDynamics { .. } => {
+                "it is worked out for open chains on the ground whose every joint is driven or controlled; feed forward an \
+                 expression over time instead, or nothing"
+            }
             Self::TooManyDrives { .. } => "remove a drive",
+            Self::CarriedNotDetermined { .. } => "remove what holds the mechanism twice, or the friction",
             Self::DrivenLoop { .. } => "remove one of the drives of this loop",
             Self::CannotClose { .. } => {
                 "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the \
@@ -61,14 +69,18 @@ impl MechanismError {
             ),
             Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Complaint::error(self, model.place("initial")),
             Self::StartContradicts { path, .. } => Complaint::error(self, model.place(path)),
+            Self::NothingToControl { control } | Self::NoInverseDynamics { control, .. } => {
+                Complaint::error(self, model.place(&format!("control.{control}")))
+            }
             Self::TooManyDrives { .. } => {
                 // The last drive is as good as any; the others are shown beside it.
                 let drives = model.drives.iter().rev().map(|drive| model.place(&format!("drive.{}", drive.name)));
                 labelled(self, drives, "this is driven too")
             }
-            Self::DrivenLoop { joint } | Self::CannotClose { joint, .. } => {
+            Self::DrivenLoop { joint } | Self::CarriedNotDetermined { joint } => {
                 Complaint::error(self, model.place(&format!("joint.{joint}")))
             }
+            Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
         }
     }
 }
@@ -85,6 +97,7 @@ impl Problem for SampleError {
             Self::Quantity(error) => error.code(),
             Self::ClearanceChangesTopology { .. } => Code::ClearanceTouchesZero,
             Self::ClearanceOutsideFit { .. } => Code::ClearanceOutsideFit,
+            Self::RoughnessOutsideFilm { .. } => Code::RoughnessOutsideFilm,
             Self::CannotClose { .. } => Code::CannotClose,
             Self::StartContradicts { .. } => Code::StartNotPossible,
             Self::Singular { .. } => Code::SingularPosition,
@@ -98,6 +111,9 @@ impl Problem for SampleError {
                 Some("with and without play are two mechanisms; run them one by one".to_owned())
             }
             Self::ClearanceOutsideFit { .. } => Some("take another law for this clearance".to_owned()),
+            Self::RoughnessOutsideFilm { .. } => {
+                Some("the roughness is the thickness below which the film no longer stiffens".to_owned())
+            }
             Self::CannotClose { .. } => {
                 Some("the lengths do not allow the whole turn; check them, or drive another joint".to_owned())
             }
@@ -114,10 +130,10 @@ impl SampleError {
     pub fn complaint(&self, model: &Model) -> Complaint {
         let path = match self {
             Self::Quantity(error) => return Complaint::error(error, model.place(error.path())),
-            Self::ClearanceChangesTopology { joint, .. } | Self::ClearanceOutsideFit { joint, .. } => {
-                format!("joint.{joint}.radial_clearance")
-            }
-            Self::CannotClose { joint, .. } => format!("joint.{joint}"),
+            Self::ClearanceChangesTopology { joint, .. }
+            | Self::ClearanceOutsideFit { joint, .. }
+            | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
+            Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
             Self::Singular { .. } => match model.cycle.span {
                 CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => format!("drive.{}", model.drives[drive.0].name),

@@ -189,11 +189,21 @@ struct Schedule {
 impl Drives<f64> {
     /// Lays out `values` for the drives of `model`, tables in their pieces at time zero.
     pub fn new(model: &Model, values: &Values) -> Self {
+        Self::of_laws(model.drives.iter().map(|drive| &drive.law), values)
+    }
+
+    /// Lays out `values` for the references of the controls of `model`, in the same way.
+    pub fn of_controls(model: &Model, values: &Values) -> Self {
+        Self::of_laws(model.controls.iter().map(|control| &control.reference), values)
+    }
+
+    fn of_laws<'l>(laws: impl Iterator<Item = &'l DriveLaw>, values: &Values) -> Self {
         let number = |id: QuantityId| values[id];
-        let motions = model.drives.iter().map(|drive| DriveMotion::new(&drive.law, &number, 0.0)).collect();
+        let mut motions = Vec::new();
         let mut schedule = Schedule::default();
-        for (index, drive) in model.drives.iter().enumerate() {
-            match &drive.law {
+        for (index, law) in laws.enumerate() {
+            motions.push(DriveMotion::new(law, &number, 0.0));
+            match law {
                 DriveLaw::Table { points, is_periodic } => {
                     let points = points.iter().map(|[time, value]| [values[*time], values[*value]]).collect();
                     schedule.tables.push((index, TableMotion::new(points, *is_periodic)));
@@ -230,7 +240,12 @@ impl Drives<f64> {
 
     /// Position, velocity and acceleration of a drive at `time_s`, in the present piece.
     pub fn at(&self, model: &Model, drive: DriveId, time_s: f64) -> [f64; 3] {
-        self.motion(model, drive, time_s, &mut vec![Dual::constant(Dual::constant(0.0)); room(model)])
+        self.law_at(&model.drives[drive.0].law, drive.0, time_s)
+    }
+
+    /// The same for the motion of index `index`, whose law is `law`.
+    pub fn law_at(&self, law: &DriveLaw, index: usize, time_s: f64) -> [f64; 3] {
+        self.motions[index].at(law, time_s, &mut vec![Dual::constant(Dual::constant(0.0)); steps(law)])
     }
 
     /// The constant speed of a drive, m/s or rad/s; none for any other motion.
@@ -241,12 +256,12 @@ impl Drives<f64> {
         }
     }
 
-    /// How fast a drive changes between time zero and `end_s`, 1/s: its velocity over `scale`, and what its acceleration and
+    /// How fast the motion of index `index` changes between time zero and `end_s`, 1/s: its velocity over `scale`, and what its acceleration and
     /// its frequency say about it.
-    pub fn pace_1_s(&self, model: &Model, drive: DriveId, end_s: f64, scale: f64) -> f64 {
+    pub fn pace_1_s(&self, law: &DriveLaw, index: usize, end_s: f64, scale: f64) -> f64 {
         /// Instants at which a motion without closed form is looked at.
         const LOOKS: u32 = 256;
-        match &self.motions[drive.0] {
+        match &self.motions[index] {
             DriveMotion::Constant { speed, .. } => speed.abs() / scale,
             DriveMotion::Harmonic { amplitude, angular_frequency_rad_s: frequency, .. } => {
                 frequency * (amplitude.abs() / scale).max(1.0)
@@ -259,7 +274,7 @@ impl Drives<f64> {
                 let looks = (0..=LOOKS).map(|k| {
                     let time_s = end_s * f64::from(k) / f64::from(LOOKS);
                     drives.take_pieces_at(time_s);
-                    let [_, rate, acceleration] = drives.at(model, drive, time_s);
+                    let [_, rate, acceleration] = drives.law_at(law, index, time_s);
                     (rate.abs() / scale).max((acceleration.abs() / scale).sqrt())
                 });
                 looks.fold(0.0, f64::max)
@@ -275,6 +290,12 @@ impl<T: Real> Drives<T> {
         self.motions[drive.0].at(&model.drives[drive.0].law, time_s, room)
     }
 
+    /// The same for the motion of index `index`, whose law is `law`.
+    #[inline(always)]
+    pub fn law_motion(&self, law: &DriveLaw, index: usize, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
+        self.motions[index].at(law, time_s, room)
+    }
+
     /// The same motions in every lane.
     pub fn broadcast(from: &Drives<f64>) -> Self {
         let motions = from.motions.iter().map(DriveMotion::broadcast).collect();
@@ -287,13 +308,18 @@ impl<T: Real> Drives<T> {
     }
 }
 
-/// Numbers that the functions of the drives of `model` need as room.
+/// Numbers that the functions of the drives and references of `model` need as room.
 pub fn room(model: &Model) -> usize {
-    let steps = model.drives.iter().map(|drive| match &drive.law {
+    let drives = model.drives.iter().map(|drive| steps(&drive.law));
+    drives.chain(model.controls.iter().map(|control| steps(&control.reference))).max().unwrap_or(0)
+}
+
+/// Steps of the function of a motion.
+fn steps(law: &DriveLaw) -> usize {
+    match law {
         DriveLaw::Function(function) => function.steps(),
         _ => 0,
-    });
-    steps.max().unwrap_or(0)
+    }
 }
 
 /// Numbers that tell at which time they are, for finding the piece of a table.

@@ -1,5 +1,6 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
+use super::constraints::Opening;
 use crate::model::{QuantityError, describe_path};
 use crate::units::{Dimension, format_value};
 use thiserror::Error;
@@ -41,27 +42,25 @@ pub enum MechanismError {
         /// The driven joint that closes the loop.
         joint: String,
     },
-    /// No configuration closes all loops.
+    /// A joint with friction in a mechanism whose constraint forces are not determined.
     #[error(
-        "the links cannot close at the start: joint '{joint}' stays {} open at best",
-        format_value(*gap_m, Dimension::LENGTH)
+        "joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints repeat each other"
     )]
-    CannotClose {
-        /// The joint with the largest gap.
+    CarriedNotDetermined {
+        /// The joint.
         joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+    },
+    /// No configuration closes all loops.
+    #[error("the links cannot close at the start: {open} at best")]
+    CannotClose {
+        /// What stays open furthest.
+        open: Opening,
     },
     /// No configuration closes all loops with the given positions.
-    #[error(
-        "the links cannot close at the start that [initial] gives: joint '{joint}' stays {} open at best",
-        format_value(*gap_m, Dimension::LENGTH)
-    )]
+    #[error("the links cannot close at the start that [initial] gives: {open} at best")]
     CannotCloseAsGiven {
-        /// The joint with the largest gap.
-        joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// What stays open furthest.
+        open: Opening,
     },
     /// The initial state leaves something open.
     #[error(
@@ -77,6 +76,20 @@ pub enum MechanismError {
     /// The initial state says what the drives say already.
     #[error("the drives determine the motion; the initial state under [initial] has nothing to say")]
     StartNotNeeded,
+    /// A control where the drives move everything.
+    #[error("control '{control}' has nothing to move: the drives determine the motion")]
+    NothingToControl {
+        /// The control.
+        control: String,
+    },
+    /// Torques that cannot be fed forward.
+    #[error("control '{control}' cannot feed inverse dynamics forward: {reason}")]
+    NoInverseDynamics {
+        /// The control.
+        control: String,
+        /// Why.
+        reason: &'static str,
+    },
     /// A given position that the loops and the other given positions do not allow.
     #[error(
         "{} cannot be {} at the start; the links and what else is given come no closer than {}",
@@ -170,17 +183,31 @@ pub enum SampleError {
         /// Smallest and largest clearance of the fit, m.
         fitted_m: [f64; 2],
     },
-    /// The loops cannot be closed at this instant.
+    /// A roughness that does not go with the film of oil in a clearance.
     #[error(
-        "the links cannot close at {}: joint '{joint}' stays {} open",
-        format_value(*time_s, Dimension::TIME),
-        format_value(*gap_m, Dimension::LENGTH)
+        "joint '{joint}' has a film by {law} with a roughness of {} at a radial clearance of {}; must lie between {} and {}",
+        format_value(*roughness_m, Dimension::LENGTH),
+        format_value(*clearance_m, Dimension::LENGTH),
+        format_value(allowed_m[0], Dimension::LENGTH),
+        format_value(allowed_m[1], Dimension::LENGTH)
     )]
-    CannotClose {
-        /// The joint with the largest gap.
+    RoughnessOutsideFilm {
+        /// The joint.
         joint: String,
-        /// Its gap, m.
-        gap_m: f64,
+        /// The film.
+        law: &'static str,
+        /// The roughness in this sample, m.
+        roughness_m: f64,
+        /// The clearance in this sample, m.
+        clearance_m: f64,
+        /// Smallest and largest roughness at this clearance, m.
+        allowed_m: [f64; 2],
+    },
+    /// The loops cannot be closed at this instant.
+    #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
+    CannotClose {
+        /// What stays open furthest.
+        open: Opening,
         /// The time, s.
         time_s: f64,
     },

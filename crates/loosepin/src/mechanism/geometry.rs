@@ -1,6 +1,7 @@
 //! The numbers of one sample, laid out for a tree: arms, angles, masses.
 
-use super::tree::{Attachment, Tree, points_of};
+use super::coupling::CouplingGeometry;
+use super::tree::{Attachment, CutKind, Tree, points_of};
 use crate::math::{Real, Vec2};
 use crate::model::{JointId, JointKind, Model, PointId, QuantityId, Values};
 
@@ -49,6 +50,8 @@ pub struct Geometry<T> {
     pub links: Vec<LinkGeometry<T>>,
     /// One for each cut joint.
     pub cuts: Vec<CutGeometry<T>>,
+    /// One for each coupling.
+    pub couplings: Vec<CouplingGeometry<T>>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Vec2<T>,
 }
@@ -109,29 +112,52 @@ impl<T: Real> Geometry<T> {
             })
             .collect();
         let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
-        Self { links, cuts, gravity_m_s2 }
+        let couplings = model.couplings.iter().map(|coupling| CouplingGeometry::new(model, coupling, number)).collect();
+        Self { links, cuts, couplings, gravity_m_s2 }
     }
 
-    /// Displaces the journal of a revolute `joint` from its bearing by `eccentricity_m`, given in the ground's frame.
-    /// A joint that the tree treats as a force element is left alone.
-    pub fn set_eccentricity(&mut self, tree: &Tree, joint: JointId, eccentricity_m: Vec2<T>) {
-        for (link, geometry) in tree.links.iter().zip(&mut self.links) {
-            if let Attachment::Revolute { joint: own, forward, .. } = link.attachment
-                && own == joint
-            {
-                geometry.eccentricity_m = if forward { eccentricity_m } else { -eccentricity_m };
+    /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
+    /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
+    /// and an angle, rad; for a slot by an ordinate alone. A joint that the tree treats as a force element is left alone.
+    pub fn set_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<f64>) {
+        let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
+        for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
+            match link.attachment {
+                Attachment::Revolute { joint: own, forward, .. } if own == joint => {
+                    geometry.eccentricity_m = if forward { displacement } else { -displacement };
+                }
+                Attachment::Prismatic { joint: own, forward, .. } if own == joint => {
+                    // A guide that hangs on its slider is displaced the other way, and turns with its line.
+                    let (parent_turn_rad, own_turn_rad, ordinate_m) =
+                        if forward { (T::zero(), -tilt_rad, ordinate_m) } else { (-tilt_rad, T::zero(), -ordinate_m) };
+                    geometry.parent_angle_rad = T::from_f64(centred.parent_angle_rad) + parent_turn_rad;
+                    geometry.own_angle_rad = T::from_f64(centred.own_angle_rad) + own_turn_rad;
+                    geometry.parent_direction = direction(geometry.parent_angle_rad);
+                    geometry.turn_from_parent = direction(geometry.parent_angle_rad - geometry.own_angle_rad);
+                    geometry.parent_arm_m =
+                        Vec2::from_f64(centred.parent_arm_m).plus(geometry.parent_direction.turned(), ordinate_m);
+                }
+                _ => {}
             }
         }
-        for (cut, geometry) in tree.cuts.iter().zip(&mut self.cuts) {
-            if cut.joint == joint {
-                geometry.eccentricity_m = eccentricity_m;
+        for ((cut, geometry), centred) in tree.cuts.iter().zip(&mut self.cuts).zip(&centred.cuts) {
+            if cut.joint != joint {
+                continue;
+            }
+            match cut.kind {
+                CutKind::Prismatic | CutKind::Slot => {
+                    let normal = direction(geometry.angles_rad[0]).turned();
+                    geometry.arms_m[0] = Vec2::from_f64(centred.arms_m[0]).plus(normal, ordinate_m);
+                    geometry.angles_rad[1] = T::from_f64(centred.angles_rad[1]) - tilt_rad;
+                }
+                CutKind::Revolute | CutKind::Rigid => geometry.eccentricity_m = displacement,
             }
         }
     }
 }
 
 /// Cosine and sine of an angle.
-fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
+pub(super) fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
     let (sine, cosine) = angle_rad.sin_cos();
     Vec2::new(cosine, sine)
 }
@@ -158,14 +184,15 @@ pub fn joint_of(attachment: Attachment) -> Option<(JointId, bool)> {
     }
 }
 
-/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint; for a
-/// rigid joint the second body's x axis.
+/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint (that of a
+/// slot has a meaning in the first frame alone); for a rigid joint the second body's x axis.
 fn line_angles_rad<T: Real>(kind: &JointKind, number: &dyn Fn(QuantityId) -> T) -> [T; 2] {
     match *kind {
         JointKind::Revolute { .. } => [T::zero(), T::zero()],
         JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
             [number(guide_angle_rad), number(slider_angle_rad)]
         }
+        JointKind::Slot { slot_angle_rad, .. } => [number(slot_angle_rad), T::zero()],
         JointKind::Rigid { angle_rad, .. } => [number(angle_rad), T::zero()],
     }
 }

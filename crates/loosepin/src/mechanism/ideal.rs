@@ -1,7 +1,7 @@
 //! The ideal motion: positions, velocities and accelerations with every clearance at zero.
 
 use super::Mechanism;
-use super::constraints;
+use super::constraints::{self, Opening};
 use super::drive::{Drives, TimeDual, room};
 use super::error::SampleError;
 use super::geometry::Geometry;
@@ -10,7 +10,6 @@ use super::mobility::eliminate_free;
 use super::tree::Tree;
 use super::ways_on::{WaysOn, ways_on};
 use crate::math::{Dual, Real, solve_square};
-use crate::model::Model;
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
 const NEWTON_STEPS: usize = 30;
@@ -274,8 +273,8 @@ impl<'a> IdealMotion<'a> {
     }
 
     fn cannot_close(&self) -> SampleError {
-        let (joint, gap_m) = worst_joint(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
-        SampleError::CannotClose { joint, gap_m, time_s: self.time_s }
+        let open = Opening::worst(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
+        SampleError::CannotClose { open, time_s: self.time_s }
     }
 }
 
@@ -283,16 +282,4 @@ impl<'a> IdealMotion<'a> {
 fn independent_rows(tree: &Tree, jacobian: &[f64], wanted: usize) -> Vec<usize> {
     let dependent = eliminate_free(tree, jacobian).dependent_rows();
     (0..tree.constraint_rows()).filter(|row| !dependent.contains(row)).take(wanted).collect()
-}
-
-/// The cut joint with the largest residual, and that residual.
-pub(super) fn worst_joint(model: &Model, tree: &Tree, residuals: &[f64]) -> (String, f64) {
-    let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
-    match worst {
-        Some(row) => {
-            let joint = tree.cuts[constraints::cut_of_row(tree, row)].joint;
-            (model.joints[joint.0].name.clone(), residuals[row].abs())
-        }
-        None => (String::new(), 0.0),
-    }
 }

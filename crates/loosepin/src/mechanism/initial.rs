@@ -1,16 +1,15 @@
 //! The initial state of a mechanism that its drives do not move alone: loops, drives and given values together.
 
-use super::constraints;
+use super::constraints::{self, Opening};
 use super::drive::Drives;
 use super::error::{MechanismError, SampleError};
 use super::geometry::{Geometry, joint_of};
-use super::ideal::worst_joint;
 use super::kinematics::{Kinematics, moved};
 use super::mobility::RANK_TOLERANCE;
 use super::tree::{Tree, points_of};
 use super::{Mechanism, Sample};
 use crate::math::{Elimination, Vec2, solve_square};
-use crate::model::{Axis, InitialOf, InitialValue, JointId, Model, Values};
+use crate::model::{Axis, InitialNumber, InitialOf, InitialValue, JointId, Model, Values};
 
 /// Newton steps from the nominal start.
 const NEWTON_STEPS: usize = 30;
@@ -19,9 +18,16 @@ const NEARLY_CLOSED: f64 = 1e-9;
 /// Pivot ratio below which the start counts as singular.
 const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 
-/// The given values of a sample, in the order of the model; m, rad, m/s or rad/s.
+/// The numbers of the initial state of a sample, in the order of the model; m, rad, m/s or rad/s.
 pub fn initial_numbers(model: &Model, values: &Values) -> Vec<f64> {
-    model.initial.iter().map(|initial| values[initial.value]).collect()
+    let references = Drives::of_controls(model, values);
+    let number = |initial: &InitialValue| match initial.number {
+        InitialNumber::Given(id) => values[id],
+        InitialNumber::Reference { control } => {
+            references.law_at(&model.controls[control].reference, control, 0.0)[usize::from(initial.is_rate)]
+        }
+    };
+    model.initial.iter().map(number).collect()
 }
 
 /// Conditions on the position, or on the rates, that are given.
@@ -156,7 +162,7 @@ impl<'a> StartEquations<'a> {
             path: initial.path.clone(),
             given_si: self.numbers[index],
             found_si: self.numbers[index] + residuals[worst],
-            dimension: self.model.quantities[initial.value].dimension,
+            dimension: initial.dimension(),
         })
     }
 
@@ -206,8 +212,8 @@ pub fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result
             if worst <= tolerance {
                 break;
             }
-            let (joint, gap_m) = worst_joint(model, tree, &residuals[..loops]);
-            return Err(SampleError::CannotClose { joint, gap_m, time_s: 0.0 });
+            let open = Opening::worst(model, tree, &residuals[..loops]);
+            return Err(SampleError::CannotClose { open, time_s: 0.0 });
         }
         polished = worst <= tolerance;
         steps += 1;
@@ -236,7 +242,7 @@ pub fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result
             let found = row.iter().zip(&rates).map(|(slope, rate)| slope * rate).sum::<f64>();
             if !((found - given[k]).abs() <= NEARLY_CLOSED * largest.max(given[k].abs())) {
                 let path = initial.path.clone();
-                let dimension = model.quantities[initial.value].dimension;
+                let dimension = initial.dimension();
                 return Err(SampleError::StartContradicts { path, given_si: given[k], found_si: found, dimension });
             }
         }

@@ -1,25 +1,31 @@
 //! The numbers of several samples side by side, one a lane; and all numbers of a sample in a row.
 
-use super::contact_place::PlayShape;
+use super::contact_place::{PlayShape, SliderBlock, SlotShape};
+use super::control::ControlGeometry;
+use super::coupling::CouplingGeometry;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
+use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::sample::{PlayGeometry, Sample};
 use super::spring::SpringGeometry;
-use crate::contact::{FrictionLaw, NormalContact, NormalLaw};
+use crate::contact::{Film, FrictionLaw, NormalContact, NormalLaw};
 use crate::math::{Real, Vec2};
 
 impl<T: Real> Sample<T> {
     /// The same sample in every lane.
     pub fn broadcast(sample: &Sample<f64>) -> Self {
         Self {
-            ideal: geometry(&sample.ideal),
-            real: geometry(&sample.real),
+            ideal: Geometry::broadcast(&sample.ideal),
+            real: Geometry::broadcast(&sample.real),
             plays: sample.plays.iter().map(play).collect(),
             contacts: sample.contacts.clone(),
+            frictions: sample.frictions.iter().map(JointFriction::broadcast).collect(),
             springs: sample.springs.iter().map(SpringGeometry::broadcast).collect(),
             loads: sample.loads.iter().map(LoadGeometry::broadcast).collect(),
             drives: Drives::broadcast(&sample.drives),
+            controls: sample.controls.iter().map(ControlGeometry::broadcast).collect(),
+            references: Drives::broadcast(&sample.references),
             initial: sample.initial.clone(),
         }
     }
@@ -53,20 +59,29 @@ impl<T: Real> Sample<T> {
             }
             cut.eccentricity_m.visit(visit);
         }
+        self.real.couplings.iter_mut().for_each(|coupling| coupling.visit(visit));
         for play in &mut self.plays {
             play.bearing_arm_m.visit(visit);
             play.journal_arm_m.visit(visit);
             match &mut play.shape {
                 PlayShape::Pin { bearing_radius_m } => visit(bearing_radius_m),
+                PlayShape::Slider(block) => block.visit(visit),
+                PlayShape::Slot(slot) => slot.visit(visit),
             }
             visit(&mut play.clearance_m);
             play.normal.visit(visit);
             play.friction.visit(visit);
+            if let Some(film) = &mut play.film {
+                film.visit(visit);
+            }
             visit(&mut play.minimum_impact_speed_m_s);
         }
+        self.frictions.iter_mut().for_each(|friction| friction.visit(visit));
         self.springs.iter_mut().for_each(|spring| spring.visit(visit));
         self.loads.iter_mut().for_each(|load| load.visit(visit));
         self.drives.visit(visit);
+        self.controls.iter_mut().for_each(|control| control.visit(visit));
+        self.references.visit(visit);
     }
 }
 
@@ -79,35 +94,39 @@ impl Sample<f64> {
     }
 }
 
-fn geometry<T: Real>(from: &Geometry<f64>) -> Geometry<T> {
-    let (number, vector) = (T::from_f64, Vec2::from_f64);
-    Geometry {
-        links: from
-            .links
-            .iter()
-            .map(|link| LinkGeometry {
-                parent_arm_m: vector(link.parent_arm_m),
-                own_arm_m: vector(link.own_arm_m),
-                parent_angle_rad: number(link.parent_angle_rad),
-                own_angle_rad: number(link.own_angle_rad),
-                parent_direction: vector(link.parent_direction),
-                turn_from_parent: vector(link.turn_from_parent),
-                eccentricity_m: vector(link.eccentricity_m),
-                centre_of_mass_m: vector(link.centre_of_mass_m),
-                mass_kg: number(link.mass_kg),
-                inertia_kg_m2: number(link.inertia_kg_m2),
-            })
-            .collect(),
-        cuts: from
-            .cuts
-            .iter()
-            .map(|cut| CutGeometry {
-                arms_m: cut.arms_m.map(vector),
-                angles_rad: cut.angles_rad.map(number),
-                eccentricity_m: vector(cut.eccentricity_m),
-            })
-            .collect(),
-        gravity_m_s2: vector(from.gravity_m_s2),
+impl<T: Real> Geometry<T> {
+    /// The same numbers in every lane.
+    pub fn broadcast(from: &Geometry<f64>) -> Self {
+        let (number, vector) = (T::from_f64, Vec2::from_f64);
+        Self {
+            links: from
+                .links
+                .iter()
+                .map(|link| LinkGeometry {
+                    parent_arm_m: vector(link.parent_arm_m),
+                    own_arm_m: vector(link.own_arm_m),
+                    parent_angle_rad: number(link.parent_angle_rad),
+                    own_angle_rad: number(link.own_angle_rad),
+                    parent_direction: vector(link.parent_direction),
+                    turn_from_parent: vector(link.turn_from_parent),
+                    eccentricity_m: vector(link.eccentricity_m),
+                    centre_of_mass_m: vector(link.centre_of_mass_m),
+                    mass_kg: number(link.mass_kg),
+                    inertia_kg_m2: number(link.inertia_kg_m2),
+                })
+                .collect(),
+            cuts: from
+                .cuts
+                .iter()
+                .map(|cut| CutGeometry {
+                    arms_m: cut.arms_m.map(vector),
+                    angles_rad: cut.angles_rad.map(number),
+                    eccentricity_m: vector(cut.eccentricity_m),
+                })
+                .collect(),
+            couplings: from.couplings.iter().map(CouplingGeometry::broadcast).collect(),
+            gravity_m_s2: vector(from.gravity_m_s2),
+        }
     }
 }
 
@@ -118,10 +137,13 @@ fn play<T: Real>(from: &PlayGeometry<f64>) -> PlayGeometry<T> {
         journal_arm_m: vector(from.journal_arm_m),
         shape: match from.shape {
             PlayShape::Pin { bearing_radius_m } => PlayShape::Pin { bearing_radius_m: number(bearing_radius_m) },
+            PlayShape::Slider(block) => PlayShape::Slider(SliderBlock::broadcast(&block)),
+            PlayShape::Slot(slot) => PlayShape::Slot(SlotShape::broadcast(&slot)),
         },
         clearance_m: number(from.clearance_m),
         normal: NormalLaw::broadcast(&from.normal),
         friction: FrictionLaw::broadcast(&from.friction),
+        film: from.film.as_ref().map(Film::broadcast),
         sliding_velocity: from.sliding_velocity,
         minimum_impact_speed_m_s: number(from.minimum_impact_speed_m_s),
         largest_valid_impact_speed_m_s: from.largest_valid_impact_speed_m_s,

@@ -1,9 +1,9 @@
 //! The numbers of loads.
 
 use super::geometry::point_m;
-use super::tree::points_of;
+use super::joint_coordinate::JointGeometry;
 use crate::math::{Real, Vec2, sin_cos};
-use crate::model::{Course, JointKind, Load, LoadKind, Model, QuantityId, Values};
+use crate::model::{Course, Load, LoadKind, Model, QuantityId, Values};
 
 /// Numbers of a load.
 #[derive(Debug, Clone)]
@@ -14,10 +14,8 @@ pub struct LoadGeometry<T> {
     pub direction: Vec2<T>,
     /// Numbers of its course.
     pub course: CourseNumbers<T>,
-    /// Points of the joint that it reads, in the frames of its two bodies, m.
-    pub joint_arms_m: [Vec2<T>; 2],
-    /// Direction of the line of a prismatic joint that it reads, in the frame of the guide.
-    pub joint_line: Vec2<T>,
+    /// The joint that it reads.
+    pub joint: JointGeometry<T>,
 }
 
 /// Numbers of a course.
@@ -118,17 +116,11 @@ impl<T: Real> LoadGeometry<T> {
             }
             LoadKind::Torque { .. } => (Vec2::zero(), Vec2::zero()),
         };
-        let kind = load.joint.map(|joint| &model.joints[joint.0].kind);
         Self {
             arm_m,
             direction,
             course: CourseNumbers::new(&load.course, &number),
-            joint_arms_m: kind
-                .map_or([Vec2::zero(); 2], |kind| points_of(kind).map(|point| point_m(model, values, point))),
-            joint_line: match kind {
-                Some(JointKind::Prismatic { guide_angle_rad, .. }) => along(values[*guide_angle_rad]),
-                _ => Vec2::zero(),
-            },
+            joint: load.joint.map_or(JointGeometry::none(), |joint| JointGeometry::new(model, joint, &number)),
         }
     }
 
@@ -138,17 +130,15 @@ impl<T: Real> LoadGeometry<T> {
             arm_m: Vec2::from_f64(from.arm_m),
             direction: Vec2::from_f64(from.direction),
             course: CourseNumbers::broadcast(&from.course),
-            joint_arms_m: from.joint_arms_m.map(Vec2::from_f64),
-            joint_line: Vec2::from_f64(from.joint_line),
+            joint: JointGeometry::broadcast(&from.joint),
         }
     }
 
     /// Shows every number.
     pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        for vector in [&mut self.arm_m, &mut self.direction, &mut self.joint_line] {
-            vector.visit(visit);
-        }
-        self.joint_arms_m.iter_mut().for_each(|arm| arm.visit(visit));
+        self.arm_m.visit(visit);
+        self.direction.visit(visit);
+        self.joint.visit(visit);
         self.course.visit(visit);
     }
 }

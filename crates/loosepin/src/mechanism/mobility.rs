@@ -1,13 +1,13 @@
 //! Counting degrees of freedom by the rank of the loop equations, and naming what is redundant.
 
-use super::constraints;
+use super::constraints::{self, RowOwner};
 use super::error::MechanismError;
 use super::geometry::Geometry;
 use super::initial::{StartEquations, conditions};
 use super::kinematics::Kinematics;
 use super::tree::Tree;
 use crate::math::Elimination;
-use crate::model::{BodyId, JointId, Model};
+use crate::model::{BodyId, Model};
 
 /// Pivots below this share of the largest count as zero. Redundant rows leave round-off (1e-16), real ones of ordinary
 /// mechanisms leave more than 1e-4.
@@ -18,8 +18,8 @@ pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 pub struct Mobility {
     /// Degrees of freedom, drives not counted as constraints.
     pub degrees_of_freedom: usize,
-    /// Joints that repeat what others impose already, and how many of their constraints do.
-    pub redundant: Vec<(JointId, usize)>,
+    /// Joints and couplings that repeat what others impose already, and how many of their constraints do.
+    pub redundant: Vec<(RowOwner, usize)>,
     /// Independent constraint rows.
     pub independent_rows: Vec<usize>,
 }
@@ -68,16 +68,18 @@ pub fn count(
                 return Err(MechanismError::StartNotDetermined { is_rate, bodies: moving(&start) });
             }
         }
+    } else if let Some(control) = model.controls.first() {
+        return Err(MechanismError::NothingToControl { control: control.name.clone() });
     } else if !model.initial.is_empty() {
         return Err(MechanismError::StartNotNeeded);
     }
     let dependent = free.dependent_rows();
-    let mut redundant: Vec<(JointId, usize)> = Vec::new();
+    let mut redundant: Vec<(RowOwner, usize)> = Vec::new();
     for &row in &dependent {
-        let joint = tree.cuts[constraints::cut_of_row(tree, row)].joint;
-        match redundant.iter_mut().find(|(known, _)| *known == joint) {
+        let owner = RowOwner::of(tree, row);
+        match redundant.iter_mut().find(|(known, _)| *known == owner) {
             Some((_, count)) => *count += 1,
-            None => redundant.push((joint, 1)),
+            None => redundant.push((owner, 1)),
         }
     }
     let independent_rows = (0..rows).filter(|row| !dependent.contains(row)).collect();

@@ -4,38 +4,49 @@
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
 mod assembly;
+mod cam;
 mod complaint;
 pub mod constraints;
 mod contact_place;
+mod control;
+mod coupling;
 mod drive;
 mod error;
 mod geometry;
 mod ideal;
 mod initial;
+mod joint_coordinate;
+mod joint_friction;
 mod kinematics;
 mod lane_sample;
 mod load;
 mod mobility;
+mod pieces;
 mod sample;
 mod spring;
 mod table;
 mod tree;
 mod ways_on;
 
-pub use contact_place::{ContactPlace, GapMeasure, PlayShape};
+pub use constraints::RowOwner;
+pub use contact_place::{ContactPlace, GapMeasure, PlayShape, SliderBlock, SlotShape};
+pub use control::{ControlGeometry, KnownChain};
+pub use coupling::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
 pub use ideal::IdealMotion;
+pub use joint_coordinate::{JointGeometry, JointPlace};
+pub use joint_friction::JointFriction;
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
 pub use sample::{PlayGeometry, Sample};
-pub use spring::SpringGeometry;
+pub use spring::{ElasticNumbers, SpringGeometry};
 pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
 pub use ways_on::WaysOn;
 
 use crate::math::Vec2;
-use crate::model::{BodyId, JointId, JointKind, Model, Values};
+use crate::model::{BodyId, JointId, Model, Values};
 use initial::StartEquations;
 use mobility::Mobility;
 
@@ -58,10 +69,12 @@ pub struct Mechanism {
     pub degrees_of_freedom: usize,
     /// Degrees of freedom that move dynamically: those that play opens, without the driven ones.
     pub dynamic_freedoms: usize,
-    /// Joints that repeat what others impose already, with the number of their redundant constraints.
-    pub redundant: Vec<(JointId, usize)>,
+    /// Joints and couplings that repeat what others impose already, with the number of their redundant constraints.
+    pub redundant: Vec<(RowOwner, usize)>,
     /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
     pub other_assemblies_rad: Vec<Vec<f64>>,
+    /// Along what its controls feed inverse dynamics forward.
+    pub known_chain: Option<KnownChain>,
     /// Coordinates of the ideal tree at the start of the nominal mechanism.
     ideal_start: Vec<f64>,
     /// Independent constraint rows of the ideal tree.
@@ -74,10 +87,8 @@ impl Mechanism {
     /// # Errors
     /// See [`MechanismError`].
     pub fn new(model: &Model, values: &Values) -> Result<Self, MechanismError> {
-        let has_play = |joint: JointId| match &model.joints[joint.0].kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => values[clearance.radial_clearance_m] > 0.0,
-            _ => false,
-        };
+        let has_play =
+            |joint: JointId| model.joints[joint.0].kind.play().is_some_and(|(clearance, _)| values[clearance] > 0.0);
         let driven_loop =
             |error: DrivenLoop| MechanismError::DrivenLoop { joint: model.joints[error.joint.0].name.clone() };
         let ideal = Tree::new(model, |_| true).map_err(driven_loop)?;
@@ -93,13 +104,14 @@ impl Mechanism {
         let plays: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect();
         let mut mechanism = Self {
             model: model.clone(),
-            contacts: (0..plays.len()).map(|play| ContactPlace { play, place: 0 }).collect(),
+            contacts: contact_place::contact_places(model, &plays),
             plays,
             size_m,
             degrees_of_freedom,
             dynamic_freedoms: 0,
             redundant,
             other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
+            known_chain: KnownChain::new(model, values)?,
             ideal_start: assembly.coordinates,
             ideal_rows: independent_rows,
             ideal,
@@ -110,6 +122,10 @@ impl Mechanism {
         let real_geometry = Geometry::new(model, &mechanism.real, values);
         let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
         mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start);
+        let rows_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
+        if rows_repeat && let Some(joint) = model.joints.iter().find(|joint| joint.friction.is_some()) {
+            return Err(MechanismError::CarriedNotDetermined { joint: joint.name.clone() });
+        }
         Ok(mechanism)
     }
 
@@ -147,9 +163,10 @@ impl Mechanism {
         behind(play)..behind(play + 1)
     }
 
-    /// What the contact `contact` is called: the name of its joint.
+    /// What the contact `contact` is called: the name of its joint, for a slider with its corner.
     pub fn contact_name(&self, contact: usize) -> String {
-        self.model.joints[self.plays[self.contacts[contact].play].0].name.clone()
+        let ContactPlace { play, place } = self.contacts[contact];
+        contact_place::contact_name(&self.model, self.plays[play], place)
     }
 
     /// Independent constraint rows of the ideal tree, as many as it has free coordinates.

@@ -1,5 +1,7 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
+use super::coupling::CouplingPlace;
+use super::joint_coordinate::JointPlace;
 use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PointId};
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
@@ -102,6 +104,8 @@ pub enum CutKind {
     Revolute,
     /// Two rows: the slider point stays on the line, and the bodies do not turn against each other.
     Prismatic,
+    /// One row: the pin stays on the slot's line.
+    Slot,
     /// Three rows: the points coincide, and the bodies do not turn against each other.
     Rigid,
 }
@@ -110,9 +114,22 @@ impl CutKind {
     /// Number of scalar constraints.
     pub fn rows(self) -> usize {
         match self {
+            Self::Slot => 1,
             Self::Revolute | Self::Prismatic => 2,
             Self::Rigid => 3,
         }
+    }
+
+    /// Whether its first row keeps a point on a line; else two rows keep two points together.
+    #[inline(always)]
+    pub fn is_on_line(self) -> bool {
+        matches!(self, Self::Prismatic | Self::Slot)
+    }
+
+    /// Whether its last row keeps the bodies from turning against each other.
+    #[inline(always)]
+    pub fn holds_angle(self) -> bool {
+        matches!(self, Self::Prismatic | Self::Rigid)
     }
 }
 
@@ -131,6 +148,8 @@ pub struct Tree {
     pub drives: Vec<DriveId>,
     /// Ideal joints that close loops, in file order.
     pub cuts: Vec<Cut>,
+    /// Places of all couplings of the model, in its order.
+    pub couplings: Vec<CouplingPlace>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
 }
@@ -147,12 +166,26 @@ impl Tree {
     /// open.
     ///
     /// Driven joints are always in the tree, so that their coordinates leave the state; rigid joints come next since
-    /// cutting one costs three constraints instead of two; then the others in file order.
+    /// cutting one costs three constraints instead of two; then the others in file order. A slot is always cut: it costs one
+    /// constraint, and in the tree it would have two coordinates.
     ///
     /// # Errors
     /// A loop of driven joints alone.
     pub fn new(model: &Model, is_ideal: impl Fn(JointId) -> bool) -> Result<Self, DrivenLoop> {
-        let drive_of = |joint: JointId| (0..model.drives.len()).find(|&d| model.drives[d].joint == joint).map(DriveId);
+        let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
+        Self::with_driven(model, is_ideal, &driven)
+    }
+
+    /// The same, as if there were drives of the joints `driven`.
+    ///
+    /// # Errors
+    /// A loop of driven joints alone.
+    pub fn with_driven(
+        model: &Model,
+        is_ideal: impl Fn(JointId) -> bool,
+        driven: &[JointId],
+    ) -> Result<Self, DrivenLoop> {
+        let drive_of = |joint: JointId| driven.iter().position(|&other| other == joint).map(DriveId);
         let mut order: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| is_ideal(joint)).collect();
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
@@ -162,7 +195,7 @@ impl Tree {
 
         let mut component: Vec<usize> = (0..model.bodies.len()).collect();
         let mut in_tree = vec![false; model.joints.len()];
-        for &joint in &order {
+        for &joint in order.iter().filter(|joint| !matches!(model.joints[joint.0].kind, JointKind::Slot { .. })) {
             let [first, second] = bodies_of(&model.joints[joint.0].kind).map(|body| component[body.0]);
             if first != second {
                 in_tree[joint.0] = true;
@@ -178,6 +211,7 @@ impl Tree {
             free: 0,
             drives: Vec::new(),
             cuts: Vec::new(),
+            couplings: Vec::new(),
             floating_roots: Vec::new(),
         };
         tree.slot_of_body[0] = 0;
@@ -210,10 +244,15 @@ impl Tree {
                 kind: match kind {
                     JointKind::Revolute { .. } => CutKind::Revolute,
                     JointKind::Prismatic { .. } => CutKind::Prismatic,
+                    JointKind::Slot { .. } => CutKind::Slot,
                     JointKind::Rigid { .. } => CutKind::Rigid,
                 },
             });
         }
+        let couplings = model.couplings.iter();
+        let places = couplings
+            .map(|coupling| [coupling.first, coupling.second].map(|joint| JointPlace::new(model, &tree, joint)));
+        tree.couplings = places.collect();
         Ok(tree)
     }
 
@@ -222,8 +261,13 @@ impl Tree {
         self.free + self.drives.len()
     }
 
-    /// Number of scalar constraints of the cut joints.
+    /// Number of scalar constraints: those of the cut joints, then one for each coupling.
     pub fn constraint_rows(&self) -> usize {
+        self.cut_rows() + self.couplings.len()
+    }
+
+    /// Number of scalar constraints of the cut joints.
+    pub fn cut_rows(&self) -> usize {
         self.cuts.iter().map(|cut| cut.kind.rows()).sum()
     }
 
@@ -233,11 +277,12 @@ impl Tree {
         for cut in &self.cuts {
             let first = scales.len();
             scales.extend((first..first + cut.kind.rows()).map(|row| [row, row]));
-            if cut.kind != CutKind::Prismatic {
+            if !cut.kind.is_on_line() {
                 scales[first] = [first, first + 1];
                 scales[first + 1] = [first, first + 1];
             }
         }
+        scales.extend((scales.len()..self.constraint_rows()).map(|row| [row, row]));
         scales
     }
 
@@ -271,6 +316,7 @@ impl Tree {
                     None => self.free,
                 };
                 let attachment = match (kind, drive) {
+                    (JointKind::Slot { .. }, _) => continue,
                     (JointKind::Rigid { .. }, _) => Attachment::Rigid { joint, forward },
                     (JointKind::Prismatic { .. }, _) => Attachment::Prismatic { coordinate, joint, forward },
                     (JointKind::Revolute { .. }, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
@@ -330,16 +376,17 @@ impl Tree {
     }
 }
 
-/// The two bodies that a joint connects: bearing and journal, guide and slider, first and second.
+/// The two bodies that a joint connects: bearing and journal, guide and slider, slot and pin, first and second.
 pub fn bodies_of(kind: &JointKind) -> [BodyId; 2] {
     points_of(kind).map(|point| point.body)
 }
 
-/// The two points that a joint connects: bearing and journal, guide and slider, first and second.
+/// The two points that a joint connects: bearing and journal, guide and slider, slot and pin, first and second.
 pub fn points_of(kind: &JointKind) -> [PointId; 2] {
     match *kind {
         JointKind::Revolute { bearing, journal, .. } => [bearing, journal],
         JointKind::Prismatic { guide, slider, .. } => [guide, slider],
+        JointKind::Slot { slot, pin, .. } => [slot, pin],
         JointKind::Rigid { first, second, .. } => [first, second],
     }
 }

@@ -1,13 +1,15 @@
 //! Contacts between pin and hole.
 
 use super::file::{ModelReader, UNREAD};
-use super::keys::{CONTACT_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
+use super::keys::{CONTACT_KEYS, FILM_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{Contact, ContactId, Friction, SlidingVelocity, Stiffness};
-use crate::contact::{FRICTION_LAWS, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw};
+use super::topology::{Contact, ContactId, Friction, Lubrication, SlidingVelocity, Stiffness};
+use crate::contact::{
+    FILM_LAWS, FRICTION_LAWS, FilmDescription, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw,
+};
 use crate::contact::{friction_law, point_law};
-use crate::document::{Entry, Table};
+use crate::document::{Entry, Keys, Table};
 use crate::units::{Dimension, Rule};
 
 /// The law where the file names none: that of the source paper.
@@ -16,6 +18,8 @@ const DEFAULT_LAW: &str = "lankarani-nikravesh";
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
 /// The friction law where the file names none.
 const DEFAULT_FRICTION_LAW: &str = "ambrosio";
+/// The film where the file names none: the one for bearings of any length.
+const DEFAULT_FILM_LAW: &str = "finite-length";
 
 impl ModelReader {
     /// Reads the table of contacts.
@@ -53,19 +57,23 @@ impl ModelReader {
             _ => self.stiffness(table),
         };
         let damping = self.damping(table, law);
+        let line_damping = damping.flatten().filter(|_| table.has("damping"));
         let minimum_impact_speed_m_s = self.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
         let density_kg_m3 = self.quantity(table, "density");
-        let friction = table.get("friction").and_then(|entry| self.friction(&entry));
+        let friction = table.get("friction").and_then(|entry| self.friction(&entry, &FRICTION_KEYS));
+        let film = table.get("film").map(|entry| self.film(&entry));
         Some(Contact {
             name: name.to_owned(),
             law: law?,
             damping: damping?,
+            line_damping,
             restitution,
             stiffness: stiffness?,
             damping_coefficient_n_s_m,
             minimum_impact_speed_m_s: minimum_impact_speed_m_s?,
             density_kg_m3,
             friction,
+            film: film.map_or(Some(None), |film| film.map(Some))?,
         })
     }
 
@@ -207,8 +215,9 @@ impl ModelReader {
         Some(Stiffness::Given { stiffness_n_m_n, exponent })
     }
 
-    fn friction(&mut self, entry: &Entry<'_>) -> Option<Friction> {
-        let table = self.reader.table(entry, &FRICTION_KEYS)?;
+    /// Reads a friction law with its numbers.
+    pub(super) fn friction(&mut self, entry: &Entry<'_>, keys: &'static Keys) -> Option<Friction> {
+        let table = self.reader.table(entry, keys)?;
         let law = match table.get("law") {
             Some(entry) => {
                 let choices: Vec<(&'static str, &'static FrictionDescription)> =
@@ -217,7 +226,9 @@ impl ModelReader {
             }
             None => friction_law(DEFAULT_FRICTION_LAW),
         };
-        let sliding_velocity = match table.get("sliding_velocity") {
+        let has_readings = keys.find("sliding_velocity").is_some();
+        let reading = if has_readings { table.get("sliding_velocity") } else { None };
+        let sliding_velocity = match reading {
             Some(entry) => {
                 let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
                 self.reader.choice(&entry, &readings)
@@ -226,12 +237,12 @@ impl ModelReader {
         };
         let Some(law) = law else {
             // What is wrong with the numbers is said nevertheless.
-            for key in FRICTION_KEYS.keys {
+            for key in keys.keys {
                 self.quantity(&table, key.name);
             }
             return None;
         };
-        for key in FRICTION_KEYS.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
+        for key in keys.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
             let is_taken = law.numbers.iter().any(|number| number.key == key.name);
             if let Some(entry) = table.get(key.name).filter(|_| !is_taken) {
                 let entry_words = table.path.describe();
@@ -254,5 +265,18 @@ impl ModelReader {
         }
         let numbers = numbers.into_iter().collect::<Option<Vec<QuantityId>>>()?;
         Some(Friction { law, numbers, sliding_velocity: sliding_velocity? })
+    }
+
+    fn film(&mut self, entry: &Entry<'_>) -> Option<Lubrication> {
+        let table = self.reader.table(entry, &FILM_KEYS)?;
+        let choices = FILM_LAWS.iter().map(|law| (law.name, law));
+        let choices: Vec<(&'static str, &'static FilmDescription)> = choices.collect();
+        let law = match table.get("law") {
+            Some(entry) => self.reader.choice(&entry, &choices),
+            None => choices.iter().find(|(name, _)| *name == DEFAULT_FILM_LAW).map(|(_, law)| *law),
+        };
+        let viscosity_pa_s = self.quantity(&table, "viscosity");
+        let roughness_m = self.quantity(&table, "roughness");
+        Some(Lubrication { law: law?, viscosity_pa_s: viscosity_pa_s?, roughness_m: roughness_m? })
     }
 }

@@ -3,9 +3,9 @@
 use super::drive_keys::{
     CYCLOIDAL_KEYS, DRIVE_KEYS, EXPRESSION_KEYS, HARMONIC_KEYS, MOTION_KINDS, POLYNOMIAL_KEYS, TABLE_KEYS,
 };
-use super::file::{ModelReader, UNREAD};
+use super::file::ModelReader;
 use super::function::{Changing, Function, TIME};
-use super::problem::{HAS_PLAY, IS_RIGID, ModelProblem};
+use super::problem::{HAS_PLAY, HAS_PLAY_IN_GUIDE, IS_RIGID, IS_SLOT, ModelProblem};
 use super::quantity::QuantityId;
 use super::topology::{DriveId, JointId, JointKind};
 use crate::document::{Entry, Table};
@@ -102,14 +102,25 @@ impl DriveLaw {
     }
 }
 
-/// A driven joint, as its drive sees it.
-struct Driven {
+/// A driven or controlled joint, as what moves it sees it.
+pub(super) struct Driven {
     joint: JointId,
     /// Of the coordinate.
     dimension: Dimension,
     kind: &'static str,
     start_key: &'static str,
     other_key: &'static str,
+}
+
+impl Driven {
+    /// A revolute joint by an angle, a prismatic one by a length.
+    pub fn new(joint: JointId, dimension: Dimension) -> Self {
+        if dimension == Dimension::LENGTH {
+            let (start_key, other_key) = ("start_position", "start_angle");
+            return Self { joint, dimension, kind: "prismatic", start_key, other_key };
+        }
+        Self { joint, dimension, kind: "revolute", start_key: "start_angle", other_key: "start_position" }
+    }
 }
 
 impl ModelReader {
@@ -148,20 +159,21 @@ impl ModelReader {
         }
         let why = match &self.joints[joint.0].kind {
             JointKind::Revolute { clearance, .. } => {
-                let is_ideal = clearance.as_ref().is_none_or(|clearance| {
-                    self.quantities[clearance.radial_clearance_m].is_settable()
-                        && self.quantities.nominal_value(clearance.radial_clearance_m) == 0.0
-                });
-                let (start_key, other_key) = ("start_angle", "start_position");
+                let is_ideal =
+                    clearance.as_ref().is_none_or(|clearance| self.is_nominally_zero(clearance.radial_clearance_m));
                 if is_ideal {
-                    return Some(Driven { joint, dimension: Dimension::ANGLE, kind: "revolute", start_key, other_key });
+                    return Some(Driven::new(joint, Dimension::ANGLE));
                 }
                 HAS_PLAY
             }
-            JointKind::Prismatic { .. } => {
-                let (start_key, other_key) = ("start_position", "start_angle");
-                return Some(Driven { joint, dimension: Dimension::LENGTH, kind: "prismatic", start_key, other_key });
+            JointKind::Prismatic { clearance, .. } => {
+                let is_ideal = clearance.as_ref().is_none_or(|clearance| self.is_nominally_zero(clearance.clearance_m));
+                if is_ideal {
+                    return Some(Driven::new(joint, Dimension::LENGTH));
+                }
+                HAS_PLAY_IN_GUIDE
             }
+            JointKind::Slot { .. } => IS_SLOT,
             JointKind::Rigid { .. } => IS_RIGID,
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why };
@@ -169,7 +181,12 @@ impl ModelReader {
         None
     }
 
-    fn constant_speed(&mut self, entry: &Entry<'_>, table: &Table<'_>, driven: &Driven) -> Option<DriveLaw> {
+    /// Whether a clearance is zero, by a value of its own.
+    fn is_nominally_zero(&self, clearance_m: QuantityId) -> bool {
+        self.quantities[clearance_m].is_settable() && self.quantities.nominal_value(clearance_m) == 0.0
+    }
+
+    pub(super) fn constant_speed(&mut self, entry: &Entry<'_>, table: &Table<'_>, driven: &Driven) -> Option<DriveLaw> {
         let rate = driven.dimension.over(Dimension::TIME);
         let speed = table.get("speed").and_then(|entry| self.quantity_of(&entry, rate, Rule::Finite));
         if let Some(found) = table.get(driven.other_key) {
@@ -186,7 +203,7 @@ impl ModelReader {
         Some(DriveLaw::Constant { speed: speed?, start: start? })
     }
 
-    fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
+    pub(super) fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
         let kinds: Vec<(&'static str, &'static str)> = MOTION_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
         match self.reader.tag(entry, "kind", &kinds)? {
             "polynomial" => self.polynomial(entry, driven.dimension),
@@ -242,38 +259,13 @@ impl ModelReader {
     }
 
     fn table_motion(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        /// A cubic spline needs two intervals to have a bend.
-        const LEAST_POINTS: usize = 3;
         let table = self.reader.table(entry, &TABLE_KEYS)?;
         let is_periodic = match table.get("ends") {
             Some(entry) => self.reader.choice(&entry, &[("clamped", false), ("periodic", true)]),
             None => None,
         };
-        let list = table.get("points")?;
-        let elements = self.reader.list(&list)?;
-        if elements.len() < LEAST_POINTS {
-            let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: LEAST_POINTS };
-            self.reader.complain(&problem, list.span);
-            return None;
-        }
-        let mut points: Vec<[QuantityId; 2]> = Vec::new();
-        let mut is_sound = true;
-        for element in &elements {
-            let Some([mut time, mut value]) = self.reader.pair(element) else {
-                is_sound = false;
-                continue;
-            };
-            time.path = element.path.join("time");
-            value.path = element.path.join("position");
-            let time_s = self.quantity_of(&time, Dimension::TIME, Rule::Finite).unwrap_or(UNREAD);
-            let value_id = self.quantity_of(&value, dimension, Rule::Finite).unwrap_or(UNREAD);
-            is_sound &= time_s != UNREAD && value_id != UNREAD;
-            if is_sound && let Some([before, _]) = points.last() {
-                is_sound &= self.demand_order(*before, time_s, time.span);
-            }
-            points.push([time_s, value_id]);
-        }
+        let points = self.table_points(&table, [("time", Dimension::TIME), ("position", dimension)])?;
         let is_periodic = is_periodic?;
-        is_sound.then_some(DriveLaw::Table { points, is_periodic })
+        Some(DriveLaw::Table { points, is_periodic })
     }
 }

@@ -1,5 +1,6 @@
 //! The keys of drives and of the motions that they prescribe.
 
+use super::table_points::CSV;
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -53,7 +54,7 @@ pub(super) static TABLE_KEYS: Keys = Keys::new(
     "a cubic spline through points, whose acceleration does not jump between them",
     &[
         kind(&["table"], "\"table\""),
-        required(
+        optional(
             "points",
             Kind::List(&Kind::List(&Kind::AnyQuantity)),
             "[[\"0 s\", \"0 deg\"], [\"0.1 s\", \"40 deg\"], [\"0.3 s\", \"0 deg\"]]",
@@ -66,8 +67,10 @@ pub(super) static TABLE_KEYS: Keys = Keys::new(
             "clamped: at rest before the first point and after the last; periodic: the same course again and again, each \
              time from where the last one ended",
         ),
+        CSV,
     ],
-);
+)
+.with_exactly_one(&[&["points", "csv"]]);
 
 pub(super) static EXPRESSION_KEYS: Keys = Keys::new(
     "an expression over time",

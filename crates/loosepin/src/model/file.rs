@@ -4,6 +4,8 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::control::Control;
+use super::coupling::Coupling;
 use super::drive::Drive;
 use super::keys::MODEL_KEYS;
 use super::load::Load;
@@ -73,11 +75,14 @@ pub(super) struct ModelReader {
     pub contacts: Vec<Contact>,
     pub joint_names: NamesOf<JointId>,
     pub joints: Vec<Joint>,
+    pub couplings: Vec<Coupling>,
     pub springs: Vec<Spring>,
     pub loads: Vec<Load>,
     pub drive_names: NamesOf<DriveId>,
     pub drives: Vec<Drive>,
+    pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
+    pub tables: Vec<Arc<Source>>,
     pub warnings: Vec<Complaint>,
 }
 
@@ -100,11 +105,14 @@ impl ModelReader {
             contacts: Vec::new(),
             joint_names: Vec::new(),
             joints: Vec::new(),
+            couplings: Vec::new(),
             springs: Vec::new(),
             loads: Vec::new(),
             drive_names: Vec::new(),
             drives: Vec::new(),
+            controls: Vec::new(),
             used_contacts: Vec::new(),
+            tables: Vec::new(),
             warnings: Vec::new(),
         }
     }
@@ -119,16 +127,22 @@ impl ModelReader {
             ("body", ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
             ("contact", ModelReader::read_contacts),
             ("joint", ModelReader::read_joints),
+            ("coupling", ModelReader::read_couplings),
+            ("cam", ModelReader::read_cams),
             ("spring", ModelReader::read_springs),
             ("load", ModelReader::read_loads),
             ("drive", ModelReader::read_drives),
+            ("control", ModelReader::read_controls),
         ] {
             if let Some(entry) = root.get(key) {
                 read(&mut self, &entry);
             }
         }
         let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
-        let initial = root.get("initial").map(|entry| self.read_initial(&entry)).unwrap_or_default();
+        let initial = match root.get("initial") {
+            Some(entry) => self.read_initial(&entry),
+            None => self.initial_of_controls(),
+        };
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         self.warn_of_unused();
@@ -140,15 +154,18 @@ impl ModelReader {
                 bodies: self.bodies,
                 contacts: self.contacts,
                 joints: self.joints,
+                couplings: self.couplings,
                 springs: self.springs,
                 loads: self.loads,
                 drives: self.drives,
+                controls: self.controls,
                 guesses,
                 initial,
                 cycle,
                 outputs,
                 warnings: self.warnings,
                 source: self.reader.source,
+                tables: self.tables,
                 places: self.places,
             }),
             // What looks unused may be so only because of an error, so warnings wait until there is none.

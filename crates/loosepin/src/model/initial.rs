@@ -18,7 +18,30 @@ pub struct InitialValue {
     /// Whether it is the rate of that.
     pub is_rate: bool,
     /// The value, rad or m, for a rate rad/s or m/s.
-    pub value: QuantityId,
+    pub number: InitialNumber,
+}
+
+/// Where a number of the initial state comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InitialNumber {
+    /// The file.
+    Given(QuantityId),
+    /// The reference of a control at time zero, or its rate.
+    Reference {
+        /// Index in [`crate::model::Model::controls`].
+        control: usize,
+    },
+}
+
+impl InitialValue {
+    /// What it measures.
+    pub fn dimension(&self) -> Dimension {
+        let position = match self.of {
+            InitialOf::BodyAngle(_) | InitialOf::JointAngle(_) => Dimension::ANGLE,
+            InitialOf::BodyPosition(..) | InitialOf::JointPosition(_) => Dimension::LENGTH,
+        };
+        if self.is_rate { position.over(Dimension::TIME) } else { position }
+    }
 }
 
 /// What an initial value can be of.
@@ -90,7 +113,7 @@ impl ModelReader {
         let (Some(table), Some(joint)) = (table, joint) else { return };
         let of = match self.joints[joint.0].kind {
             JointKind::Revolute { .. } => InitialOf::JointAngle(joint),
-            JointKind::Prismatic { .. } => InitialOf::JointPosition(joint),
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(joint),
             JointKind::Rigid { .. } => {
                 let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
                 self.reader.complain(&problem, entry.key_span);
@@ -121,6 +144,7 @@ impl ModelReader {
         values: &mut Vec<InitialValue>,
     ) {
         let value = self.quantity_of(entry, dimension, Rule::Finite);
-        values.extend(value.map(|value| InitialValue { path: entry.path.dotted(), of, is_rate, value }));
+        let number = value.map(InitialNumber::Given);
+        values.extend(number.map(|number| InitialValue { path: entry.path.dotted(), of, is_rate, number }));
     }
 }

@@ -1,10 +1,12 @@
 //! Joints.
 
 use super::file::ModelReader;
-use super::keys::{GUIDE_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS};
+use super::keys::{
+    GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS, SLOT_KEYS,
+};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, QuantityId};
-use super::topology::{BodyId, Clearance, Joint, JointId, JointKind, PointId};
+use super::topology::{BodyId, Clearance, ContactId, Joint, JointFriction, JointId, JointKind, PointId};
 use crate::contact::NormalDescription;
 use crate::document::{Entry, Table};
 use crate::units::{Dimension, Expression, Rule, run};
@@ -15,29 +17,62 @@ impl ModelReader {
         for entry in self.reader.named(entry, "a joint") {
             self.remember(&entry);
             let kind = self.joint_kind(&entry);
-            let id = kind.map(|kind| {
-                self.joints.push(Joint { name: entry.name.to_owned(), kind });
+            let id = kind.map(|(kind, friction)| {
+                self.joints.push(Joint { name: entry.name.to_owned(), kind, friction });
                 JointId(self.joints.len() - 1)
             });
             self.joint_names.push((entry.name.to_owned(), id));
         }
     }
 
-    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<JointKind> {
+    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>)> {
         let kinds: Vec<(&'static str, &'static str)> = JOINT_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
         let kind = self.reader.tag(entry, "kind", &kinds)?;
-        let kind = match kind {
-            "revolute" => self.reader.table(entry, &REVOLUTE_KEYS).and_then(|table| self.revolute(&table)),
-            "prismatic" => self.reader.table(entry, &PRISMATIC_KEYS).and_then(|table| self.prismatic(&table)),
-            _ => self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)),
-        }?;
+        let (kind, friction) = match kind {
+            "revolute" => {
+                let table = self.reader.table(entry, &REVOLUTE_KEYS)?;
+                let friction = self.joint_friction(&table, "pin_radius");
+                (self.revolute(&table), friction)
+            }
+            "prismatic" => {
+                let table = self.reader.table(entry, &PRISMATIC_KEYS)?;
+                let friction = self.joint_friction(&table, "guide_length");
+                (self.prismatic(&table), friction)
+            }
+            "slot" => (self.reader.table(entry, &SLOT_KEYS).and_then(|table| self.slot(&table)), Some(None)),
+            _ => (self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)), Some(None)),
+        };
+        let (kind, friction) = kind.zip(friction)?;
+        if kind.play().is_some() && friction.is_some() {
+            let beside = if matches!(kind, JointKind::Revolute { .. }) { "radial_clearance" } else { "clearance" };
+            let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
+            self.reader.complain(&problem, entry.key_span);
+            return None;
+        }
         let [first, second] = kind.bodies();
         if first != second {
-            return Some(kind);
+            return Some((kind, friction));
         }
         let body = self.bodies[first.0].name.clone();
         self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
         None
+    }
+
+    /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
+    fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
+        let size_m = self.quantity(table, key);
+        let friction = table.get("friction").map(|entry| self.friction(&entry, &JOINT_FRICTION_KEYS));
+        for (key, needs) in [("friction", key), (key, "friction")] {
+            if table.has(key) && !table.has(needs) {
+                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
+                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+                return None;
+            }
+        }
+        match friction {
+            None => Some(None),
+            Some(friction) => Some(Some(JointFriction { friction: friction?, size_m: size_m? })),
+        }
     }
 
     fn revolute(&mut self, table: &Table<'_>) -> Option<JointKind> {
@@ -50,11 +85,7 @@ impl ModelReader {
     fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
         let bearing_radius_m = self.quantity(table, "bearing_radius");
         let bearing_length_m = self.quantity(table, "bearing_length");
-        let contact = table.get("contact").and_then(|entry| {
-            let name = self.reader.text(&entry)?.to_owned();
-            self.used_contacts.push(name.clone());
-            self.named(&entry, "contact", &name, |file| &file.contact_names)
-        });
+        let contact = self.contact_of(table);
         let missing: Vec<&'static str> =
             ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
         let Some(entry) = table.get("radial_clearance") else {
@@ -88,13 +119,27 @@ impl ModelReader {
         }
         let contact = contact?;
         // A length that is there and could not be read was complained about.
-        if matches!(self.contacts[contact.0].law, NormalDescription::Line(_)) && !table.has("bearing_length") {
-            let needs = vec!["bearing_length"];
-            let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key: "contact", needs };
+        let has_line_law = matches!(self.contacts[contact.0].law, NormalDescription::Line(_));
+        let has_film = self.contacts[contact.0].film.is_some();
+        if (has_line_law || has_film) && !table.has("bearing_length") {
+            let entry = table.path.describe();
+            let problem = if has_line_law {
+                ModelProblem::NeedsKeys { entry, key: "contact", needs: vec!["bearing_length"] }
+            } else {
+                ModelProblem::FilmNeedsLength { entry }
+            };
             self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
             return None;
         }
         Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
+    }
+
+    /// The contact that a joint names.
+    pub(super) fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId> {
+        let entry = table.get("contact")?;
+        let name = self.reader.text(&entry)?.to_owned();
+        self.used_contacts.push(name.clone());
+        self.named(&entry, "contact", &name, |file| &file.contact_names)
     }
 
     fn prismatic(&mut self, table: &Table<'_>) -> Option<JointKind> {
@@ -102,11 +147,20 @@ impl ModelReader {
             let guide = self.reader.table(&entry, &GUIDE_KEYS)?;
             let point = guide.get("point").and_then(|entry| self.point(&entry));
             let angle_rad = self.quantity(&guide, "angle");
-            Some((point?, angle_rad?))
+            let ends_m = self.guide_ends(&guide, table.has("clearance"));
+            Some((point?, angle_rad?, ends_m?))
         });
         let slider = table.get("slider").and_then(|entry| self.slider(&entry));
-        let ((guide, guide_angle_rad), (slider, slider_angle_rad)) = guide.zip(slider)?;
-        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad })
+        let ((guide, guide_angle_rad, ends_m), (slider, slider_angle_rad)) = match guide.zip(slider) {
+            Some(sound) => sound,
+            None => {
+                // Its complaints belong to the others.
+                self.guide_clearance(table, None);
+                return None;
+            }
+        };
+        let clearance = self.guide_clearance(table, ends_m);
+        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance: clearance? })
     }
 
     fn slider(&mut self, entry: &Entry<'_>) -> Option<(PointId, QuantityId)> {
@@ -131,16 +185,17 @@ impl ModelReader {
     }
 }
 
-fn is_literal_zero(expression: &Expression) -> bool {
+pub(super) fn is_literal_zero(expression: &Expression) -> bool {
     expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
 }
 
 impl JointKind {
-    /// The bodies that it connects: bearing and journal, guide and slider, first and second.
+    /// The bodies that it connects: bearing and journal, guide and slider, slot and pin, first and second.
     pub fn bodies(&self) -> [BodyId; 2] {
         match self {
             JointKind::Revolute { bearing, journal, .. } => [bearing.body, journal.body],
             JointKind::Prismatic { guide, slider, .. } => [guide.body, slider.body],
+            JointKind::Slot { slot, pin, .. } => [slot.body, pin.body],
             JointKind::Rigid { first, second, .. } => [first.body, second.body],
         }
     }

@@ -1,9 +1,11 @@
 //! The keys of a model file.
 
+use super::control_keys::CONTROL_KEYS;
+use super::coupling_keys::{CAM_KEYS, COUPLING_KINDS};
 use super::drive_keys::DRIVE_KEYS;
 use super::load_keys::LOAD_KINDS;
 use super::spring_keys::SPRING_KINDS;
-use crate::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
 
@@ -42,78 +44,98 @@ fn friction_law_names() -> Vec<&'static str> {
     FRICTION_LAWS.iter().map(|law| law.name).collect()
 }
 
-pub(super) static FRICTION_KEYS: Keys = Keys::new(
-    "friction between pin and hole",
+fn film_law_names() -> Vec<&'static str> {
+    FILM_LAWS.iter().map(|law| law.name).collect()
+}
+
+pub(super) static FILM_KEYS: Keys = Keys::new(
+    "a film of oil between pin and hole",
     &[
-        optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+        optional(
+            "law",
+            Kind::ChoiceOf(film_law_names),
+            "\"finite-length\"",
+            "how the pressure follows from the motion; finite-length if left out",
+        ),
+        required("viscosity", quantity(D::VISCOSITY, Rule::Positive), "\"0.04 Pa s\"", "dynamic viscosity of the oil"),
         required(
-            "coefficient",
-            quantity(D::NUMBER, Rule::NonNegative),
-            "0.03",
-            "coefficient of friction at full sliding",
-        ),
-        optional(
-            "lower_speed",
-            quantity(D::VELOCITY, Rule::NonNegative),
-            "\"0.1 mm/s\"",
-            "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
-        ),
-        optional(
-            "upper_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"1 mm/s\"",
-            "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
-        ),
-        optional(
-            "static_coefficient",
-            quantity(D::NUMBER, Rule::NonNegative),
-            "0.05",
-            "coefficient of friction at the onset of sliding",
-        ),
-        optional(
-            "transition_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"1 mm/s\"",
-            "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
-        ),
-        optional(
-            "stribeck_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"10 mm/s\"",
-            "sliding speed over which friction falls from its static to its dynamic value",
-        ),
-        optional(
-            "decay",
-            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-            "\"30 s/m\"",
-            "bengisu-akay: how fast friction falls from its static to its dynamic value",
-        ),
-        optional(
-            "bristle_stiffness",
-            quantity(D::INVERSE_LENGTH, Rule::Positive),
-            "\"1e5 m^-1\"",
-            "lugre: what the coefficient gains for each unit of deflection of the bristles",
-        ),
-        optional(
-            "bristle_damping",
-            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-            "\"0.4 s/m\"",
-            "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
-        ),
-        optional(
-            "viscous",
-            quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-            "\"0.02 s/m\"",
-            "what the coefficient gains for each unit of sliding speed; nothing if left out",
-        ),
-        optional(
-            "sliding_velocity",
-            Kind::Choice(&["material", "literal"]),
-            "\"material\"",
-            "between the material points (material, if left out) or of the geometric contact point (literal)",
+            "roughness",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"2 um\"",
+            "thickness below which the film no longer stiffens; beyond the clearance it fades over as much",
         ),
     ],
 );
+
+/// Keys of friction, that of a contact alone last.
+static FRICTION: [Key; 12] = [
+    optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+    required("coefficient", quantity(D::NUMBER, Rule::NonNegative), "0.03", "coefficient of friction at full sliding"),
+    optional(
+        "lower_speed",
+        quantity(D::VELOCITY, Rule::NonNegative),
+        "\"0.1 mm/s\"",
+        "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
+    ),
+    optional(
+        "upper_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"1 mm/s\"",
+        "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
+    ),
+    optional(
+        "static_coefficient",
+        quantity(D::NUMBER, Rule::NonNegative),
+        "0.05",
+        "coefficient of friction at the onset of sliding",
+    ),
+    optional(
+        "transition_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"1 mm/s\"",
+        "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
+    ),
+    optional(
+        "stribeck_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"10 mm/s\"",
+        "sliding speed over which friction falls from its static to its dynamic value",
+    ),
+    optional(
+        "decay",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"30 s/m\"",
+        "bengisu-akay: how fast friction falls from its static to its dynamic value",
+    ),
+    optional(
+        "bristle_stiffness",
+        quantity(D::INVERSE_LENGTH, Rule::Positive),
+        "\"1e5 m^-1\"",
+        "lugre: what the coefficient gains for each unit of deflection of the bristles",
+    ),
+    optional(
+        "bristle_damping",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"0.4 s/m\"",
+        "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
+    ),
+    optional(
+        "viscous",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"0.02 s/m\"",
+        "what the coefficient gains for each unit of sliding speed; nothing if left out",
+    ),
+    optional(
+        "sliding_velocity",
+        Kind::Choice(&["material", "literal"]),
+        "\"material\"",
+        "between the material points (material, if left out) or of the geometric contact point (literal)",
+    ),
+];
+
+pub(super) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &FRICTION);
+
+pub(super) static JOINT_FRICTION_KEYS: Keys = Keys::new("friction of an ideal joint", FRICTION.split_at(11).0);
 
 pub(super) const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
 pub(super) const POISSON_RATIO: [&str; 3] = ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
@@ -171,7 +193,12 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
         ),
         optional(POISSON_RATIO[1], quantity(D::NUMBER, Rule::PoissonRatio), "0.34", "Poisson's ratio of the bearing"),
         optional(POISSON_RATIO[2], quantity(D::NUMBER, Rule::PoissonRatio), "0.3", "Poisson's ratio of the journal"),
-        optional("stiffness", Kind::Stiffness, "\"6.6e10 N/m^1.5\"", "stiffness K of F = K x^n, in place of materials"),
+        optional(
+            "stiffness",
+            Kind::Stiffness,
+            "\"6.6e10 N/m^1.5\"",
+            "stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m",
+        ),
         optional("exponent", quantity(D::NUMBER, Rule::AtLeastOne), "1.5", "exponent n of F = K x^n, beside stiffness"),
         optional(
             "minimum_impact_speed",
@@ -186,6 +213,12 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
             "density, to say which impacts are too fast for the law",
         ),
         optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
+        optional(
+            "film",
+            Kind::Table(&FILM_KEYS),
+            "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }",
+            "film of oil, for joints with a bearing_length; none if left out",
+        ),
     ],
 );
 
@@ -206,9 +239,21 @@ pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
             "bearing_length",
             quantity(D::LENGTH, Rule::Positive),
             "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws",
+            "length of the bearing along its axis, for line-contact laws and films of oil",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
+        optional(
+            "friction",
+            Kind::Table(&JOINT_FRICTION_KEYS),
+            "{ coefficient = 0.1 }",
+            "friction of a joint without play; none if left out. A joint with play has it in its contact",
+        ),
+        optional(
+            "pin_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"8 mm\"",
+            "radius of the pin, at whose surface friction acts",
+        ),
     ],
 );
 
@@ -217,6 +262,21 @@ pub(super) static GUIDE_KEYS: Keys = Keys::new(
     &[
         required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
         required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
+        optional(
+            "start",
+            quantity(D::LENGTH, Rule::Finite),
+            "\"-80 mm\"",
+            "where the faces of a guide with play begin, from the point along the line; without ends if left out",
+        ),
+        optional("end", quantity(D::LENGTH, Rule::Finite), "\"200 mm\"", "where those faces end"),
+    ],
+);
+
+pub(super) static SLOT_LINE_KEYS: Keys = Keys::new(
+    "the line of a slot",
+    &[
+        required("point", Kind::Point, "\"yoke.middle\"", "the middle of the slot"),
+        required("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "its direction from the x axis of the body"),
     ],
 );
 
@@ -234,7 +294,7 @@ pub(super) static SLIDER_KEYS: Keys = Keys::new(
 );
 
 pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
-    "a slider moves along a line of its guide and does not turn against it",
+    "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
         required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
@@ -244,6 +304,71 @@ pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
             "\"slider.pin\"",
             "the point on the line, with an angle where the line is not along the slider's x axis",
         ),
+        optional("friction", Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }", "friction; none if left out"),
+        optional(
+            "guide_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends",
+        ),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"50 mm\"",
+            "half the length along the guide of the block around the slider's point",
+        ),
+        optional(
+            "half_height",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"25 mm\"",
+            "half the height of that block across the guide",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "gap between the block and each face of the guide; ideal joint if left out or zero",
+        ),
+        optional(
+            "corner_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"5 mm\"",
+            "radius of the block's corners, for a contact whose stiffness comes from the materials",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"corner\"", "the contact between corners and guide"),
+    ],
+);
+
+pub(super) static SLOT_KEYS: Keys = Keys::new(
+    "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
+        required(
+            "slot",
+            Kind::Table(&SLOT_LINE_KEYS),
+            "{ point = \"yoke.middle\", angle = \"90 deg\" }",
+            "the middle of the slot and its direction",
+        ),
+        required("pin", Kind::Point, "\"crank.pin\"", "point at the centre of the pin"),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "from the middle of the slot to the centre of each round end",
+        ),
+        optional(
+            "end_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"10 mm\"",
+            "radius of the round ends, half the width of the slot",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and slot"),
     ],
 );
 
@@ -263,7 +388,7 @@ pub(super) static RIGID_KEYS: Keys = Keys::new(
 );
 
 pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
-    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("rigid", &RIGID_KEYS)];
+    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("slot", &SLOT_KEYS), ("rigid", &RIGID_KEYS)];
 
 pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
     "how loops close that can close in two ways",
@@ -410,6 +535,18 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
         optional("contact", Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "", "contacts, shared by joints"),
         optional("joint", Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "", "the joints"),
         optional(
+            "coupling",
+            Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS },
+            "",
+            "gears, belts, racks and other ratios of two joints, each under [coupling.NAME]",
+        ),
+        optional(
+            "cam",
+            Kind::Tables { keys: &CAM_KEYS, except: &[] },
+            "",
+            "cams with a profile by points, each under [cam.NAME]",
+        ),
+        optional(
             "spring",
             Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS },
             "",
@@ -422,6 +559,12 @@ pub(super) static MODEL_KEYS: Keys = Keys::new(
             "forces and torques from outside, each under [load.NAME]",
         ),
         optional("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional(
+            "control",
+            Kind::Tables { keys: &CONTROL_KEYS, except: &[] },
+            "",
+            "joints whose actuators follow a reference, each under [control.NAME]",
+        ),
         optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),

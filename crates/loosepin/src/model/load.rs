@@ -143,10 +143,10 @@ impl ModelReader {
     }
 
     /// What expressions may read: the time, and coordinate and rate of a joint.
-    fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
+    pub(super) fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
         let mut variables = vec![TIME];
         match joint.map(|joint| &self.joints[joint.0].kind) {
-            Some(JointKind::Prismatic { .. }) => {
+            Some(JointKind::Prismatic { .. } | JointKind::Slot { .. }) => {
                 variables.extend([("position", Dimension::LENGTH), ("speed", Dimension::VELOCITY)]);
             }
             Some(_) => variables.extend([("angle", Dimension::ANGLE), ("speed", Dimension::ANGULAR_VELOCITY)]),

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
 use crate::document::listed;
+use crate::units::Dimension;
 
 /// What can be wrong with a model file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -88,6 +89,12 @@ pub enum ModelProblem {
         /// What is missing.
         needs: Vec<&'static str>,
     },
+    /// A film of oil in a bearing without a length.
+    #[error("{entry}: 'contact' needs 'bearing_length'")]
+    FilmNeedsLength {
+        /// The joint.
+        entry: String,
+    },
     /// A key without effect in this combination.
     #[error("{entry}: '{key}' has no meaning beside '{beside}'")]
     KeyWithoutEffect {
@@ -154,6 +161,18 @@ pub enum ModelProblem {
         /// The entry.
         entry: String,
     },
+    /// A contact that only a pin in a hole can have.
+    #[error("{entry}: contact '{contact}' has {what}, which means nothing for {what_touches}")]
+    NotForPlanes {
+        /// The joint.
+        entry: String,
+        /// The contact.
+        contact: String,
+        /// What of it.
+        what: String,
+        /// What touches a plane.
+        what_touches: &'static str,
+    },
     /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
     NotDrivable {
@@ -186,6 +205,70 @@ pub enum ModelProblem {
         /// The joint.
         joint: String,
         /// The first drive.
+        other: String,
+    },
+    /// A CSV file with other than two columns.
+    #[error("a row has {found} {}; two are due", if *found == 1 { "column" } else { "columns" })]
+    CsvColumns {
+        /// Columns of the row.
+        found: usize,
+    },
+    /// A header without units.
+    #[error("the header is '{text}'; must be a name with a unit in brackets")]
+    CsvHeader {
+        /// The cell.
+        text: String,
+    },
+    /// A unit of something else.
+    #[error("the column '{text}' must hold {due}")]
+    CsvDimension {
+        /// The cell.
+        text: String,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A cell that is no number.
+    #[error("'{text}' is not a number")]
+    CsvNumber {
+        /// The cell.
+        text: String,
+    },
+    /// A coupling of a joint to itself.
+    #[error("{entry} couples joint '{joint}' to itself")]
+    SameJoint {
+        /// The coupling.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A joint of another kind than a coupling needs.
+    #[error("{entry}: joint '{joint}' is not {due}")]
+    WrongJoint {
+        /// The entry.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// Revolute or prismatic.
+        due: &'static str,
+    },
+    /// Wheels without a common carrier.
+    #[error("{entry}: joints '{first}' and '{second}' must have exactly one body in common, which carries both wheels")]
+    NoCarrier {
+        /// The coupling.
+        entry: String,
+        /// The first joint.
+        first: String,
+        /// The second joint.
+        second: String,
+    },
+    /// A control of a joint that is moved already.
+    #[error("{entry}: joint '{joint}' is already moved by {other}")]
+    ControlledTwice {
+        /// The control.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// What moves it, in words.
         other: String,
     },
     /// A cycle over a drive that does not turn.
@@ -252,10 +335,16 @@ impl Problem for ModelProblem {
             Self::BadParameterName { .. } => Code::BadName,
             Self::ParameterCycle { .. } => Code::ParameterCycle,
             Self::UnknownReference { .. } | Self::NotAPoint { .. } => Code::UnknownReference,
-            Self::SameBody { .. } => Code::SameBody,
+            Self::CsvColumns { .. } | Self::CsvHeader { .. } | Self::CsvDimension { .. } | Self::CsvNumber { .. } => {
+                Code::TableNotReadable
+            }
+            Self::SameBody { .. } | Self::SameJoint { .. } => Code::SameBody,
+            Self::WrongJoint { .. } | Self::NoCarrier { .. } => Code::CouplingNotPossible,
             Self::StiffnessTwice { .. }
             | Self::MaterialTwice { .. }
             | Self::NeedsKeys { .. }
+            | Self::FilmNeedsLength { .. }
+            | Self::NotForPlanes { .. }
             | Self::KeyWithoutEffect { .. }
             | Self::JointNotRead { .. } => Code::ConflictingKeys,
             Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
@@ -268,7 +357,7 @@ impl Problem for ModelProblem {
             | Self::CycleNeedsPeriod { .. } => Code::DriveNotPossible,
             Self::TooFewPoints { .. } => Code::BadCount,
             Self::WrongCoordinate { .. } => Code::ConflictingKeys,
-            Self::DrivenTwice { .. } => Code::DrivenTwice,
+            Self::DrivenTwice { .. } | Self::ControlledTwice { .. } => Code::DrivenTwice,
             Self::GuessOfGround | Self::InitialOfGround => Code::UnknownReference,
             Self::WrongUnit { .. } => Code::WrongDimension,
             Self::Unused { .. } => Code::Unused,
@@ -299,7 +388,16 @@ impl Problem for ModelProblem {
             Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"bearing_length") => {
                 Some("the contact has a line-contact law, whose force is proportional to the length".to_owned())
             }
-            Self::NeedsKeys { key: "radial_clearance", .. } => {
+            Self::FilmNeedsLength { .. } => {
+                Some("the contact has a film of oil, whose force depends on the length of the bearing".to_owned())
+            }
+            Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"corner_radius") => Some(
+                "the stiffness of the contact comes from the materials: a sphere of that radius on a plane".to_owned(),
+            ),
+            Self::NotForPlanes { .. } => {
+                Some("take a point-contact or a linear law without a film, and the material sliding velocity".to_owned())
+            }
+            Self::NeedsKeys { key: "radial_clearance" | "clearance", .. } => {
                 Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())
             }
             Self::NoBodies { .. } => {
@@ -313,6 +411,17 @@ impl Problem for ModelProblem {
             Self::WrongStart { due, .. } => Some(format!("write {due}")),
             Self::NotDrivable { why, .. } if *why == HAS_PLAY => {
                 Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
+            }
+            Self::CsvColumns { .. } | Self::CsvHeader { .. } => {
+                Some("for example: time [s], angle [deg]".to_owned())
+            }
+            Self::CsvNumber { .. } => Some("with a point and no thousands separator, for example 0.25 or 1e-3".to_owned()),
+            Self::NoCarrier { .. } => Some(
+                "hang both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
+                    .to_owned(),
+            ),
+            Self::NotDrivable { why, .. } if *why == HAS_PLAY_IN_GUIDE => {
+                Some("drive an ideal joint, or set the clearance of this one to \"0 mm\"".to_owned())
             }
             Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
             Self::CycleNeedsTurns { .. } => {
@@ -330,5 +439,9 @@ impl Problem for ModelProblem {
 
 /// Why a joint with clearance cannot be driven.
 pub(super) const HAS_PLAY: &str = "has play";
+/// Why a prismatic joint with clearance cannot be driven.
+pub(super) const HAS_PLAY_IN_GUIDE: &str = "has play in its guide";
+/// Why a pin in a slot cannot be driven.
+pub(super) const IS_SLOT: &str = "is a slot";
 /// Why a rigid joint cannot be driven.
 pub(super) const IS_RIGID: &str = "is rigid";

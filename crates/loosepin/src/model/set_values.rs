@@ -1,29 +1,54 @@
 //! All settings of a command line together, and other measured arguments.
 
+use super::law_choice::LawError;
 use super::quantity::{Origin, QuantityError, QuantityId, Values};
 use super::setting::{Setting, SettingError};
-use super::topology::Model;
-use crate::diagnostics::{Complaint, Complaints, Place, Source};
+use super::topology::{ContactId, Model};
+use crate::contact::NormalDescription;
+use crate::diagnostics::{Complaint, Complaints, Place, Source, nearest_name};
 use crate::units::{Dimension, Rule, format_value, parse_quantity};
 
 /// Settings read from text, and the values of the model that follow from them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct SetValues {
-    /// The settings, in the order of the texts.
+    /// The model with the laws that were set; without any, the model as it was.
+    pub model: Model,
+    /// The settings of numbers, in the order of the texts.
     pub settings: Vec<Setting>,
     /// Every value of the model.
     pub values: Values,
 }
 
 impl Model {
-    /// Reads settings `path=value` and gives the values of the model under all of them.
+    /// Reads settings `path=value` and gives the values of the model under all of them. `contact.NAME.law=LAW` gives a contact
+    /// another law.
     ///
     /// # Errors
     /// Every setting that cannot be read, a quantity that is set twice, and values that break a rule together.
     pub fn set_values(&self, texts: &[String]) -> Result<SetValues, Complaints> {
         let mut complaints = Complaints::new();
         let mut settings: Vec<(Setting, &str)> = Vec::new();
+        let mut laws: Vec<(ContactId, &str)> = Vec::new();
+        let mut model = self.clone();
         for text in texts {
+            if let Some(law) = self.law_setting(text) {
+                let set = law.and_then(|(contact, law)| {
+                    if let Some((_, earlier)) = laws.iter().find(|(known, _)| *known == contact) {
+                        let path = format!("contact.{}.law", self.contacts[contact.0].name);
+                        let complaint = Complaint::error(&SettingError::Twice { path }, Some(whole("--set", text)));
+                        return Err(complaint.with_label(whole("--set (the earlier one)", earlier), "set here"));
+                    }
+                    laws.push((contact, text));
+                    let complain =
+                        |error: LawError| Complaint::error(&SettingError::from(error), Some(whole("--set", text)));
+                    model.with_law(contact, law).map_err(complain)
+                });
+                match set {
+                    Ok(changed) => model = changed,
+                    Err(complaint) => complaints.push(complaint),
+                }
+                continue;
+            }
             match self.parse_setting(text) {
                 Err(complaint) => complaints.push(complaint),
                 Ok(setting) => match settings.iter().find(|(earlier, _)| earlier.id == setting.id) {
@@ -42,10 +67,25 @@ impl Model {
         let set: Vec<(QuantityId, f64)> = settings.iter().map(|(setting, _)| (setting.id, setting.value_si)).collect();
         match self.quantities.evaluate(&set) {
             Ok(values) => {
-                Ok(SetValues { settings: settings.into_iter().map(|(setting, _)| setting).collect(), values })
+                Ok(SetValues { model, settings: settings.into_iter().map(|(setting, _)| setting).collect(), values })
             }
             Err(error) => Err(self.complaint_about_set(&error, &settings).into()),
         }
+    }
+
+    /// A setting of a law; nothing where the text sets something else.
+    fn law_setting(&self, text: &str) -> Option<Result<(ContactId, NormalDescription), Complaint>> {
+        let (path, name) = text.split_once('=')?;
+        let contact = self.contact_of_law(path.trim())?;
+        let source = Source::new("--set", text);
+        let complain = |error: SettingError, span| Complaint::error(&error, Some(Place::new(&source, span)));
+        Some(contact.map_err(|error| complain(error.into(), 0..path.len())).and_then(|contact| {
+            let name = name.trim();
+            NormalDescription::all().find(|law| law.name() == name).map(|law| (contact, law)).ok_or_else(|| {
+                let nearest = nearest_name(name, NormalDescription::all().map(|law| law.name())).map(str::to_owned);
+                complain(SettingError::UnknownLaw { name: name.to_owned(), nearest }, path.len() + 1..text.len())
+            })
+        }))
     }
 
     /// A complaint at the setting that is to blame, if one is, and otherwise in the file.

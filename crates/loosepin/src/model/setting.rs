@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
+use super::law_choice::LawError;
 use super::quantity::{Origin, QuantityError, QuantityId};
 use super::topology::Model;
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
@@ -109,6 +110,17 @@ pub enum SettingError {
     /// A value that breaks a rule.
     #[error(transparent)]
     Rule(#[from] QuantityError),
+    /// A law that the contact cannot have.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// A law that does not exist.
+    #[error("there is no law of contact '{name}'")]
+    UnknownLaw {
+        /// The name.
+        name: String,
+        /// What was probably meant.
+        nearest: Option<String>,
+    },
     /// A quantity set twice.
     #[error("'{path}' is set a second time")]
     Twice {
@@ -162,6 +174,8 @@ impl Problem for SettingError {
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::Rule(error) => error.code(),
+            Self::Law(error) => error.code(),
+            Self::UnknownLaw { .. } => Code::UnknownChoice,
             Self::Twice { .. } => Code::SetTwice,
             Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => Code::BreaksRule,
         }
@@ -180,6 +194,9 @@ impl Problem for SettingError {
                 ))
             }
             Self::Rule(error) => error.hint(),
+            Self::Law(error) => error.hint(),
+            Self::UnknownLaw { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownLaw { nearest: None, .. } => Some("loosepin schema model lists them".to_owned()),
             Self::Twice { .. } | Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => None,
         }
     }

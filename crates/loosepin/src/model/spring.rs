@@ -6,6 +6,7 @@ use super::quantity::QuantityId;
 use super::spring_keys::{LINEAR_SPRING_KEYS, SPRING_KINDS, TORSIONAL_SPRING_KEYS};
 use super::topology::{BodyId, JointKind, PointId};
 use crate::document::{Entry, Table};
+use crate::units::Dimension;
 
 /// A spring with its damper between two bodies.
 #[derive(Debug, Clone)]
@@ -14,14 +15,40 @@ pub struct Spring {
     pub name: String,
     /// What it connects, and along what it acts.
     pub kind: SpringKind,
-    /// Stiffness k, N/m or N m/rad, >= 0.
-    pub stiffness: QuantityId,
-    /// Free length L0, m, >= 0, or free angle θ0, rad.
-    pub free: QuantityId,
+    /// How it pulls without its damper.
+    pub elasticity: Elasticity,
     /// Damping d, N s/m or N m s/rad, >= 0; absent for a spring without damper.
     pub damping: Option<QuantityId>,
-    /// Pull, N, or torque, N m, at the free length or angle.
-    pub preload: QuantityId,
+}
+
+/// The pull of a spring, N, over its length, m; or its torque, N m, over its angle, rad.
+#[derive(Debug, Clone)]
+pub enum Elasticity {
+    /// P + k (x - x0).
+    Linear {
+        /// Stiffness k, N/m or N m/rad, >= 0.
+        stiffness: QuantityId,
+        /// Free length L0, m, >= 0, or free angle θ0, rad.
+        free: QuantityId,
+        /// Pull P, N, or torque, N m, at the free length or angle.
+        preload: QuantityId,
+    },
+    /// A smooth curve through points, straight beyond both ends.
+    Table {
+        /// Lengths or angles, increasing, and pulls or torques.
+        points: Vec<[QuantityId; 2]>,
+        /// How it goes between the points.
+        curve: SpringCurve,
+    },
+}
+
+/// How a curve goes between its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpringCurve {
+    /// Nowhere beyond the points on both sides; its slope does not jump.
+    Monotone,
+    /// A cubic spline with straight ends: its curvature does not jump either.
+    Spline,
 }
 
 /// The kinds of spring.
@@ -70,10 +97,8 @@ impl ModelReader {
         let keys = if is_linear { &LINEAR_SPRING_KEYS } else { &TORSIONAL_SPRING_KEYS };
         let table = self.reader.table(entry, keys)?;
         let kind = if is_linear { self.linear_spring(&table) } else { self.torsional_spring(&table) };
-        let stiffness = self.quantity(&table, "stiffness");
-        let free = self.quantity(&table, if is_linear { "free_length" } else { "free_angle" });
+        let elasticity = self.elasticity(&table, is_linear);
         let damping = self.quantity(&table, "damping");
-        let preload = self.quantity_or(&table, "preload", 0.0);
         let kind = kind?;
         let [first, second] = kind.bodies();
         if first == second {
@@ -81,14 +106,40 @@ impl ModelReader {
             self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
             return None;
         }
-        Some(Spring {
-            name: entry.name.to_owned(),
-            kind,
-            stiffness: stiffness?,
-            free: free?,
-            damping,
-            preload: preload?,
-        })
+        Some(Spring { name: entry.name.to_owned(), kind, elasticity: elasticity?, damping })
+    }
+
+    fn elasticity(&mut self, table: &Table<'_>, is_linear: bool) -> Option<Elasticity> {
+        let free_key = if is_linear { "free_length" } else { "free_angle" };
+        let Some(key) = ["points", "csv"].into_iter().find(|key| table.has(key)) else {
+            if let Some(found) = table.get("curve") {
+                let problem =
+                    ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key: "curve", beside: "stiffness" };
+                self.reader.complain(&problem, found.key_span);
+            }
+            let stiffness = self.quantity(table, "stiffness");
+            let free = self.quantity(table, free_key);
+            let preload = self.quantity_or(table, "preload", 0.0);
+            return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
+        };
+        if let Some(found) = table.get("preload") {
+            let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key: "preload", beside: key };
+            self.reader.complain(&problem, found.key_span);
+        }
+        let curve = match table.get("curve") {
+            Some(entry) => {
+                let choices = [("monotone", SpringCurve::Monotone), ("spline", SpringCurve::Spline)];
+                self.reader.choice(&entry, &choices)
+            }
+            None => Some(SpringCurve::Monotone),
+        };
+        let columns = if is_linear {
+            [("length", Dimension::LENGTH), ("force", Dimension::FORCE)]
+        } else {
+            [("angle", Dimension::ANGLE), ("torque", Dimension::TORQUE)]
+        };
+        let points = self.table_points(table, columns)?;
+        Some(Elasticity::Table { points, curve: curve? })
     }
 
     fn linear_spring(&mut self, table: &Table<'_>) -> Option<SpringKind> {

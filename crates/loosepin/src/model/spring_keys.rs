@@ -1,7 +1,16 @@
 //! The keys of springs.
 
-use crate::document::{Keys, Kind, optional, quantity, required};
+use super::table_points::CSV;
+use crate::document::{Key, Keys, Kind, optional, quantity, required};
 use crate::units::{Dimension as D, Rule};
+
+const CURVE: Key = optional(
+    "curve",
+    Kind::Choice(&["monotone", "spline"]),
+    "\"spline\"",
+    "beside points or csv: monotone, if left out: between two points nowhere beyond them; spline: smoother, with no jump of the \
+     stiffness' slope",
+);
 
 pub(super) static LINEAR_SPRING_KEYS: Keys = Keys::new(
     "a spring with its damper between points of two bodies; it pulls where it is longer than its free length",
@@ -9,8 +18,8 @@ pub(super) static LINEAR_SPRING_KEYS: Keys = Keys::new(
         required("kind", Kind::Choice(&["linear"]), "\"linear\"", "the kind of spring"),
         required("first", Kind::Point, "\"ground.hook\"", "point of the first body"),
         required("second", Kind::Point, "\"rocker.eye\"", "point of the second body"),
-        required("stiffness", quantity(D::SPRING_STIFFNESS, Rule::NonNegative), "\"2 N/mm\"", "force by extension"),
-        required(
+        optional("stiffness", quantity(D::SPRING_STIFFNESS, Rule::NonNegative), "\"2 N/mm\"", "force by extension"),
+        optional(
             "free_length",
             quantity(D::LENGTH, Rule::NonNegative),
             "\"40 mm\"",
@@ -28,8 +37,17 @@ pub(super) static LINEAR_SPRING_KEYS: Keys = Keys::new(
             "\"10 N\"",
             "pull at the free length, below zero for a push; none if left out",
         ),
+        optional(
+            "points",
+            Kind::List(&Kind::List(&Kind::AnyQuantity)),
+            "[[\"30 mm\", \"-4 N\"], [\"40 mm\", \"0 N\"], [\"55 mm\", \"12 N\"]]",
+            "pairs of a length and the pull there, in place of stiffness and free length; lengths increasing, straight beyond both ends",
+        ),
+        CSV,
+        CURVE,
     ],
-);
+)
+.with_exactly_one(&[&["stiffness", "points", "csv"], &["free_length", "points", "csv"]]);
 
 pub(super) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
     "a spring with its damper that turns two bodies back to their free angle",
@@ -43,8 +61,8 @@ pub(super) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
         ),
         optional("first", Kind::Reference("body"), "\"ground\"", "the first body, in place of a joint"),
         optional("second", Kind::Reference("body"), "\"rocker\"", "the second body, in place of a joint"),
-        required("stiffness", quantity(D::TORSIONAL_STIFFNESS, Rule::NonNegative), "\"2 N m/rad\"", "torque by angle"),
-        required(
+        optional("stiffness", quantity(D::TORSIONAL_STIFFNESS, Rule::NonNegative), "\"2 N m/rad\"", "torque by angle"),
+        optional(
             "free_angle",
             quantity(D::ANGLE, Rule::Finite),
             "\"30 deg\"",
@@ -62,8 +80,17 @@ pub(super) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
             "\"0.1 N m\"",
             "torque at the free angle that turns the second body backwards; none if left out",
         ),
+        optional(
+            "points",
+            Kind::List(&Kind::List(&Kind::AnyQuantity)),
+            "[[\"-20 deg\", \"-0.4 N m\"], [\"0 deg\", \"0 N m\"], [\"30 deg\", \"1 N m\"]]",
+            "pairs of an angle and the torque there, in place of stiffness and free angle; angles increasing, straight beyond both ends",
+        ),
+        CSV,
+        CURVE,
     ],
-);
+)
+.with_exactly_one(&[&["stiffness", "points", "csv"], &["free_angle", "points", "csv"]]);
 
 pub(super) static SPRING_KINDS: &[(&str, &Keys)] =
     &[("linear", &LINEAR_SPRING_KEYS), ("torsional", &TORSIONAL_SPRING_KEYS)];

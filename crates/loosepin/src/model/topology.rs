@@ -3,13 +3,15 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::control::Control;
+use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
 use super::initial::InitialValue;
 use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
-use crate::contact::{FrictionDescription, LinearLaw, NormalDescription, PointLaw};
+use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
 use crate::units::{Dimension, ReadableUnit};
 
@@ -53,12 +55,16 @@ pub struct Model {
     pub contacts: Vec<Contact>,
     /// Joints in file order.
     pub joints: Vec<Joint>,
+    /// Couplings in file order.
+    pub couplings: Vec<Coupling>,
     /// Springs in file order.
     pub springs: Vec<Spring>,
     /// Loads in file order.
     pub loads: Vec<Load>,
     /// Drives in file order.
     pub drives: Vec<Drive>,
+    /// Controls in file order.
+    pub controls: Vec<Control>,
     /// Hints for the assembly, at the start of the cycle.
     pub guesses: Vec<Guess>,
     /// The initial state of what the drives do not move alone.
@@ -71,6 +77,8 @@ pub struct Model {
     pub warnings: Vec<Complaint>,
     /// The file.
     pub(super) source: Arc<Source>,
+    /// The CSV files that it names, in the order of the file.
+    pub(super) tables: Vec<Arc<Source>>,
     /// Places of its tables by dotted path, for complaints about what they mean together.
     pub(super) places: HashMap<String, Span>,
 }
@@ -79,6 +87,11 @@ impl Model {
     /// The file that the model was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source
+    }
+
+    /// The CSV files that were read with it: inputs like the file itself.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        &self.tables
     }
 
     /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,
@@ -123,6 +136,17 @@ pub struct Joint {
     pub name: String,
     /// What it connects and how.
     pub kind: JointKind,
+    /// Friction of an ideal revolute or prismatic joint.
+    pub friction: Option<JointFriction>,
+}
+
+/// Friction of an ideal joint.
+#[derive(Debug, Clone)]
+pub struct JointFriction {
+    /// The law with its numbers.
+    pub friction: Friction,
+    /// Radius of the pin, or length over which the guide holds the slider, m, > 0.
+    pub size_m: QuantityId,
 }
 
 /// The kinds of joint.
@@ -148,6 +172,20 @@ pub enum JointKind {
         slider: PointId,
         /// Angle from the slider body's x axis to the same line, rad (zero: the slider's x axis lies along it).
         slider_angle_rad: QuantityId,
+        /// Absent for an ideal joint.
+        clearance: Option<GuideClearance>,
+    },
+    /// The pin's centre stays on a line fixed to the slot's body, and turns there; with a clearance, it may leave the line and
+    /// touch the round ends. Coordinate s as for a prismatic joint.
+    Slot {
+        /// Middle of the slot.
+        slot: PointId,
+        /// Angle of its line from the x axis of its body, rad.
+        slot_angle_rad: QuantityId,
+        /// Centre of the pin.
+        pin: PointId,
+        /// Absent for an ideal joint, which has no ends.
+        clearance: Option<SlotClearance>,
     },
     /// Both points coincide and the bodies do not turn against each other.
     Rigid {
@@ -173,7 +211,51 @@ pub struct Clearance {
     pub contact: ContactId,
 }
 
-/// Contact between pin and hole.
+/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line.
+#[derive(Debug, Clone)]
+pub struct GuideClearance {
+    /// Half-length a of the block along the line, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Half-height b of the block across the line, m, > 0.
+    pub half_height_m: QuantityId,
+    /// Gap c between the block and each face, m, >= 0; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
+    pub corner_radius_m: Option<QuantityId>,
+    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
+    pub ends_m: Option<[QuantityId; 2]>,
+    /// The contact between corners and faces; its bearing is the guide, its journal the slider.
+    pub contact: ContactId,
+}
+
+/// The play of a pin in a straight slot with round ends.
+#[derive(Debug, Clone)]
+pub struct SlotClearance {
+    /// Half-length h from the middle of the slot to the centre of each round end, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Radius R_i of the ends, half the width of the slot, m, > 0.
+    pub end_radius_m: QuantityId,
+    /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact between pin and slot.
+    pub contact: ContactId,
+}
+
+impl JointKind {
+    /// The clearance, m, and the contact of a joint that may have play.
+    pub fn play(&self) -> Option<(QuantityId, ContactId)> {
+        match self {
+            Self::Revolute { clearance: Some(clearance), .. } => {
+                Some((clearance.radial_clearance_m, clearance.contact))
+            }
+            Self::Prismatic { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Slot { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Slot { .. } | Self::Rigid { .. } => None,
+        }
+    }
+}
+
+/// Contact between pin and hole or slot, or between the corners of a slider and its guide.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// Name in the file.
@@ -183,6 +265,8 @@ pub struct Contact {
     /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
     /// linear law.
     pub damping: Option<&'static dyn PointLaw>,
+    /// The law named for the energy loss of a line-contact law, whichever law the contact has; none where none is named.
+    pub line_damping: Option<&'static dyn PointLaw>,
     /// Nominal coefficient of restitution c_e in (0, 1]; none where the damping coefficient is given.
     pub restitution: Option<QuantityId>,
     /// Where the stiffness comes from.
@@ -195,6 +279,19 @@ pub struct Contact {
     pub density_kg_m3: Option<QuantityId>,
     /// Friction, if any.
     pub friction: Option<Friction>,
+    /// Film of oil, if any.
+    pub film: Option<Lubrication>,
+}
+
+/// A film of oil between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Lubrication {
+    /// The film.
+    pub law: &'static FilmDescription,
+    /// Viscosity of the oil, Pa s, > 0.
+    pub viscosity_pa_s: QuantityId,
+    /// The thinnest film, m, > 0.
+    pub roughness_m: QuantityId,
 }
 
 /// Where the contact stiffness comes from.

@@ -251,13 +251,20 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
             1 => "the distribution of 1 random input".to_owned(),
             many => format!("the distributions of {many} random inputs"),
         },
-        turns(result.cycle.transient_turns),
-        turns(result.cycle.recorded_turns),
+        turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s),
+        turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s),
     )
 }
 
-pub(super) fn turns(turns: f64) -> String {
-    if turns == 1.0 { "1 turn".to_owned() } else { format!("{turns} turns") }
+/// A number of turns of the drive, or of cycles where no drive turns at a constant speed.
+pub(super) fn turns(turns: f64, drive_speed_rad_s: Option<f64>) -> String {
+    let one = turn_word(drive_speed_rad_s);
+    if turns == 1.0 { format!("1 {one}") } else { format!("{turns} {one}s") }
+}
+
+/// What goes round: the drive, or the cycle where no drive turns at a constant speed.
+pub(super) fn turn_word(drive_speed_rad_s: Option<f64>) -> &'static str {
+    if drive_speed_rad_s.is_some() { "turn" } else { "cycle" }
 }
 
 /// What the three treatments claim and which of them keeps its promise, one sentence each.

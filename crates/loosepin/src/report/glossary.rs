@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-const TERMS: [(&str, &str); 11] = [
+const TERMS: [(&str, &str); 12] = [
     (
         "Deviation",
         "Actual position minus ideal position at the same angle of the drive. The ideal mechanism has nominal dimensions \
@@ -13,6 +13,10 @@ const TERMS: [(&str, &str); 11] = [
         "Interval input",
         "Fixed but unknown: one only knows the two ends between which it lies. No value inside is taken as likelier than \
          another.",
+    ),
+    (
+        "One of a list",
+        "Fixed but unknown: one only knows which few values, or laws, are possible. None is taken as likelier than another.",
     ),
     (
         "Bounds of a statistic",

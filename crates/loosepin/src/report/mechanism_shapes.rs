@@ -66,7 +66,7 @@ pub(super) fn ground(drawing: &Drawing, poses: &PoseTable, frame: &Frame, pin: f
     html! {
         g.ground {
             @for joint in &drawing.joints {
-                @if joint.kind == DrawnJointKind::Prismatic {
+                @if has_rails(joint) {
                     @if on_ground(joint.first) { (guide(drawing, joint, poses, frame, pin)) }
                 } @else {
                     @for end in [joint.first, joint.second] {
@@ -89,6 +89,11 @@ pub(super) fn ground(drawing: &Drawing, poses: &PoseTable, frame: &Frame, pin: f
 fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f64)> {
     let point = drawing.bodies.get(end.body)?.points.get(end.point)?;
     Some((point.x_m * MM_PER_M, point.y_m * MM_PER_M))
+}
+
+/// Whether a joint has a line along which it slides.
+fn has_rails(joint: &DrawnJoint) -> bool {
+    matches!(joint.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
 }
 
 /// Two rails along the way of the slider, in the frame of the body that carries the guide.
@@ -141,7 +146,7 @@ pub(super) fn outline(drawing: &Drawing, index: usize, poses: &PoseTable, frame:
                 transform=(format!("rotate({:.4} {x:.3} {y:.3})", (guide + joint.guide_angle_rad - own).to_degrees())) {}
         }
         @for joint in drawing.joints.iter().filter(|joint| {
-            joint.kind == DrawnJointKind::Prismatic && joint.first.body == index
+            has_rails(joint) && joint.first.body == index
         }) {
             (guide(drawing, joint, poses, frame, pin))
         }
@@ -219,7 +224,7 @@ pub(super) fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64
                     }
                 }
             } @else if layer == PinLayer::Journals
-                && joint.kind == DrawnJointKind::Revolute
+                && matches!(joint.kind, DrawnJointKind::Revolute | DrawnJointKind::Slot)
                 && joint.second.body == index
             {
                 @if let Some((x, y)) = at(joint.second.point) {

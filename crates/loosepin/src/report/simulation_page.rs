@@ -2,16 +2,19 @@
 
 use maud::{Markup, html};
 
-use super::answer::turns;
+use super::answer::{turn_word, turns};
 use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
+use super::motion_kind_section::{kind_section, kind_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed};
 use crate::simulate::record::{
-    ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare, SimulationRecord, StopReason,
+    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    SimulationRecord, StopReason, SwingCourse,
 };
 use crate::units::SiUnit;
 
@@ -26,11 +29,17 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     if record.outputs.iter().any(|output| !output.deviation_si.is_empty()) {
         sections.push(Section::new("deviation", "Deviation from the ideal motion", deviations(record, &writer)));
     }
+    if !record.measured.is_empty() {
+        sections.push(Section::new("measured", "Measured against computed", measured_figures(record, &writer)));
+    }
     if !record.extremes.is_empty() {
         sections.push(Section::new("extremes", "Smallest and largest values", extremes(record, &writer)));
     }
     if !record.joints.is_empty() {
         sections.push(Section::new("contact", "Contact and impacts", contact(record, &writer)));
+    }
+    if !record.controls.is_empty() {
+        sections.push(Section::new("control", "Controls", controls(record, &writer)));
     }
     if !record.orbits.is_empty() {
         sections.push(Section::new(
@@ -44,6 +53,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
             },
         ));
     }
+    if let Some(kind) = kind_section(record, &writer) {
+        sections.push(Section::new("kind", "What kind of motion it is", kind));
+    }
     if !record.drawing.bodies.is_empty() {
         let figure = mechanism_figure(&record.drawing, &record.settings.drive, "mechanism-figure");
         sections.push(Section::new("mechanism", "The mechanism", figure));
@@ -54,11 +66,10 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         title: record.model.clone(),
         kicker: "Simulation",
         subtitle: html! {
-            (record.settings.drive)
             @if let Some(speed) = record.settings.drive_speed_rad_s {
-                " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+                (record.settings.drive) " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
             }
-            ", " (turns(record.settings.recorded_turns))
+            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s))
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: answer(record, &writer),
@@ -86,11 +97,13 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         .joints
         .iter()
         .map(|joint| {
-            format!(
-                "a radial clearance of {} in {}",
-                writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
-                joint.joint
-            )
+            // In a guide or a slot it lies between faces.
+            let is_between_faces = record.drawing.joints.iter().any(|drawn| {
+                drawn.name == joint.joint && matches!(drawn.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
+            });
+            let clearance = writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH);
+            let kind = if is_between_faces { "clearance" } else { "radial clearance" };
+            format!("a {kind} of {clearance} in {}", joint.joint)
         })
         .collect();
     let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };
@@ -102,7 +115,10 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.value(extreme.maximum.value_si, &extreme.unit),
         ));
     } else {
-        sentences.push(format!("{with}, {} were recorded.", turns(record.settings.recorded_turns)));
+        sentences.push(format!(
+            "{with}, {} were recorded.",
+            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s)
+        ));
     }
     for joint in &record.joints {
         sentences.push(format!(
@@ -114,6 +130,10 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
+    for control in &record.controls {
+        sentences.extend(control_sentences(control, writer));
+    }
+    sentences.extend(kind_sentences(record, writer));
     sentences.push(format!(
         "The energy account of the run closes to {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
@@ -151,6 +171,36 @@ fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> 
         ));
     }
     Some(sentence)
+}
+
+/// How a control followed its reference, and whether it keeps moving where it ought to rest.
+fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let mut sentences = vec![format!(
+        "Control {}: {} departs from its reference by {} at most, with up to {} in {}.",
+        control.name,
+        control.measured,
+        writer.value(largest(&control.error_si), &control.unit),
+        writer.value(largest(&control.effort_si), &control.effort_unit),
+        control.joint,
+    )];
+    if let Some(swing) = &control.swing {
+        let amplitude = writer.value(swing.amplitude_si, &control.unit);
+        let period = writer.value(swing.period_s, &SiUnit::TIME);
+        sentences.push(match swing.course {
+            SwingCourse::Steady => format!(
+                "Control {}: {} does not come to rest although its reference does: it keeps swinging by {amplitude} either way, once \
+                 in {period} (a limit cycle, over {} swings).",
+                control.name, control.measured, swing.swings
+            ),
+            SwingCourse::Grows => format!(
+                "Control {}: {} swings more and more although its reference rests: by {amplitude} either way in the end, once in \
+                 {period}.",
+                control.name, control.measured
+            ),
+        });
+    }
+    sentences
 }
 
 /// A chart over time with the angle of the drive in the caption.
@@ -225,8 +275,11 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         html! {
             strong { (writer.value(point.value_si, unit)) } " "
             span.quiet {
-                (writer.value(point.time_s, &SiUnit::TIME)) ", " (record.settings.drive) " at "
-                (writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest))
+                (writer.value(point.time_s, &SiUnit::TIME))
+                @if record.settings.drive_speed_rad_s.is_some() {
+                    ", " (record.settings.drive) " at "
+                    (writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest))
+                }
             }
         }
     };
@@ -252,7 +305,7 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let shown = record.impacts.len().min(MOST_IMPACTS);
     html! {
-        @for joint in &record.joints { h3 { (joint.joint) } (facts(&joint_facts(joint, writer))) }
+        @for joint in &record.joints { h3 { (joint.joint) } (facts(&joint_facts(joint, turn_word(record.settings.drive_speed_rad_s), writer))) }
         @if record.contact_forces.iter().any(|history| !history.force_n.is_empty()) {
             (force_chart(record, writer).figure())
         }
@@ -269,11 +322,13 @@ fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 }
 
 fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) -> Markup {
+    // The phase of a cycle in which no drive turns tells nothing that the time does not.
+    let has_angle = record.settings.drive_speed_rad_s.is_some();
     let row = |impact: &ImpactRecord| {
         html! {
             tr {
                 th scope="row" { (writer.value(impact.time_s, &SiUnit::TIME)) }
-                td { (writer.value(impact.drive_angle_rad, &SiUnit::ANGLE)) }
+                @if has_angle { td { (writer.value(impact.drive_angle_rad, &SiUnit::ANGLE)) } }
                 td { (impact.joint) }
                 td { (writer.value(impact.speed_m_s, &SiUnit::VELOCITY)) }
                 td { (writer.value(impact.duration_s, &SiUnit::TIME)) }
@@ -292,7 +347,7 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
             thead {
                 tr {
                     th scope="col" { "Onset" }
-                    th scope="col" { "Angle of " (record.settings.drive) }
+                    @if has_angle { th scope="col" { "Angle of " (record.settings.drive) } }
                     th scope="col" { "Joint" }
                     th scope="col" { "Approach speed" }
                     th scope="col" { "Duration" }
@@ -321,7 +376,37 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
     chart
 }
 
-fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Markup)> {
+fn controls(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, control) in record.controls.iter().enumerate() {
+            h3 { (control.name) }
+            @let about = html! { strong { "Error." } " Reference minus " (control.measured) "." };
+            (control_chart(record, format!("control-error-{index}"), "error", (&control.error_si, &control.unit), about, writer))
+            @let about = html! { strong { "Effort." } " What the actuator does in " (control.joint) "." };
+            (control_chart(record, format!("control-effort-{index}"), "effort", (&control.effort_si, &control.effort_unit), about, writer))
+        }
+    }
+}
+
+fn control_chart(
+    record: &SimulationRecord,
+    id: String,
+    label: &str,
+    (values_si, unit): (&[f64], &SiUnit),
+    caption: Markup,
+    writer: &NumberWriter,
+) -> Markup {
+    let mut chart = time_chart(record, id, writer);
+    chart.height = 220;
+    chart.y_label = label.to_owned();
+    chart.y_symbol = writer.symbol(unit);
+    chart.entries.push(line(label, Role::Mixed, false, values_si, unit, writer));
+    chart.caption = caption;
+    chart.alternative = format!("Chart of the {label} of a control over time.");
+    chart.figure()
+}
+
+fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(String, Markup)> {
     let mut rows = vec![
         ("Contact law".to_owned(), html! { (joint.law) }),
         (
@@ -329,8 +414,15 @@ fn joint_facts(joint: &JointSummary, writer: &NumberWriter) -> Vec<(String, Mark
             html! {
                 (count(joint.contacts, writer)) ", of which " (count(joint.impacts, writer)) " impacts"
                 @if let Some(per_turn) = joint.impacts_per_turn {
-                    " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per turn)"
+                    " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per " (turn) ")"
                 }
+            },
+        ),
+        (
+            "Loss of contact".to_owned(),
+            html! {
+                "out of contact for " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact is lost "
+                (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per " (turn)
             },
         ),
         (
@@ -419,8 +511,9 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Turns".to_owned(),
             html! {
-                (turns(settings.transient_turns)) " to start up, then " (turns(settings.recorded_turns)) " recorded, "
-                (settings.samples_per_turn) " samples per turn"
+                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " to start up, then "
+                (turns(settings.recorded_turns, settings.drive_speed_rad_s)) " recorded, "
+                (settings.samples_per_turn) " samples per " (turn_word(settings.drive_speed_rad_s))
             },
         ),
         (

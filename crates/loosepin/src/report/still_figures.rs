@@ -52,6 +52,34 @@ pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
     }
 }
 
+/// A journal once a turn, inside the circle of its clearance: a dot for each turn.
+pub(super) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) -> Markup {
+    let clearance = writer.value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
+    let scale = if journal.radial_clearance_m > 0.0 { ORBIT_RADIUS / journal.radial_clearance_m } else { 0.0 };
+    let step = journal.x_m.len().div_ceil(ORBIT_POINTS).max(1);
+    let mut dots = String::new();
+    for (x_m, y_m) in journal.x_m.iter().zip(&journal.y_m).step_by(step).filter(|(x, y)| (**x + **y).is_finite()) {
+        dots.push_str(&format!("M{:.0} {:.0}h0", x_m * scale, y_m * scale));
+    }
+    let view = format!("{} {} {} {}", -ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE);
+    let turns = journal.x_m.len();
+    html! {
+        figure.orbit {
+            svg viewBox=(view) role="img" aria-label=(format!(
+                "The journal of {} once a turn, {turns} turns: dots in the circle of the clearance {clearance}.", journal.joint
+            )) {
+                g transform="scale(1 -1)" {
+                    line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
+                    line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
+                    circle.clearance r=(ORBIT_RADIUS) {}
+                    path.dots d=(dots) {}
+                }
+            }
+            figcaption { strong { (journal.joint) ", once a turn" } ". Circle: radial clearance " (clearance) ". " (turns) " turns." }
+        }
+    }
+}
+
 /// Where `value` lies between `from` and `to`, in percent of the width.
 pub(super) fn percent_of(value: f64, from: f64, to: f64) -> String {
     let share = if to > from { (value - from) / (to - from) } else { 0.5 };

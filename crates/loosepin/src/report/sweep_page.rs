@@ -8,7 +8,7 @@ use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::section_figure::section_figure;
 use super::wording::counted;
-use crate::sweep::REPEAT_SHARE;
+use crate::simulate::REPEAT_SHARE;
 use crate::sweep::record::{SweepRecord, SweptJoint};
 use crate::units::SiUnit;
 

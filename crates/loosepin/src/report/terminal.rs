@@ -3,9 +3,13 @@
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
 use super::answer::{answer, output_unit, treatment_sentences};
+use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
-use super::wording::{count, counted, deviation_words, output_words, place_words, statistic_words, treatment_words};
+use super::wording::{
+    EQUALLY_PROBABLE, count, counted, deviation_words, has_lists, output_words, place_words, statistic_words,
+    treatment_words, unknown_words,
+};
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
 use crate::simulate::record::{SimulationRecord, StopReason};
@@ -32,7 +36,8 @@ pub fn study_text(result: &StudyResult) -> String {
         .filter(|bound| bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
         .collect();
     if !shown.is_empty() {
-        text.push_str("\nBounds over the interval inputs, widened by their numerical error\n");
+        let unknown = unknown_words(&result.inputs);
+        text.push_str(&format!("\nBounds over the {unknown}, widened by their numerical error\n"));
         let rows = &shown[..shown.len().min(MOST_ROWS)];
         for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
             text.push_str(&format!(
@@ -55,7 +60,8 @@ pub fn study_text(result: &StudyResult) -> String {
             place_words(comparison.at, &writer),
             treatments_table(comparison, &writer)
         ));
-        for sentence in treatment_sentences(comparison, &writer) {
+        let of_lists = has_lists(&result.inputs).then(|| EQUALLY_PROBABLE.to_owned());
+        for sentence in treatment_sentences(comparison, &writer).into_iter().chain(of_lists) {
             text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
         }
     }
@@ -80,11 +86,12 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
     let at = |point: &crate::simulate::record::ExtremePoint| {
-        format!(
-            "{}, {}",
-            writer.value(point.time_s, &SiUnit::TIME),
-            writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)
-        )
+        let time = writer.value(point.time_s, &SiUnit::TIME);
+        // The phase of a cycle in which no drive turns tells nothing that the time does not.
+        if record.settings.drive_speed_rad_s.is_none() {
+            return time;
+        }
+        format!("{time}, {}", writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest))
     };
     let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
     for extreme in &record.extremes {
@@ -118,6 +125,24 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     push_table(&mut text, &joints);
     if !record.joints.is_empty() {
         text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
+    }
+    push_table(&mut text, &contact_table(record, &writer));
+    if record.joints.iter().any(|joint| joint.share_outside_validity.is_some()) {
+        text.push_str("too fast: share of the impacts beyond the speed up to which the contact law is meant\n");
+    }
+    let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
+    for curve in &record.measured {
+        measured.add_row([
+            curve.output.clone(),
+            count(curve.at_si.len() as u64, &writer),
+            writer.value(curve.rms_si, &curve.unit),
+            writer.value(curve.largest_si, &curve.unit),
+            at_words(curve, record, &writer),
+        ]);
+    }
+    push_table(&mut text, &measured);
+    if !record.measured.is_empty() {
+        text.push_str("residuals: measured minus computed\n");
     }
     let counters = &record.counters;
     text.push_str(&format!(
@@ -198,6 +223,27 @@ pub fn sweep_text(record: &SweepRecord) -> String {
         text.push_str(&format!("\n{} more in sweep.csv\n", stretches.len() - MOST_ROWS));
     }
     with_plain_spaces(text)
+}
+
+/// How often and how long the parts of each joint with play do not touch, and how much of the impacts and of the clearance is
+/// beyond what the law is meant for.
+fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
+    let [impacts, losses] = ["impacts", "losses"]
+        .map(|what| format!("{what} a {}", super::answer::turn_word(record.settings.drive_speed_rad_s)));
+    let head = ["joint", &impacts, &losses, "out of contact", "too fast", "penetration/clearance"];
+    let mut contacts = table(&head, &[1, 2, 3, 4, 5]);
+    let tenths = |value: f64| writer.shortest((value * 10.0).round() / 10.0, &SiUnit::NONE);
+    for joint in &record.joints {
+        contacts.add_row([
+            joint.joint.clone(),
+            joint.impacts_per_turn.map_or("-".to_owned(), tenths),
+            tenths(joint.losses_per_turn),
+            writer.percent(joint.flight_share, Rounding::Nearest),
+            joint.share_outside_validity.map_or("-".to_owned(), |share| writer.percent(share, Rounding::Up)),
+            writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up),
+        ]);
+    }
+    contacts
 }
 
 /// The scatter of the dimensions where it moves each output most: their root of the sum of squares, and their parts.

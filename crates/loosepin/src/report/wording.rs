@@ -2,8 +2,8 @@
 
 use super::number::{NumberWriter, Rounding};
 use crate::study::result::{
-    DeviationKind, GuaranteeKind, IntervalReading, OutputDescription, Reduction, ResponsePoint, StatisticKind,
-    TreatmentKind, Verdict,
+    DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription, Reduction,
+    ResponsePoint, StatisticKind, TreatmentKind, Verdict,
 };
 use crate::units::SiUnit;
 
@@ -88,6 +88,19 @@ pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
         Verdict::NotMet => "not met",
         Verdict::Undecided => "undecided",
     }
+}
+
+/// What the epistemic inputs are called: by what is known of them.
+pub(super) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
+    if has_lists(inputs) { "unknown inputs" } else { "interval inputs" }
+}
+
+/// What the treatments take lists for.
+pub(super) const EQUALLY_PROBABLE: &str = "Read as probability, every member of a list is equally probable; read as interval, every combination of members is tried.";
+
+/// Whether an input is one of a list.
+pub(super) fn has_lists(inputs: &[InputDescription]) -> bool {
+    inputs.iter().any(|input| matches!(input.kind, InputKind::Choice { .. }))
 }
 
 /// `slider` with its meaning where there is one: `slider (x of slider.pin)`.

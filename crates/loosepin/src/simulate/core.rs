@@ -6,6 +6,7 @@ use super::gap::GapJet;
 use super::motion::tolerances;
 use super::reads::ReadLayout;
 use super::report::{EnergyAccount, PlaySummary};
+use super::resume::MotionState;
 use super::settings::{STEP_SHARE, Settings};
 use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
@@ -111,6 +112,17 @@ impl<'a, T: Lanes> Core<'a, T> {
         for contact in 0..self.equations.motion.states.len() {
             self.set_contact(lane, contact, &PlayState::flight(), false);
             self.set_records(lane, contact, &PlaySummary::default());
+        }
+    }
+
+    /// Puts the contacts of a run that goes on into a lane that was loaded. Penetrations are read off the positions until the
+    /// next contact begins; deflections of bristles go on as they are. The lane needs a restart.
+    pub fn resume(&mut self, lane: usize, resume: &MotionState) {
+        for (contact, state) in resume.contacts.iter().enumerate() {
+            self.set_contact(lane, contact, state, false);
+            if let Some(place) = self.equations.motion.layout.bristles[contact] {
+                self.stepper.start_mut()[place].set_lane(lane, resume.state[place]);
+            }
         }
     }
 
@@ -303,16 +315,20 @@ impl<'a, T: Lanes> Core<'a, T> {
             let is_root = motion.unknowns[contact].root.map_or(T::zero(), |root| root.is_unknown);
             let is_root = T::from_f64(0.5).less_than(is_root);
             let (depth_m, half_rate_share) = match numbers.shape {
-                PlayShape::Pin { .. } => {
+                PlayShape::Pin { .. } | PlayShape::Slot(_) => {
                     let clearance_m = numbers.clearance_m;
                     let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
                     (limit / (distance_m + clearance_m), clearance_m)
                 }
+                PlayShape::Slider(_) => (limit, T::from_f64(0.5)),
             };
             let depth_m = T::select(is_root, limit * limit, depth_m);
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
             let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (half_rate_share * pace));
-            let force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, state);
+            let mut force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, state);
+            if let PlayShape::Slot(slot) = &numbers.shape {
+                force_n *= slot.end_stiffening + T::one();
+            }
             let [deepest_m, strongest_n] = self.records[contact];
             let is_closed = T::flags(is_closed);
             notable |= is_closed & (T::flags(deepest_m.less_than(depth_m)) | T::flags(strongest_n.less_than(force_n)));

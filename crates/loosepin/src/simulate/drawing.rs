@@ -44,6 +44,7 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
                 JointKind::Prismatic { guide_angle_rad, .. } => {
                     (DrawnJointKind::Prismatic, values[*guide_angle_rad], 0.0)
                 }
+                JointKind::Slot { slot_angle_rad, .. } => (DrawnJointKind::Slot, values[*slot_angle_rad], 0.0),
                 JointKind::Rigid { .. } => (DrawnJointKind::Rigid, 0.0, 0.0),
             };
             DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }

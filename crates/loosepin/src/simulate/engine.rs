@@ -1,6 +1,6 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run};
+use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run};
 use super::column::{Arms, Reading};
 use super::failure::RunFailure;
 use super::gap::GapJet;
@@ -8,6 +8,7 @@ use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
 use super::pace::fastest_drive_rad_s;
 use super::report::{Counters, RunReport};
+use super::resume::MotionState;
 use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
 use crate::math::{InstructionSet, LaneGroup, Vectors};
@@ -28,7 +29,19 @@ pub fn run(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
-    let run = Run { sample: sample.clone(), arms: Arms::none(), window: *window, observer };
+    run_from(mechanism, sample, window, settings, None, observer)
+}
+
+/// [`run`], from where another run ended.
+pub(super) fn run_from(
+    mechanism: &Mechanism,
+    sample: &Sample<f64>,
+    window: &Window,
+    settings: &Settings,
+    resume: Option<MotionState>,
+    observer: &mut dyn Observer,
+) -> Result<RunReport, RunFailure> {
+    let run = Run { sample: sample.clone(), arms: Arms::none(), window: *window, observer, resume };
     let mut queue = One { run: Some(run), outcome: None };
     conduct(mechanism, &[], settings, Vectors::None, &mut queue);
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))
@@ -45,7 +58,7 @@ pub fn conduct<O: Observer>(
 ) {
     if mechanism.is_ideal() {
         while let Some(run) = queue.next() {
-            let Run { sample, arms, window, mut observer } = run;
+            let Run { sample, arms, window, mut observer, .. } = run;
             let outcome = run_kinematics(mechanism, &sample, &arms, readings, &window, &mut observer);
             queue.finished(observer, outcome);
         }
@@ -62,9 +75,6 @@ pub fn conduct<O: Observer>(
     }
 }
 
-/// Vectors of eight lanes that are worked on at once.
-const VECTORS: usize = 2;
-
 /// The one place that names lane groups: the token proves that this processor has their instructions.
 fn on_lanes<S: InstructionSet, O: Observer>(
     _token: S,
@@ -75,7 +85,7 @@ fn on_lanes<S: InstructionSet, O: Observer>(
     queue: &mut dyn Queue<Observer = O>,
 ) {
     let level = level.filter(|_| settings.machine_code);
-    Batch::<LaneGroup<S, VECTORS>, O>::conduct(mechanism, readings, settings, level, queue);
+    Batch::<LaneGroup<S>, O>::conduct(mechanism, readings, settings, level, queue);
 }
 
 /// A queue of one run.
@@ -156,7 +166,19 @@ fn run_kinematics(
             return Err(error.into());
         }
         match &mut account {
-            Some(account) => account.close_step(&mut motion, &mut ideal, start_s, end_s)?,
+            Some(account) => {
+                account.close_step(&mut motion, &mut ideal, start_s, end_s)?;
+                let mut jams = None;
+                motion.dynamics.joint_friction_residuals(|index, residual| {
+                    if !(residual <= LARGEST_RESIDUAL) {
+                        jams = jams.or(Some(index));
+                    }
+                });
+                if let Some(index) = jams {
+                    let joint = mechanism.model.joints[sample.frictions[index].joint.0].name.clone();
+                    return Err(RunFailure::Jams { joint, time_s: end_s });
+                }
+            }
             None => ideal.move_to(end_s)?,
         }
         start_s = end_s;

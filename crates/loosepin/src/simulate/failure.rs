@@ -53,6 +53,43 @@ pub enum RunFailure {
         /// Time, s.
         time_s: f64,
     },
+    /// The penetration is so deep that the slider's axis leaves the guide.
+    #[error(
+        "at {} a corner of the slider of joint '{joint}' is pressed {} into its guide; its half-height is {}",
+        format_value(*time_s, Dimension::TIME),
+        format_value(*penetration_m, Dimension::LENGTH),
+        format_value(*half_height_m, Dimension::LENGTH)
+    )]
+    LeavesGuide {
+        /// The joint.
+        joint: String,
+        /// Penetration, m.
+        penetration_m: f64,
+        /// Half-height of the slider, m.
+        half_height_m: f64,
+        /// Time, s.
+        time_s: f64,
+    },
+    /// A corner leaves the faces of its guide.
+    #[error(
+        "at {} the corner {contact} of the slider is at {} of its guide, whose faces reach from {} to {}",
+        format_value(*time_s, Dimension::TIME),
+        format_value(*along_m, Dimension::LENGTH),
+        format_value(ends_m[0], Dimension::LENGTH),
+        format_value(ends_m[1], Dimension::LENGTH)
+    )]
+    BeyondGuide {
+        /// The corner, with the name of its joint.
+        contact: String,
+        /// The joint.
+        joint: String,
+        /// Abscissa of the corner along the guide, m.
+        along_m: f64,
+        /// Where the faces begin and end, m.
+        ends_m: [f64; 2],
+        /// Time, s.
+        time_s: f64,
+    },
     /// The penetration is deeper than the contact law can tell a force for.
     #[error(
         "at {} the pin of joint '{joint}' is pressed {} into its hole; '{law}' has a force up to {}",
@@ -88,10 +125,21 @@ pub enum RunFailure {
         /// The limit.
         most: usize,
     },
+    /// Friction in an ideal joint has no solution.
+    #[error("at {} joint '{joint}' jams: no friction force fits what it carries", format_value(*time_s, Dimension::TIME))]
+    Jams {
+        /// The joint.
+        joint: String,
+        /// Time, s.
+        time_s: f64,
+    },
+    /// The drives leave nothing free that a neighbouring motion could differ in.
+    #[error("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent")]
+    NothingIsFree,
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 13] = [
+const CODES: [&str; 18] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -105,6 +153,11 @@ const CODES: [&str; 13] = [
     "beyond_contact_law",
     "clearance_outside_fit",
     "start_contradicts",
+    "roughness_outside_film",
+    "nothing_is_free",
+    "joint_jams",
+    "slider_leaves_guide",
+    "slider_beyond_guide",
 ];
 
 impl RunFailure {
@@ -129,6 +182,11 @@ impl RunFailure {
             Self::BeyondLaw { .. } => 10,
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
             Self::Sample(SampleError::StartContradicts { .. }) => 12,
+            Self::Sample(SampleError::RoughnessOutsideFilm { .. }) => 13,
+            Self::NothingIsFree => 14,
+            Self::Jams { .. } => 15,
+            Self::LeavesGuide { .. } => 16,
+            Self::BeyondGuide { .. } => 17,
         }
     }
 
@@ -147,8 +205,11 @@ impl Problem for RunFailure {
             Self::NotFinite { .. } => Code::RunNotFinite,
             Self::TooManyEvaluations { .. } => Code::RunTooLong,
             Self::TooManyRows { .. } => Code::BadCount,
-            Self::LeavesBearing { .. } => Code::PinLeavesBearing,
+            Self::LeavesBearing { .. } | Self::LeavesGuide { .. } => Code::PinLeavesBearing,
+            Self::BeyondGuide { .. } => Code::SliderBeyondGuide,
             Self::BeyondLaw { .. } => Code::BeyondContactLaw,
+            Self::NothingIsFree => Code::NothingIsFree,
+            Self::Jams { .. } => Code::Jams,
         }
     }
 
@@ -162,8 +223,15 @@ impl Problem for RunFailure {
             ),
             Self::TooManyEvaluations { .. } => Some("ask for fewer turns or a looser tolerance".to_owned()),
             Self::TooManyRows { .. } => Some("ask for fewer turns or fewer samples a turn".to_owned()),
-            Self::LeavesBearing { .. } => {
+            Self::LeavesBearing { .. } | Self::LeavesGuide { .. } => {
                 Some("the contact is too soft, or the drive too fast, for these masses".to_owned())
+            }
+            Self::Jams { .. } => {
+                Some("less friction, a longer guide or a smaller pin; rigid bodies have no motion here".to_owned())
+            }
+            Self::NothingIsFree => Some("leave --lyapunov out, or give a joint some play".to_owned()),
+            Self::BeyondGuide { .. } => {
+                Some("give the guide other ends, or none: what overhangs is not computed".to_owned())
             }
             Self::BeyondLaw { .. } => Some("take a law without such a limit, liu or bai-zhao".to_owned()),
         }
@@ -176,13 +244,16 @@ impl RunFailure {
         match self {
             Self::Sample(error) => error.complaint(model),
             Self::StandsStill { drive } => Complaint::error(self, model.place(&format!("drive.{drive}.speed"))),
-            Self::LeavesBearing { joint, .. } | Self::BeyondLaw { joint, .. } => {
-                Complaint::error(self, model.place(&format!("joint.{joint}")))
-            }
+            Self::LeavesBearing { joint, .. }
+            | Self::LeavesGuide { joint, .. }
+            | Self::BeyondGuide { joint, .. }
+            | Self::BeyondLaw { joint, .. }
+            | Self::Jams { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
             Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
                 Complaint::error(self, None)
             }
             Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
+            Self::NothingIsFree => Complaint::error(self, None),
         }
     }
 }

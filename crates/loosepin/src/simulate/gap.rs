@@ -121,8 +121,9 @@ impl ContactStep {
         if self.is_root { largest * largest } else { measure.penetration_m(largest) }
     }
 
-    /// Largest normal force within the step, N, at the ends and three points between.
-    pub fn largest_force_n(&self, play: &PlayGeometry<f64>, state: &PlayState<f64>) -> f64 {
+    /// Largest normal force within the step, N, at the ends and three points between. `shares` are the stiffness at both ends
+    /// over that of the law: other than one in a slot alone, and taken as growing evenly.
+    pub fn largest_force_n(&self, play: &PlayGeometry<f64>, state: &PlayState<f64>, shares: [f64; 2]) -> f64 {
         let gap = Quintic::new(self.gap[0].jet, self.gap[1].jet, self.step);
         let time = Quintic::new(self.time[0].jet, self.time[1].jet, self.step);
         let measure = GapMeasure::of(play);
@@ -135,7 +136,8 @@ impl ContactStep {
             let rate_m_s = gap.slope(tau) / (measure.rate_share(value) * time.slope(tau));
             play.normal.force(measure.penetration_m(value), rate_m_s, state).total_n
         };
-        (0..=4).map(|k| force_n(f64::from(k) / 4.0)).fold(0.0, f64::max)
+        let share = |tau: f64| shares[0] + (shares[1] - shares[0]) * tau;
+        (0..=4).map(|k| f64::from(k) / 4.0).map(|tau| share(tau) * force_n(tau)).fold(0.0, f64::max)
     }
 }
 

@@ -1,9 +1,12 @@
 //! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
 
 use super::column::{Arms, Column, columns};
+use super::control_history::ControlRecorder;
 use super::drawing::{add_pose, skeleton};
 use super::engine::run;
 use super::failure::RunFailure;
+use super::flight::FlightClock;
+use super::lyapunov::{ExponentPlan, largest_exponent};
 use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::record::{
@@ -13,11 +16,13 @@ use super::record::{
 use super::reference::IdealReference;
 use super::report::RunReport;
 use super::search::{Peak, maximum_within};
+use super::sections::SectionRecorder;
 use super::settings::{Settings, Window};
+use super::turns::Turns;
 use crate::dynamics::Dynamics;
 use crate::math::Vec2;
-use crate::mechanism::{Mechanism, Sample, SampleError, acceleration_at};
-use crate::model::{Cycle, CycleInput, CycleSpan, JointKind, Values};
+use crate::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
+use crate::model::{Cycle, CycleInput, CycleSpan, Values};
 use crate::units::DisplayUnits;
 
 /// What is run and recorded.
@@ -29,6 +34,8 @@ pub struct Plan {
     pub settings: Settings,
     /// Whether positions, velocities and accelerations of all bodies are recorded.
     pub with_states: bool,
+    /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; none where it is not asked for.
+    pub lyapunov_turns: Option<u32>,
     /// What was set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
@@ -87,6 +94,9 @@ pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<S
     if !(rows <= MOST_ROWS as f64) {
         return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
     }
+    if plan.lyapunov_turns.is_some() && mechanism.is_ideal() {
+        return Err(RunFailure::NothingIsFree);
+    }
     let window = plan.window(mechanism, values)?;
     let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
@@ -97,12 +107,18 @@ pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<S
         IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?.at(turns * input.turn_s(), false)?;
     }
     let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
-    let mut recorder = Recorder::new(mechanism, values, reference, input, plan, &window);
+    let mut recorder = Recorder::new(mechanism, values, reference, input.clone(), plan, &window);
     let report = run(mechanism, &sample, &window, &plan.settings, &mut recorder)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
     }
-    Ok(recorder.into_simulation(&sample, plan, report))
+    let mut simulation = recorder.into_simulation(&sample, plan, report);
+    if let Some(turns) = plan.lyapunov_turns {
+        let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
+        let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
+        simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent)?);
+    }
+    Ok(simulation)
 }
 
 /// Points at which each step is looked at for extremes, the ends included.
@@ -127,6 +143,7 @@ struct Recorder<'a> {
     energy: EnergyAccount,
     energy_at_zero_j: Option<f64>,
     contact_forces: Vec<Vec<f64>>,
+    controls: ControlRecorder,
     impacts: Vec<ImpactRecord>,
     /// Index of the impact at hand, by contact.
     open_impacts: Vec<Option<usize>>,
@@ -135,6 +152,8 @@ struct Recorder<'a> {
     orbits: Vec<(Vec<f64>, Vec<f64>)>,
     drawing: Drawing,
     states: Option<BodyStates>,
+    flight: FlightClock,
+    sections: SectionRecorder,
     with_forces: bool,
     has_dampers: bool,
 }
@@ -154,6 +173,7 @@ impl<'a> Recorder<'a> {
         let at =
             |row: usize| if row == rows { window.end_s } else { window.start_s + span_s * row as f64 / rows as f64 };
         let (plays, contacts) = (mechanism.plays.len(), mechanism.contacts.len());
+        let sections = SectionRecorder::new(Turns::within(*window, input.turn_s()), plays, columns.len());
         let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
         Self {
             mechanism,
@@ -181,6 +201,7 @@ impl<'a> Recorder<'a> {
             },
             energy_at_zero_j: None,
             contact_forces: vec![Vec::new(); contacts],
+            controls: ControlRecorder::new(mechanism, plan.settings.tolerance_m),
             impacts: Vec::new(),
             open_impacts: vec![None; contacts],
             peak_forces_n: vec![0.0; contacts],
@@ -188,9 +209,18 @@ impl<'a> Recorder<'a> {
             orbits: vec![(Vec::new(), Vec::new()); plays],
             drawing: skeleton(mechanism, values),
             states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
+            flight: FlightClock::new(mechanism, window.start_s),
+            sections,
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
             has_dampers: mechanism.model.springs.iter().any(|spring| spring.damping.is_some()),
             columns,
+        }
+    }
+
+    fn record_sections(&mut self, step: &mut Step<'_, '_>) {
+        while let Some(time_s) = self.sections.next_s().filter(|&time_s| time_s <= step.end_s) {
+            let looks = self.look(step, time_s);
+            self.sections.look(step.set_state(time_s), &looks[self.columns.len()..]);
         }
     }
 
@@ -309,6 +339,9 @@ impl<'a> Recorder<'a> {
         if self.has_dampers {
             self.energy.damping_loss_j.push(account.damping_loss_j);
         }
+        if !self.controls.is_empty() {
+            self.controls.record(step.evaluate(time_s));
+        }
         if let Some(states) = &mut self.states {
             let dynamics = step.evaluate(time_s);
             states.rows.push(body_states(self.mechanism, self.values, dynamics));
@@ -348,6 +381,7 @@ impl<'a> Recorder<'a> {
                 ideal_si: self.ideal_si[k].clone(),
             })
             .collect();
+        let kind = self.sections.kind(self.mechanism, sample, &self.columns, self.drive_angle_rad(self.window.start_s));
         let record = SimulationRecord {
             model: self.mechanism.model.name.clone(),
             version: crate::VERSION.to_owned(),
@@ -370,6 +404,8 @@ impl<'a> Recorder<'a> {
             },
             extremes,
             joints,
+            kind,
+            lyapunov: None,
             display_units: DisplayUnits::for_duration_s(self.window.end_s),
             drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
             outputs,
@@ -379,7 +415,9 @@ impl<'a> Recorder<'a> {
                     force_n: self.contact_forces[contact].clone(),
                 })
                 .collect(),
+            // A slider has no orbit in a hole.
             orbits: (0..self.orbits.len())
+                .filter(|&play| matches!(sample.plays[play].shape, PlayShape::Pin { .. }))
                 .map(|play| JournalOrbit {
                     joint: name_of(play),
                     label: String::new(),
@@ -388,11 +426,13 @@ impl<'a> Recorder<'a> {
                     y_m: self.orbits[play].1.clone(),
                 })
                 .collect(),
+            controls: self.controls.into_histories(&self.sample_times_s),
             time_s: self.sample_times_s,
             energy: self.energy,
             impacts: self.impacts,
             drawing: self.drawing,
             quasi_static_check: Vec::new(),
+            measured: Vec::new(),
         };
         Simulation { record, states: self.states, report }
     }
@@ -421,8 +461,8 @@ impl<'a> Recorder<'a> {
         plays
             .filter_map(|(index, ((joint, numbers), summary))| {
                 let joint = &model.joints[joint.0];
-                let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { return None };
-                let contact = &model.contacts[clearance.contact.0];
+                let (_, contact) = joint.kind.play()?;
+                let contact = &model.contacts[contact.0];
                 let impacts = summary.contacts - summary.floored_contacts;
                 let contacts = self.mechanism.contacts_of(index);
                 let largest = |values: &[f64]| values[contacts.clone()].iter().copied().fold(0.0, f64::max);
@@ -441,6 +481,8 @@ impl<'a> Recorder<'a> {
                     share_outside_validity: (numbers.largest_valid_impact_speed_m_s.is_finite() && impacts > 0)
                         .then(|| summary.impacts_beyond_validity as f64 / impacts as f64),
                     floored_contacts: summary.floored_contacts,
+                    flight_share: self.flight.share(index, self.window.end_s),
+                    losses_per_turn: self.flight.losses(index) as f64 / turns,
                 })
             })
             .collect()
@@ -450,7 +492,9 @@ impl<'a> Recorder<'a> {
 impl Observer for Recorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         self.reference.hold_pieces(0.5 * (step.start_s + step.end_s));
+        self.flight.step(step);
         self.record_samples(step);
+        self.record_sections(step);
         self.note_extremes(step);
         self.note_peak_forces(step);
     }

@@ -23,7 +23,7 @@ const PER_CONTACT: usize = 4;
 
 /// The equations of a mechanism as straight-line programs: what machine code is made of, to be counted and timed.
 ///
-/// Blocks: numbers of the sample and of the points (0); 1 in contact, 1/v0 and 1 with a root, of each contact (1);
+/// Blocks: numbers of the sample and of the points (0); 1 in contact, 1/v0, m_eff and 1 with a root, of each contact (1);
 /// state (2); slope (3); what is read at the end of a step (4).
 #[derive(Debug, Clone)]
 pub struct EquationPrograms {

@@ -1,8 +1,8 @@
 //! The state vector of a run, or of one run a lane, and its derivative.
 //!
 //! One integrates over s with dt/ds = w. Mostly w = 1 and s is the time. During a contact whose law is K δ^1.5 without
-//! friction, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning of
-//! the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
+//! friction or oil, the root u = √δ is an unknown of its own and w = u: then K u³ and everything else is smooth from the beginning
+//! of the contact to its end, where K δ^1.5 is not, and a method of high order keeps its order. One contact at a time is treated
 //! so; contacts that begin meanwhile, or gently, take δ from the positions.
 
 use crate::contact::NormalContact;
@@ -10,12 +10,13 @@ use crate::dynamics::{ContactForce, ContactUnknowns, DepthRoot, Dynamics, PlaySt
 use crate::integrate::System;
 use crate::math::Real;
 use crate::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
+use crate::model::JointKind;
 
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
 const ACCOUNT: usize = 3;
 
-/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations and deflections of bristles; then the
-/// integrals.
+/// Where everything is in the state vector: coordinates, rates, time, roots of penetrations, deflections of bristles and integrals of
+/// errors of controls; then the integrals of the energy account.
 #[derive(Debug, Clone)]
 pub struct Layout {
     /// Free coordinates.
@@ -24,6 +25,10 @@ pub struct Layout {
     pub roots: Vec<Option<usize>>,
     /// Place of the deflection of the bristles of each contact whose friction law has them.
     pub bristles: Vec<Option<usize>>,
+    /// Place of the integral of the error of each control that has one.
+    pub error_integrals: Vec<Option<usize>>,
+    /// Place of the deflection of the bristles of each ideal joint whose friction law has them.
+    pub joint_bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
     /// Whether the loss of dampers is an integral as well, the last one.
@@ -41,12 +46,16 @@ impl Layout {
                 dimension - 1
             })
         };
-        let has_root = |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts();
+        let has_root =
+            |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts() && play.film.is_none();
         let contacts = 0..sample.contacts.len();
         let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
         let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();
+        let joint_bristles = sample.frictions.iter().map(|friction| place_if(friction.law.has_bristle())).collect();
+        let controls = sample.controls.iter();
+        let error_integrals = controls.map(|control| place_if(control.integral.is_some())).collect();
         let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
-        Self { freedoms, roots, bristles, dimension, has_dampers }
+        Self { freedoms, roots, bristles, joint_bristles, error_integrals, dimension, has_dampers }
     }
 
     /// Place of the time.
@@ -80,11 +89,11 @@ impl Layout {
 /// What was supplied and lost since time zero, J.
 #[derive(Debug, Clone, Copy)]
 pub struct Account<T> {
-    /// Work of drives and loads.
+    /// Work of drives, loads and actuators.
     pub supplied_j: T,
     /// Turned into heat by normal contact.
     pub contact_loss_j: T,
-    /// Turned into heat by friction.
+    /// Turned into heat by friction and by films of oil.
     pub friction_loss_j: T,
     /// Turned into heat by dampers.
     pub damping_loss_j: T,
@@ -154,6 +163,16 @@ impl<'a, T: Real> Motion<'a, T> {
                 *bristle_m = state[place];
             }
         }
+        for (index, place) in self.layout.joint_bristles.iter().enumerate() {
+            if let Some(place) = place {
+                self.dynamics.set_joint_bristle(index, state[*place]);
+            }
+        }
+        for (control, place) in self.layout.error_integrals.iter().enumerate() {
+            if let Some(place) = place {
+                self.dynamics.error_integrals_mut()[control] = state[*place];
+            }
+        }
         self.dynamics.evaluate_with_unknowns(time_s, &state[..n], &state[n..2 * n], &self.states, &self.unknowns);
     }
 
@@ -203,11 +222,24 @@ impl<T: Real> System<T> for Motion<'_, T> {
                     self.dynamics.contacts()[contact].bristle_rate_m_s * pace * self.states[contact].contact;
             }
         }
+        for (index, place) in self.layout.joint_bristles.iter().enumerate() {
+            if let Some(place) = place {
+                slope[*place] = self.dynamics.joint_bristle_rate_m_s(index) * pace;
+            }
+        }
+        for (actuator, place) in self.dynamics.actuators().iter().zip(&self.layout.error_integrals) {
+            if let Some(place) = place {
+                slope[*place] = actuator.error * pace;
+            }
+        }
         let powers = self.dynamics.powers();
         let account = self.layout.dimension;
         slope[account] = powers.drives_w * pace;
         if !self.dynamics.loads().is_empty() {
             slope[account] += powers.loads_w * pace;
+        }
+        if !self.dynamics.actuators().is_empty() {
+            slope[account] += powers.controls_w * pace;
         }
         slope[account + 1] = powers.contact_loss_w * pace;
         slope[account + 2] = powers.friction_loss_w * pace;
@@ -220,9 +252,10 @@ impl<T: Real> System<T> for Motion<'_, T> {
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
 /// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
-/// that rate. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every step. Deflections of bristles: the same
-/// share of their largest in steady sliding as a length has of the size. With friction, whose kinks the work of friction shows
-/// one derivative earlier than the velocities, and with forces that begin as abruptly, also the energy account: the same share of `energy_j` as a length has of the
+/// that rate, and so integrals of errors of controls. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every
+/// step. Deflections of bristles: the same share of their largest in steady sliding as a length has of the size. With oil, with
+/// friction, whose kinks the work of friction shows one derivative earlier than the velocities, with forces that begin as
+/// abruptly, and with actuators that meet their limits, also the energy account: the same share of `energy_j` as a length has of the
 /// size.
 pub fn tolerances<T: Real>(
     motion: &Motion<'_, T>,
@@ -253,7 +286,26 @@ pub fn tolerances<T: Real>(
             tolerances[*place] = local_rad * sample.play_of(contact).friction.largest_deflection_m();
         }
     }
-    if sample.plays.iter().any(|play| play.friction.acts() || play.normal.has_abrupt_onset()) {
+    for (place, friction) in motion.layout.joint_bristles.iter().zip(&sample.frictions) {
+        if let Some(place) = place {
+            tolerances[*place] = local_rad * friction.law.largest_deflection_m();
+        }
+    }
+    for ((place, control), numbers) in
+        motion.layout.error_integrals.iter().zip(&mechanism.model.controls).zip(&sample.controls)
+    {
+        if let (Some(place), Some(_)) = (place, numbers.integral) {
+            let is_length = matches!(
+                mechanism.model.joints[control.measured.0].kind,
+                JointKind::Prismatic { .. } | JointKind::Slot { .. }
+            );
+            tolerances[*place] = if is_length { local_m } else { local_rad } / rate_1_s;
+        }
+    }
+    let has_limits = sample.controls.iter().any(|control| control.limit.is_some());
+    let is_abrupt =
+        |play: &PlayGeometry<f64>| play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset();
+    if has_limits || !sample.frictions.is_empty() || sample.plays.iter().any(is_abrupt) {
         tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
     }
     tolerances

@@ -3,6 +3,7 @@
 use super::gap::GapJet;
 use super::motion::{Account, Motion};
 use super::projection::Projection;
+use super::resume::MotionState;
 use super::work::KinematicAccount;
 use crate::dynamics::{Dynamics, PlayState};
 use crate::math::Quintic;
@@ -120,6 +121,20 @@ impl<'a> Step<'_, 'a> {
                 motion.contact_force(contact).normal_n
             }
         }
+    }
+
+    /// Where the step ends, for another run to go on from; none where the motion is solved instead of integrated.
+    pub(super) fn last_state(&mut self) -> Option<MotionState> {
+        self.look(self.end_s, false);
+        let Source::Integrated { dense, view, projection, state, .. } = &mut self.source else { return None };
+        dense.interpolate(1.0, state);
+        if let Some(projection) = projection {
+            view.evaluate(self.end_s, state);
+            projection.keep_mass(view);
+            projection.apply(view, self.end_s, state);
+        }
+        let contacts = (0..view.states.len()).map(|play| dense.contact(play)).collect();
+        Some(MotionState::new(&view.layout, state, self.end_s, contacts))
     }
 
     /// What was supplied and lost since time zero, at `time_s` within the step, which was looked at last. None where the work

@@ -4,6 +4,7 @@ use super::column::{Arms, Reading};
 use super::motion::Motion;
 use crate::math::Real;
 use crate::mechanism::Mechanism;
+use crate::model::{JointId, JointKind};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.
@@ -11,19 +12,46 @@ use crate::mechanism::Mechanism;
 pub struct ReadLayout {
     contacts: usize,
     outputs: usize,
+    /// Ideal joints with friction.
+    frictions: usize,
     /// Whether the kinetic energy is read as well: forces alone may exchange it with what springs and gravity hold, so that
     /// their sum tells nothing of how much energy goes to and fro.
     has_kinetic: bool,
+    /// Whether the stiffness of each contact is read as well: that of a pin in a slot differs from place to place.
+    has_shares: bool,
+    /// Whether the abscissas of corners are read as well, where some guide has ends.
+    has_ends: bool,
 }
 
 impl ReadLayout {
     /// For the contacts of `mechanism` and this many followed outputs.
     pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
-        Self { contacts: mechanism.contacts.len(), outputs, has_kinetic: !mechanism.is_driven() }
+        let is_slot = |joint: &JointId| matches!(mechanism.model.joints[joint.0].kind, JointKind::Slot { .. });
+        let has_ends = |joint: &JointId| match &mechanism.model.joints[joint.0].kind {
+            JointKind::Prismatic { clearance: Some(clearance), .. } => clearance.ends_m.is_some(),
+            _ => false,
+        };
+        Self {
+            contacts: mechanism.contacts.len(),
+            outputs,
+            frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
+            has_kinetic: !mechanism.is_driven(),
+            has_shares: mechanism.plays.iter().any(is_slot),
+            has_ends: mechanism.plays.iter().any(has_ends),
+        }
     }
     /// Length of the row.
     pub fn length(&self) -> usize {
-        self.gap(self.contacts) + 3 * self.outputs
+        self.friction(self.frictions)
+    }
+    /// The residual of an ideal joint with friction: see [`crate::dynamics::Dynamics::joint_friction_residuals`].
+    #[inline(always)]
+    pub fn friction(&self, index: usize) -> usize {
+        self.gap(self.contacts) + 3 * self.outputs + index
+    }
+    /// Ideal joints with friction.
+    pub fn frictions(&self) -> usize {
+        self.frictions
     }
     /// The time, s.
     pub const TIME: usize = 0;
@@ -37,12 +65,22 @@ impl ReadLayout {
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]
     pub fn gap(&self, contact: usize) -> usize {
-        4 + usize::from(self.has_kinetic) + 4 * contact
+        4 + usize::from(self.has_kinetic) + (4 + usize::from(self.has_shares) + usize::from(self.has_ends)) * contact
     }
     /// Sliding velocity of a contact, m/s; zero where there is no friction.
     #[inline(always)]
     pub fn sliding(&self, contact: usize) -> usize {
         self.gap(contact) + 3
+    }
+    /// Stiffness at the contact's place over that of its law, where it is read.
+    #[inline(always)]
+    pub fn share(&self, contact: usize) -> Option<usize> {
+        self.has_shares.then_some(self.gap(contact) + 4)
+    }
+    /// Abscissa of a corner along its guide, m, where it is read.
+    #[inline(always)]
+    pub fn along(&self, contact: usize) -> Option<usize> {
+        self.has_ends.then_some(self.gap(contact) + 4 + usize::from(self.has_shares))
     }
     /// A followed output.
     #[inline(always)]
@@ -85,7 +123,17 @@ impl<T: Real> Motion<'_, T> {
             }
             row[layout.gap(contact)..layout.gap(contact) + 3].copy_from_slice(&gap);
             row[layout.sliding(contact)] = force.sliding_m_s;
+            if let Some(place) = layout.share(contact) {
+                row[place] = force.stiffness_share;
+            }
+            if let Some(place) = layout.along(contact) {
+                row[place] = force.along_m;
+            }
         }
+        dynamics.joint_friction_residuals(
+            #[inline(always)]
+            |index, residual| row[layout.friction(index)] = residual,
+        );
         for (k, reading) in readings.iter().enumerate() {
             let place = layout.output(k);
             row[place..place + 3].copy_from_slice(&over_s(reading.jet(arms, dynamics)));

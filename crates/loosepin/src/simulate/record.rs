@@ -1,5 +1,8 @@
 //! What one run leaves behind for pages, tables and files: plain data in SI, no physics.
 
+mod motion_kind;
+
+pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput};
 use serde::{Deserialize, Serialize};
 
 use crate::units::{DisplayUnits, SiUnit, extended};
@@ -25,6 +28,13 @@ pub struct SimulationRecord {
     pub extremes: Vec<Extreme>,
     /// One entry per clearance joint.
     pub joints: Vec<JointSummary>,
+    /// Whether the recorded turns repeat each other; absent for a mechanism that follows its drives alone, and for less than
+    /// two whole turns.
+    #[serde(default)]
+    pub kind: Option<MotionKind>,
+    /// The largest Lyapunov exponent, where it was asked for.
+    #[serde(default)]
+    pub lyapunov: Option<LyapunovRecord>,
     /// The energy account at the end, and its history.
     pub energy: EnergyAccount,
     /// Units that pages and tables use.
@@ -39,6 +49,9 @@ pub struct SimulationRecord {
     pub outputs: Vec<OutputHistory>,
     /// Normal contact force of each clearance joint at the sample times. Peaks between samples stand in `impacts`.
     pub contact_forces: Vec<ContactForceHistory>,
+    /// How controls followed their references; empty, and not written, where there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controls: Vec<ControlHistory>,
     /// Every impact in the order of time.
     pub impacts: Vec<ImpactRecord>,
     /// Path of each journal in its bearing.
@@ -48,6 +61,50 @@ pub struct SimulationRecord {
     /// How much of the quasi-static worst case the positions of the run use, by position output. Empty until the check was
     /// made, and for a mechanism without play.
     pub quasi_static_check: Vec<QuasiStaticShare>,
+    /// Measured curves laid over the outputs; empty, and not written, where none were given.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measured: Vec<MeasuredCurve>,
+}
+
+/// What the first column of a measured table is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Abscissa {
+    /// Time since the start of the run.
+    Time,
+    /// Angle of the drive.
+    DriveAngle,
+}
+
+/// A measured curve over the computed one. All lists have one entry a measured value.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MeasuredCurve {
+    /// The file that it was read from, as it was given.
+    pub file: String,
+    /// Name of the output.
+    pub output: String,
+    /// Unit of the values.
+    pub unit: SiUnit,
+    /// What `at_si` is.
+    pub abscissa: Abscissa,
+    /// Where it was measured, s or rad, increasing; angles are moved by whole turns into the recorded ones.
+    #[serde(with = "extended")]
+    pub at_si: Vec<f64>,
+    /// What was measured.
+    #[serde(with = "extended")]
+    pub measured_si: Vec<f64>,
+    /// What was computed there, between the rows of the history.
+    #[serde(with = "extended")]
+    pub computed_si: Vec<f64>,
+    /// Root of the mean square of measured minus computed.
+    #[serde(with = "extended")]
+    pub rms_si: f64,
+    /// The residual of the largest magnitude, measured minus computed.
+    #[serde(with = "extended")]
+    pub largest_si: f64,
+    /// Where it is.
+    #[serde(with = "extended")]
+    pub largest_at_si: f64,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot
@@ -166,6 +223,60 @@ pub struct ContactForceHistory {
     pub force_n: Vec<f64>,
 }
 
+/// How one control followed its reference, at the sample times.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ControlHistory {
+    /// Name of the control.
+    pub name: String,
+    /// Name of the joint of the actuator.
+    pub joint: String,
+    /// Name of the joint whose coordinate follows the reference.
+    pub measured: String,
+    /// Unit of reference and error.
+    pub unit: SiUnit,
+    /// Unit of the effort.
+    pub effort_unit: SiUnit,
+    /// The reference.
+    #[serde(with = "extended")]
+    pub reference_si: Vec<f64>,
+    /// Reference minus measured coordinate.
+    #[serde(with = "extended")]
+    pub error_si: Vec<f64>,
+    /// Torque or force of the actuator.
+    #[serde(with = "extended")]
+    pub effort_si: Vec<f64>,
+    /// Swings of the error that do not die out although the reference rests; absent where there are none.
+    pub swing: Option<Swing>,
+}
+
+/// Swings of an error about its mean over the second half of the recorded part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Swing {
+    /// Whether they stay as they are.
+    pub course: SwingCourse,
+    /// Half the range of the error over a swing: the mean of all, or of the last ones where they grow.
+    #[serde(with = "extended")]
+    pub amplitude_si: f64,
+    /// Mean duration of a swing.
+    #[serde(with = "extended")]
+    pub period_s: f64,
+    /// Mean error.
+    #[serde(with = "extended")]
+    pub mean_si: f64,
+    /// How many were looked at.
+    pub swings: usize,
+}
+
+/// How swings go on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SwingCourse {
+    /// As wide at the end as at the beginning: a limit cycle.
+    Steady,
+    /// Wider and wider.
+    Grows,
+}
+
 /// One impact: an onset of contact with an approach speed above the least impact speed of the law.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ImpactRecord {
@@ -228,6 +339,12 @@ pub struct JointSummary {
     pub share_outside_validity: Option<f64>,
     /// Contacts that began more slowly than the least impact speed and were computed with that speed.
     pub floored_contacts: u64,
+    /// Share of the time without contact, 0 to 1.
+    #[serde(with = "extended")]
+    pub flight_share: f64,
+    /// Contacts that ended, a turn.
+    #[serde(with = "extended")]
+    pub losses_per_turn: f64,
 }
 
 /// Smallest and largest value of one quantity, located on the dense output and not read off samples.
@@ -352,8 +469,10 @@ pub enum DrawnJointKind {
     Revolute,
     /// Revolute joint with clearance.
     RevoluteWithClearance,
-    /// Ideal prismatic joint.
+    /// Prismatic joint.
     Prismatic,
+    /// A pin in a slot.
+    Slot,
     /// Rigid connection.
     Rigid,
 }
@@ -369,7 +488,7 @@ pub struct DrawnJoint {
     pub first: PointReference,
     /// Point of the journal, or of the slider.
     pub second: PointReference,
-    /// Direction of the guide in the frame of the first point's body; 0 for other kinds.
+    /// Direction of the guide or slot in the frame of the first point's body; 0 for other kinds.
     #[serde(with = "extended")]
     pub guide_angle_rad: f64,
     /// Radial clearance; 0 for an ideal joint.

@@ -58,10 +58,11 @@ impl<'a> IdealReference<'a> {
     pub fn at(&mut self, time_s: f64, with_forces: bool) -> Result<&Dynamics<'a, f64>, SampleError> {
         let n = self.motion.freedoms();
         let dynamics = &mut self.motion.dynamics;
-        dynamics.sample_mut().drives.take_pieces_at(self.held_s.unwrap_or(time_s));
-        let mut set = |coordinates: &[f64], rates: &[f64]| {
+        dynamics.sample_mut().take_pieces_at(self.held_s.unwrap_or(time_s));
+        let states = &self.motion.states;
+        let set = |dynamics: &mut Dynamics<'a, f64>, coordinates: &[f64], rates: &[f64]| {
             if with_forces {
-                dynamics.evaluate(time_s, &coordinates[..n], &rates[..n], &self.motion.states);
+                dynamics.evaluate(time_s, &coordinates[..n], &rates[..n], states);
             } else {
                 dynamics.set_state(time_s, &coordinates[..n], &rates[..n]);
             }
@@ -72,11 +73,17 @@ impl<'a> IdealReference<'a> {
                     ideal.move_to(time_s)?;
                 }
                 let (coordinates, rates) = ideal.real_state();
-                set(coordinates, rates);
+                set(dynamics, coordinates, rates);
             }
             Source::Integrated(motion) => {
-                let (coordinates, rates) = motion.state(time_s);
-                set(&coordinates, &rates);
+                let state = motion.state(time_s);
+                dynamics.error_integrals_mut().copy_from_slice(&state.error_integrals);
+                for (index, deflection_m) in state.joint_bristles_m.iter().enumerate() {
+                    if dynamics.sample().frictions[index].law.has_bristle() {
+                        dynamics.set_joint_bristle(index, *deflection_m);
+                    }
+                }
+                set(dynamics, &state.coordinates, &state.rates);
             }
         }
         Ok(&self.motion.dynamics)

@@ -50,7 +50,7 @@ pub struct EnergyAccount {
     pub supplied_j: f64,
     /// Turned into heat by normal contact.
     pub contact_loss_j: f64,
-    /// Turned into heat by friction.
+    /// Turned into heat by friction and by films of oil.
     pub friction_loss_j: f64,
     /// Turned into heat by dampers.
     pub damping_loss_j: f64,

@@ -15,7 +15,7 @@ const NODES: [(f64, f64); 5] = [
 
 /// The energy account of a mechanism that follows its drives exactly.
 ///
-/// Needed where springs or loads act: without them the work of the drives is the change of mechanical energy.
+/// Needed where springs, loads or friction act: without them the work of the drives is the change of mechanical energy.
 #[derive(Debug, Clone, Copy)]
 pub struct KinematicAccount {
     /// What was supplied and lost up to the start of the step.
@@ -27,7 +27,9 @@ impl KinematicAccount {
     /// Whether `motion` needs one.
     pub fn is_needed(motion: &Motion<'_, f64>) -> bool {
         let model = &motion.dynamics.mechanism().model;
-        !model.springs.is_empty() || !model.loads.is_empty()
+        !model.springs.is_empty()
+            || !model.loads.is_empty()
+            || model.joints.iter().any(|joint| joint.friction.is_some())
     }
 
     /// Begins where `ideal` is.
@@ -56,6 +58,7 @@ impl KinematicAccount {
             let powers = motion.dynamics.powers();
             account.supplied_j += weight * span_s * (powers.drives_w + powers.loads_w);
             account.damping_loss_j += weight * span_s * powers.damping_loss_w;
+            account.friction_loss_j += weight * span_s * powers.friction_loss_w;
         }
         Ok(account)
     }
@@ -77,9 +80,11 @@ impl KinematicAccount {
         total.at_end_j = energy_j(motion, ideal);
         total.supplied_j = self.before.supplied_j;
         total.damping_loss_j = self.before.damping_loss_j;
+        total.friction_loss_j = self.before.friction_loss_j;
+        let losses_j = total.damping_loss_j + total.friction_loss_j;
         let change_j = total.at_end_j - total.at_start_j;
-        let residual_j = (change_j + total.damping_loss_j - total.supplied_j).abs();
-        let exchange_j = change_j.abs().max(total.supplied_j.abs()).max(total.damping_loss_j);
+        let residual_j = (change_j + losses_j - total.supplied_j).abs();
+        let exchange_j = change_j.abs().max(total.supplied_j.abs()).max(losses_j);
         total.largest_residual_j = total.largest_residual_j.max(residual_j);
         total.largest_exchange_j = total.largest_exchange_j.max(exchange_j);
         Ok(())

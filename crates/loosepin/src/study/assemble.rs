@@ -9,7 +9,7 @@ mod summary;
 pub use runs_table::runs_table;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
-use super::file::{Deviation, Reduction, Study, Where};
+use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
 use super::response::StudyResponse;
 use super::result::{
     BoundEnd, BoundRecord, CoveragePoint, DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError,
@@ -72,7 +72,11 @@ impl Material<'_> {
     /// The epistemic inputs by path.
     fn witness(&self, epistemic: &[f64]) -> Witness {
         let named = self.study.epistemic.iter().zip(epistemic);
-        named.map(|(input, &value)| (input.path.clone(), WitnessValue::Number(value))).collect()
+        let shown = |input: &EpistemicInput, value: f64| match input.law(value) {
+            Some(law) => WitnessValue::Choice(law.name().to_owned()),
+            None => WitnessValue::Number(value),
+        };
+        named.map(|(input, &value)| (input.path.clone(), shown(input, value))).collect()
     }
 
     fn end(&self, bound: &Bound) -> BoundEnd {

@@ -12,6 +12,7 @@ impl Problem for StudyError {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.code(),
             Self::Prepare(PrepareError::Nominal(failure)) => Problem::code(failure),
+            Self::Prepare(PrepareError::Law(error)) => error.code(),
             Self::Prepare(
                 PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
@@ -29,6 +30,7 @@ impl Problem for StudyError {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.hint(),
             Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => failure.hint(),
+            Self::Prepare(PrepareError::Law(error)) => error.hint(),
             Self::Prepare(PrepareError::UncertainStart { .. }) => {
                 Some("make the angle of a link uncertain instead, for example by the position of a point".to_owned())
             }
@@ -67,7 +69,8 @@ impl StudyError {
                 complaint
             }
             Self::Prepare(
-                PrepareError::UncertainStart { .. }
+                PrepareError::Law(_)
+                | PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
                 | PrepareError::TooManyPoses { .. }
                 | PrepareError::PoseNotRecorded { .. },

@@ -19,7 +19,7 @@ const RUNS_PER_REPORT: usize = 64;
 
 /// Runs of the probability-only treatment beside the double loop.
 const MIXTURE_RUNS: usize = 1024;
-/// Runs of the interval-only treatment, at least.
+/// Runs of the interval-only treatment for each combination of the members of lists, at least.
 const EXTREME_RUNS: usize = 128;
 /// Runs of the interval-only treatment for each uncertain input, where those are many.
 const EXTREME_RUNS_PER_INPUT: usize = 8;
@@ -98,19 +98,25 @@ pub fn time_a_run_s(study: &Study, largest_evaluations: u64) -> Result<f64, Stud
     response.limit_evaluations(largest_evaluations);
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let round = plan.next_round(&SampleTable::new(response.row_length()))?;
-    let mut waiting = round.iter().take(TIMED_RUNS).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
+    let variants = response.mechanisms.len();
     let (mut passed, mut reason) = (0.0, None);
     let end_s = response.nominal_end_s();
     let started = std::time::Instant::now();
-    response.run_all(
-        Vectors::best(),
-        || waiting.next(),
-        |_, outcome| match outcome {
-            Ok(_) => passed += 1.0,
-            Err(RunFailure::TooManyEvaluations { time_s, .. }) if time_s > 0.0 => passed += time_s / end_s,
-            Err(failure) => reason = Some(failure),
-        },
-    );
+    for variant in 0..variants {
+        let own = round.iter().filter(|inputs| response.variant(&inputs.epistemic) == variant);
+        let mut waiting =
+            own.take(TIMED_RUNS.div_ceil(variants)).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
+        response.run_all(
+            variant,
+            Vectors::best(),
+            || waiting.next(),
+            |_, outcome| match outcome {
+                Ok(_) => passed += 1.0,
+                Err(RunFailure::TooManyEvaluations { time_s, .. }) if time_s > 0.0 => passed += time_s / end_s,
+                Err(failure) => reason = Some(failure),
+            },
+        );
+    }
     let elapsed_s = started.elapsed().as_secs_f64();
     match reason {
         Some(reason) if passed == 0.0 => Err(StudyError::AllFailed { runs: TIMED_RUNS.min(round.len()), reason }),
@@ -172,29 +178,36 @@ pub fn conduct(
 type Row = Result<Vec<f64>, Failure>;
 
 /// The rows of a batch; nothing for runs that the emergency stop has kept from starting. Each thread takes the next run as soon as one
-/// of its lanes is free; which thread and which lane a run meets has no influence on its bits.
+/// of its lanes is free; which thread and which lane a run meets has no influence on its bits. Runs with other laws have other
+/// equations: each thread takes those of one combination after those of another.
 fn evaluate(
     batch: &[RunInputs],
     response: &StudyResponse,
     stop: &AtomicBool,
     finished: &(dyn Fn() + Sync),
 ) -> Vec<Option<Row>> {
-    let taken = AtomicUsize::new(0);
+    let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
+        response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
+    for (index, inputs) in batch.iter().enumerate() {
+        queues[response.variant(&inputs.epistemic)].0.push(index);
+    }
     let vectors = Vectors::best();
     let parts: Vec<Vec<(usize, Row)>> = (0..rayon::current_num_threads())
         .into_par_iter()
         .with_max_len(1)
         .map(|_| {
             let mut rows = Vec::new();
-            let next = || {
-                let index = taken.fetch_add(1, Ordering::Relaxed);
-                let inputs = batch.get(index).filter(|_| !stop.load(Ordering::Relaxed))?;
-                Some((index, &inputs.random[..], &inputs.epistemic[..]))
-            };
-            response.run_all(vectors, next, |index, outcome| {
-                rows.push((index, outcome.map_err(|failure| Failure(failure.number()))));
-                finished();
-            });
+            for (variant, (queue, taken)) in queues.iter().enumerate() {
+                let next = || {
+                    let index = *queue.get(taken.fetch_add(1, Ordering::Relaxed))?;
+                    let inputs = batch.get(index).filter(|_| !stop.load(Ordering::Relaxed))?;
+                    Some((index, &inputs.random[..], &inputs.epistemic[..]))
+                };
+                response.run_all(variant, vectors, next, |index, outcome| {
+                    rows.push((index, outcome.map_err(|failure| Failure(failure.number()))));
+                    finished();
+                });
+            }
             rows
         })
         .collect();
@@ -219,9 +232,12 @@ fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
 fn problem(study: &Study, response: &StudyResponse) -> Problem {
     let plan = &response.shared.plan;
     let replicates = study.sampling.replicates;
+    let choices = study.epistemic.iter().map(|input| input.variable.choices());
+    let combinations = choices.fold(1_usize, usize::saturating_mul);
+    let extreme = EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len()));
     Problem {
         random: study.random.iter().map(|input| input.variable.clone()).collect(),
-        epistemic: study.epistemic.iter().map(|input| input.interval).collect(),
+        epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
         columns: response.row_length(),
         requests: plan.requests(),
         compared_columns: plan.compared_columns(),
@@ -232,7 +248,7 @@ fn problem(study: &Study, response: &StudyResponse) -> Problem {
             inner: study.sampling.inner,
             replicates,
             mixture: MIXTURE_RUNS.div_ceil(replicates) * replicates,
-            extreme: EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len())),
+            extreme: extreme.saturating_mul(combinations),
             seed: study.seed,
             confidence: CONFIDENCE,
         },

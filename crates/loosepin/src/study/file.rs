@@ -10,7 +10,9 @@ mod problem;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use description::{Ask, Deviation, EpistemicInput, RandomInput, Reduction, Requirement, Sampling, Study, Where};
+pub use description::{
+    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study, Where,
+};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use problem::StudyProblem;
 

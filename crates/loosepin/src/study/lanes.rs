@@ -4,7 +4,7 @@ use super::ideal_curve::IdealCurve;
 use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
 use crate::math::Vectors;
-use crate::mechanism::Sample;
+use crate::mechanism::{Mechanism, Sample};
 use crate::simulate::{Arms, IdealReference, Observer, Queue, Run, RunFailure, RunReport, Step, conduct};
 
 impl StudyResponse {
@@ -15,33 +15,42 @@ impl StudyResponse {
     pub fn run(&self, random: &[f64], epistemic: &[f64], row: &mut [f64]) -> Result<(), RunFailure> {
         let mut inputs = Some((random, epistemic));
         let mut outcome = None;
-        self.run_all(Vectors::None, || inputs.take().map(|(x, u)| (0, x, u)), |_, finished| outcome = Some(finished));
+        let next = || inputs.take().map(|(x, u)| (0, x, u));
+        self.run_all(self.variant(epistemic), Vectors::None, next, |_, finished| outcome = Some(finished));
         let finished = outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))?;
         row.copy_from_slice(&finished);
         Ok(())
     }
 
-    /// Runs on the lanes of this thread until `next` gives no more inputs; `finished` gets the rows, or the one reason why
+    /// Runs on the lanes of this thread until `next` gives no more inputs, all of them of the mechanism `variant`; `finished` gets the rows, or the one reason why
     /// a run failed, under the index that came with the inputs. A row has the same bits whatever the lanes.
     pub fn run_all<'i>(
         &self,
+        variant: usize,
         vectors: Vectors,
         next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
         finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
     ) {
-        let mut queue = StudyQueue { response: self, next, finished };
-        conduct(&self.mechanism, &self.shared.readings, &self.settings, vectors, &mut queue);
+        let mechanism = &self.mechanisms[variant];
+        let mut queue = StudyQueue { response: self, mechanism, next, finished };
+        conduct(mechanism, &self.shared.readings, &self.settings, vectors, &mut queue);
     }
 
     /// Everything that a run needs.
-    fn prepare(&self, index: usize, random: &[f64], epistemic: &[f64]) -> Result<Run<StudyRun<'_>>, RunFailure> {
+    fn prepare(
+        &self,
+        mechanism: &Mechanism,
+        index: usize,
+        random: &[f64],
+        epistemic: &[f64],
+    ) -> Result<Run<StudyRun<'_>>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let sample = Sample::new(&self.mechanism, &values)?;
-        let input = self.mechanism.model.input(self.span, &values);
+        let sample = Sample::new(mechanism, &values)?;
+        let input = mechanism.model.input(self.span, &values);
         let window = window(&input, self.transient_turns, self.recorded_turns)?;
         let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
         let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.settings)?;
-        let arms = Arms::new(&self.mechanism, &values);
+        let arms = Arms::new(mechanism, &values);
         let curve = if self.shared.needs_own_ideal {
             Some(IdealCurve::new(
                 &mut own,
@@ -74,7 +83,7 @@ impl StudyResponse {
                 clearance_m: play.clearance_m,
             })
             .collect();
-        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts } })
+        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts }, resume: None })
     }
 
     /// The row of a finished run.
@@ -83,7 +92,7 @@ impl StudyResponse {
         if let Some(failure) = run.recorder.failure.take() {
             return Err(failure.into());
         }
-        let change = run.recorder.change_over_last_turn(self.mechanism.size_m);
+        let change = run.recorder.change_over_last_turn(self.mechanism().size_m);
         let mut row = run.recorder.values;
         row.reserve_exact(self.extras.count());
         row.push(report.energy.map_or(f64::NAN, |account| account.relative_residual()));
@@ -130,6 +139,7 @@ impl Observer for StudyRun<'_> {
 /// Inputs that wait, and rows that are finished.
 struct StudyQueue<'s, N, F> {
     response: &'s StudyResponse,
+    mechanism: &'s Mechanism,
     next: N,
     finished: F,
 }
@@ -144,7 +154,7 @@ where
     fn next(&mut self) -> Option<Run<StudyRun<'s>>> {
         loop {
             let (index, random, epistemic) = (self.next)()?;
-            match self.response.prepare(index, random, epistemic) {
+            match self.response.prepare(self.mechanism, index, random, epistemic) {
                 Ok(run) => return Some(run),
                 Err(failure) => (self.finished)(index, Err(failure)),
             }

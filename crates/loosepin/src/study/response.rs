@@ -1,13 +1,15 @@
 //! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
 
 use super::columns::{ColumnPlan, Spot};
-use super::file::{Deviation, Study, Where};
+use super::file::{Deviation, EpistemicSubject, Study, Where};
 use super::ideal_curve::IdealCurve;
 use super::recorder::Shared;
 use crate::bounds::{Failure, Response};
+use crate::contact::NormalDescription;
 use crate::mechanism::{Mechanism, MechanismError, Sample};
-use crate::model::{CycleInput, CycleSpan, DriveLaw, QuantityError, QuantityId, Values};
+use crate::model::{ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values};
 use crate::simulate::{Arms, IdealReference, RunFailure, Settings, Window};
+use crate::uncertainty::EpistemicVariable;
 
 /// Poses of a curve, at most: every one has bounds of its own.
 pub const LARGEST_POSES: f64 = 2000.0;
@@ -18,6 +20,9 @@ pub enum PrepareError {
     /// The nominal mechanism.
     #[error(transparent)]
     Mechanism(#[from] MechanismError),
+    /// A law that a contact cannot have.
+    #[error(transparent)]
+    Law(#[from] LawError),
     /// The start of the drive is uncertain, so that samples would not be compared at the same input.
     #[error(
         "'{path}' is where the drive starts: every sample must start at the same place to be compared with the ideal motion"
@@ -140,11 +145,15 @@ impl Extras {
     }
 }
 
-/// A compiled study: one mechanism, one table of inputs.
+/// A compiled study: one mechanism for each combination of laws (a single one where no law is uncertain), one table of inputs.
+///
+/// A law is no number: all lanes of a batch have the same. So the runs of each combination are batches of their own, with the
+/// same random numbers.
 #[derive(Debug)]
 pub struct StudyResponse {
-    /// The mechanism, compiled at the nominal values with the epistemic inputs in the middle of their intervals.
-    pub mechanism: Mechanism,
+    /// The mechanism of each combination of laws, that of the first laws first, the law of the first contact changing fastest;
+    /// compiled at the nominal values with the epistemic inputs in the middle of their intervals and at the first of a list.
+    pub mechanisms: Vec<Mechanism>,
     /// What a run delivers, and the nominal ideal motion.
     pub shared: Shared,
     /// What follows the columns.
@@ -156,13 +165,22 @@ pub struct StudyResponse {
     pub(super) nominal_ideal: Sample<f64>,
     pub(super) nominal_window: Window,
     random: Vec<QuantityId>,
-    epistemic: Vec<QuantityId>,
+    epistemic: Vec<Epistemic>,
     pub(super) restitutions: Vec<Option<QuantityId>>,
     pub(super) transient_turns: f64,
     pub(super) recorded_turns: f64,
     pub(super) span: CycleSpan,
     pub(super) settings: Settings,
     pub(super) needs_nominal_reference: bool,
+}
+
+/// Where the value of an epistemic input goes.
+#[derive(Debug, Clone, Copy)]
+enum Epistemic {
+    /// To a number of the model.
+    Quantity(QuantityId),
+    /// To the choice of a mechanism: number of laws in the list.
+    Law(usize),
 }
 
 impl StudyResponse {
@@ -174,7 +192,13 @@ impl StudyResponse {
         let middle: Vec<(QuantityId, f64)> = study
             .epistemic
             .iter()
-            .map(|input| (input.quantity, 0.5 * (input.interval.lower() + input.interval.upper())))
+            .filter_map(|input| {
+                let value = match &input.variable {
+                    EpistemicVariable::Interval(interval) => 0.5 * (interval.lower() + interval.upper()),
+                    EpistemicVariable::OneOf(members) => members.values()[0],
+                };
+                Some((input.quantity()?, value))
+            })
             .collect();
         check_drive(study)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
@@ -182,12 +206,15 @@ impl StudyResponse {
             return Err(PrepareError::TooManyPoses { poses });
         }
         let nominal = study.model.quantities.evaluate(&middle)?;
-        let mechanism = Mechanism::new(&study.model, &nominal)?;
+        let models = models_with_laws(study)?;
+        let mechanisms = models.iter().map(|model| Mechanism::new(model, &nominal));
+        let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;
+        let mechanism = &mechanisms[0];
         let nominal_input = study.model.input(study.cycle.span, &nominal);
-        let plan = ColumnPlan::new(study, &mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
+        let plan = ColumnPlan::new(study, mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
         let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();
-        let nominal_ideal = Sample::new(&mechanism, &nominal).map_err(RunFailure::from)?.without_play();
+        let nominal_ideal = Sample::new(mechanism, &nominal).map_err(RunFailure::from)?.without_play();
         let mut is_used = vec![false; plan.outputs.len()];
         for column in &plan.columns {
             is_used[column.output] = true;
@@ -198,12 +225,8 @@ impl StudyResponse {
         let restitutions = mechanism
             .plays
             .iter()
-            .filter_map(|joint| match &study.model.joints[joint.0].kind {
-                crate::model::JointKind::Revolute { clearance: Some(clearance), .. } => {
-                    Some(study.model.contacts[clearance.contact.0].restitution)
-                }
-                _ => None,
-            })
+            .filter_map(|joint| study.model.joints[joint.0].kind.play())
+            .map(|(_, contact)| study.model.contacts[contact.0].restitution)
             .collect();
         let needs_nominal_reference = shared.plan.outputs.iter().any(|output| !output.reading.is_position());
         Ok(Self {
@@ -212,17 +235,41 @@ impl StudyResponse {
             nominal_ideal,
             nominal_window,
             random: study.random.iter().map(|input| input.quantity).collect(),
-            epistemic: study.epistemic.iter().map(|input| input.quantity).collect(),
+            epistemic: study
+                .epistemic
+                .iter()
+                .map(|input| match &input.subject {
+                    EpistemicSubject::Quantity(quantity) => Epistemic::Quantity(*quantity),
+                    EpistemicSubject::Law { laws, .. } => Epistemic::Law(laws.len()),
+                })
+                .collect(),
             restitutions,
             transient_turns: study.cycle.transient_turns,
             recorded_turns: study.cycle.recorded_turns,
             span: study.cycle.span,
             settings,
             needs_nominal_reference,
-            mechanism,
+            mechanisms,
             shared,
             nominal,
         })
+    }
+
+    /// The mechanism with the first law of every list: where the laws do not matter, and where one has to stand for all.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanisms[0]
+    }
+
+    /// Which of the mechanisms runs with these epistemic inputs.
+    pub fn variant(&self, epistemic: &[f64]) -> usize {
+        let (mut variant, mut weight) = (0, 1);
+        for (input, &value) in self.epistemic.iter().zip(epistemic) {
+            if let Epistemic::Law(laws) = *input {
+                variant += weight * value as usize;
+                weight *= laws;
+            }
+        }
+        variant
     }
 
     /// Numbers of a row: columns, then extras.
@@ -251,9 +298,12 @@ impl StudyResponse {
     /// A value breaks its rule.
     pub fn values(&self, random: &[f64], epistemic: &[f64]) -> Result<Values, QuantityError> {
         let random = self.random.iter().copied().zip(random.iter().copied());
-        let epistemic = self.epistemic.iter().copied().zip(epistemic.iter().copied());
+        let epistemic = self.epistemic.iter().zip(epistemic).filter_map(|(input, &value)| match *input {
+            Epistemic::Quantity(quantity) => Some((quantity, value)),
+            Epistemic::Law(_) => None,
+        });
         let set: Vec<(QuantityId, f64)> = random.chain(epistemic).collect();
-        self.mechanism.model.quantities.evaluate(&set)
+        self.mechanism().model.quantities.evaluate(&set)
     }
 }
 
@@ -261,6 +311,30 @@ impl Response for StudyResponse {
     fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
         self.run(random, epistemic, columns).map_err(|failure| Failure(failure.number()))
     }
+}
+
+/// The model with each combination of laws, those of the first contact changing fastest; the model alone where no law is
+/// uncertain.
+fn models_with_laws(study: &Study) -> Result<Vec<Model>, LawError> {
+    let lists: Vec<(ContactId, &[NormalDescription])> = study
+        .epistemic
+        .iter()
+        .filter_map(|input| match &input.subject {
+            EpistemicSubject::Quantity(_) => None,
+            EpistemicSubject::Law { contact, laws } => Some((*contact, &laws[..])),
+        })
+        .collect();
+    let combinations = lists.iter().fold(1_usize, |product, (_, laws)| product.saturating_mul(laws.len()));
+    (0..combinations)
+        .map(|combination| {
+            let mut rest = combination;
+            lists.iter().try_fold(study.model.clone(), |model, (contact, laws)| {
+                let law = laws[rest % laws.len()];
+                rest /= laws.len();
+                model.with_law(*contact, law)
+            })
+        })
+        .collect()
 }
 
 /// The drive that the cycle counts must start where it always starts, and turn one way.
@@ -271,10 +345,8 @@ fn check_drive(study: &Study) -> Result<(), PrepareError> {
         let range = [1e-9, 1.0 - 1e-9].map(|probability| input.variable.quantile(probability));
         (&input.path, input.quantity, range)
     });
-    let epistemic = study
-        .epistemic
-        .iter()
-        .map(|input| (&input.path, input.quantity, [input.interval.lower(), input.interval.upper()]));
+    let epistemic =
+        study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?, input.variable.ends())));
     for (path, quantity, [lower, upper]) in random.chain(epistemic) {
         let roots = |id: QuantityId| id == quantity || study.model.roots(id).contains(&quantity);
         if roots(start) {

@@ -1,15 +1,15 @@
 //! Running a sweep on the lanes of all threads.
 
-use super::period::period_turns;
 use super::record::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
-use super::turns::{Turns, TurnsRecorder};
+use super::turns::TurnsRecorder;
 use crate::diagnostics::{Code, Problem};
 use crate::math::Vectors;
 use crate::mechanism::{Mechanism, Sample};
 use crate::model::{QuantityId, SetValues, SettingRange};
 use crate::simulate::record::Override;
 use crate::simulate::{
-    Arms, Column, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Window, columns, conduct, input,
+    Arms, Column, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Turns, Window, columns,
+    conduct, input, period_turns, section_sizes,
 };
 use crate::units::{DisplayUnits, SiUnit};
 use rayon::prelude::*;
@@ -174,10 +174,10 @@ impl SweepRuns<'_> {
         let ideal =
             IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.plan.settings)?;
         let arms = Arms::new(self.mechanism, &values);
-        let clearances_m = sample.plays.iter().map(|play| play.clearance_m).collect();
-        let contacts = (0..sample.plays.len()).map(|play| self.mechanism.contacts_of(play)).collect();
-        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, clearances_m, contacts);
-        Ok(Run { sample, arms, window, observer })
+        let sizes = section_sizes(self.mechanism, &sample);
+        let flight = FlightClock::new(self.mechanism, start_s);
+        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, sizes, flight);
+        Ok(Run { sample, arms, window, observer, resume: None })
     }
 
     /// What a finished run found.
@@ -186,13 +186,14 @@ impl SweepRuns<'_> {
             return Err(failure.into());
         }
         let window = run.turns().window;
-        let joints = report.plays.iter().zip(&run.flight_s).map(|(play, flight_s)| SweptJoint {
+        let joints = report.plays.iter().enumerate().map(|(index, play)| SweptJoint {
             impacts_per_turn: (play.contacts - play.floored_contacts) as f64 / f64::from(self.plan.recorded_turns),
-            flight_share: (flight_s / (window.end_s - window.start_s)).clamp(0.0, 1.0),
+            flight_share: run.flight.share(index, window.end_s),
+            losses_per_turn: run.flight.losses(index) as f64 / f64::from(self.plan.recorded_turns),
             peak_force_n: play.peak_force_n,
             largest_penetration_m: play.largest_penetration_m,
         });
-        let period = period_turns(&run.eccentricities_m, &run.clearances_m);
+        let period = period_turns(&run.sections, &run.sizes);
         Ok(SweepPoint {
             value_si: self.plan.value_si(run.index),
             failure: None,

@@ -5,11 +5,9 @@
 //! after p turns shows p points, one that never does a cloud.
 
 mod conduct;
-mod period;
 pub mod record;
 mod tables;
 mod turns;
 
 pub use conduct::{SweepError, SweepPlan, sweep};
-pub use period::{REPEAT_SHARE, period_turns};
 pub use tables::{SECTIONS_FILE, SWEEP_FILE, sections_csv, sweep_csv};

@@ -70,6 +70,8 @@ pub struct SweptJoint {
     pub impacts_per_turn: f64,
     /// Share of the time without contact.
     pub flight_share: f64,
+    /// Contacts that ended, a turn.
+    pub losses_per_turn: f64,
     /// Largest normal force, N.
     pub peak_force_n: f64,
     /// Largest penetration, m.

@@ -9,11 +9,12 @@ pub const SWEEP_FILE: &str = "sweep.csv";
 pub const SECTIONS_FILE: &str = "sections.csv";
 
 /// `sweep.csv`: `value` of the quantity, `period_turns` (empty where the motion did not repeat itself), then for each joint with
-/// play `<joint>.impacts_per_turn`, `.flight_share`, `.peak_force_n`, `.largest_penetration_m`, then `failure`.
+/// play `<joint>.impacts_per_turn`, `.flight_share`, `.losses_per_turn`, `.peak_force_n`, `.largest_penetration_m`, then `failure`.
 pub fn sweep_csv(record: &SweepRecord) -> String {
     let mut text = String::from("value,period_turns");
     for joint in &record.joints {
-        for quantity in ["impacts_per_turn", "flight_share", "peak_force_n", "largest_penetration_m"] {
+        for quantity in ["impacts_per_turn", "flight_share", "losses_per_turn", "peak_force_n", "largest_penetration_m"]
+        {
             let _ = write!(text, ",{joint}.{quantity}");
         }
     }
@@ -26,10 +27,14 @@ pub fn sweep_csv(record: &SweepRecord) -> String {
         for index in 0..record.joints.len() {
             match point.joints.get(index) {
                 Some(joint) => {
-                    let _ = write!(text, ",{:?},{:?}", joint.impacts_per_turn, joint.flight_share);
+                    let _ = write!(
+                        text,
+                        ",{:?},{:?},{:?}",
+                        joint.impacts_per_turn, joint.flight_share, joint.losses_per_turn
+                    );
                     let _ = write!(text, ",{:?},{:?}", joint.peak_force_n, joint.largest_penetration_m);
                 }
-                None => text.push_str(",,,,"),
+                None => text.push_str(",,,,,"),
             }
         }
         let _ = match &point.failure {

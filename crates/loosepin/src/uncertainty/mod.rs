@@ -6,6 +6,7 @@
 mod counter;
 mod direction_numbers;
 mod distribution;
+mod epistemic;
 mod incomplete_beta;
 mod interval;
 mod normal;
@@ -15,6 +16,7 @@ mod student;
 
 pub use counter::hash;
 pub use distribution::{Distribution, DistributionError};
+pub use epistemic::{EpistemicVariable, Members, MembersError};
 pub use interval::{Interval, IntervalError};
 pub use normal::{normal_cdf, normal_quantile};
 pub use random_variable::RandomVariable;

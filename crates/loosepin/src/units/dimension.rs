@@ -129,6 +129,7 @@ impl Dimension {
             (Self::DAMPING, "N s/m"),
             (Self::TORSIONAL_STIFFNESS, "N m/rad"),
             (Self::TORSIONAL_DAMPING, "N m s/rad"),
+            (Self::VISCOSITY, "Pa s"),
         ] {
             if self == dimension {
                 return symbol.to_owned();

@@ -12,7 +12,13 @@ use loosepin::units::SiUnit;
 fn simulate_turns(built: &Built, turns: f64, samples_per_turn: usize) -> Simulation {
     let mut cycle = built.mechanism.model.cycle.clone();
     (cycle.transient_turns, cycle.recorded_turns, cycle.samples_per_turn) = (0.0, turns, samples_per_turn);
-    let plan = Plan { cycle, settings: Settings::for_study(), with_states: false, overrides: Vec::new() };
+    let plan = Plan {
+        cycle,
+        settings: Settings::for_study(),
+        with_states: false,
+        lyapunov_turns: None,
+        overrides: Vec::new(),
+    };
     simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -3,9 +3,12 @@
 use crate::motion::{motion_of, output};
 use crate::{Built, build_case, build_case_with, ideal_at};
 use loosepin::accuracy::{
-    DisplacedLoops, eccentricity_gradients, exact_worst_case, position_outputs, starts_on_rims, worst_case_si,
+    DisplacedLoops, PlayReach, exact_worst_case, play_gradients, position_outputs, starts_on_borders, worst_case_si,
 };
 use loosepin::math::Vec2;
+
+/// The gudgeon of the case `slider_crank_5000`.
+const GUDGEON: PlayReach = PlayReach::Disc { radius_m: 5e-4 };
 
 /// Round-off of positions of order 0.1 m, m.
 const ROUND_OFF_M: f64 = 1e-15;
@@ -62,7 +65,7 @@ fn identity_variances_are_those_of_sampled_journals() {
             weight += share;
         }
     }
-    let joints = [(clearance_m, gradient)];
+    let joints = [(PlayReach::Disc { radius_m: clearance_m }, gradient)];
     let exact = loosepin::accuracy::disc_standard_deviation_si(&joints).powi(2);
     assert!((disc / weight / exact - 1.0).abs() < 1e-5);
     let exact = loosepin::accuracy::rim_standard_deviation_si(&joints).powi(2);
@@ -79,14 +82,15 @@ fn analytic_exact_worst_case_of_the_slider_crank() {
         let angle = 0.05 + 0.26 * f64::from(step);
         let state = ideal_at(&built, &sample, angle / built.input().speed_rad_s);
         loops.set_position(state.coordinates());
-        let exact = exact_worst_case(&mut loops, reading, &[5e-4], &starts_on_rims(&[5e-4])).expect("it is regular");
+        let exact =
+            exact_worst_case(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON])).expect("it is regular");
         let centred = slider_m(angle, 0.0, 0.0);
         let highest = largest(|psi| slider_m(angle, 5e-4, psi)) - centred;
         let lowest = -largest(|psi| -slider_m(angle, 5e-4, psi)) - centred;
         assert!((exact.highest.deviation_si - highest).abs() < ROUND_OFF_M, "{angle}");
         assert!((exact.lowest.deviation_si - lowest).abs() < ROUND_OFF_M, "{angle}");
         for worst in [&exact.lowest, &exact.highest] {
-            assert!((worst.eccentricities_m[0].length() - 5e-4).abs() < 1e-16, "the extremes lie on the rim");
+            assert!((worst.displacements[0].length() - 5e-4).abs() < 1e-16, "the extremes lie on the rim");
         }
     }
 }
@@ -99,9 +103,9 @@ fn published_first_order_is_exceeded_by_0_17_micrometres_at_60_degrees() {
     let state = ideal_at(&built, &sample, 60f64.to_radians() / built.input().speed_rad_s);
     let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
     loops.set_position(state.coordinates());
-    let gradient = eccentricity_gradients(&mut loops, &[reading]).expect("it is regular")[0][0];
-    let first_order = worst_case_si(&[(5e-4, gradient)]);
-    let exact = exact_worst_case(&mut loops, reading, &[5e-4], &[]).expect("it is regular");
+    let gradient = play_gradients(&mut loops, &[reading]).expect("it is regular")[0][0];
+    let first_order = worst_case_si(&[(GUDGEON, gradient)]);
+    let exact = exact_worst_case(&mut loops, reading, &[GUDGEON], &[]).expect("it is regular");
     let excess_m = -exact.lowest.deviation_si - first_order;
     // method.md, section 1: 0.17 µm, to the digits given.
     assert!((excess_m - 0.17e-6).abs() < 0.005e-6, "{excess_m:e}");
@@ -140,6 +144,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_directions() {
         let built = build_case(case);
         let sample = built.sample();
         let radii_m: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
+        let reaches: Vec<PlayReach> = radii_m.iter().map(|&radius_m| PlayReach::Disc { radius_m }).collect();
         let turn_s = built.input().turn_s();
         for share in [0.07, 0.41, 0.83] {
             let state = ideal_at(&built, &sample, share * turn_s);
@@ -147,7 +152,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_directions() {
             loops.set_position(state.coordinates());
             let reading = position_outputs(&built.mechanism)[0].reading;
             let exact =
-                exact_worst_case(&mut loops, reading, &radii_m, &starts_on_rims(&radii_m)).expect("it is regular");
+                exact_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches)).expect("it is regular");
             let [lowest, highest] = brute_force(&built, &mut loops, 0, &radii_m, per_joint);
             // A grid of directions falls short by the square of half its step, 1.5 % for 18 directions.
             let short = 1.6 * (std::f64::consts::PI / per_joint as f64).powi(2);
@@ -171,7 +176,8 @@ fn text_of_a_dead_point_within_the_clearances() {
     loops.set_position(state.coordinates());
     let before = loops.coordinates().to_vec();
     let reading = position_outputs(&built.mechanism)[0].reading;
-    let error = exact_worst_case(&mut loops, reading, &[5e-4], &starts_on_rims(&[5e-4])).expect_err("a dead point");
+    let error =
+        exact_worst_case(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON])).expect_err("a dead point");
     let text = error.to_string();
     assert!(
         text.starts_with("the links cannot close when the journals are displaced within their clearances: joint '")

@@ -199,6 +199,7 @@ fn identity_a_simulation_counts_periods() {
         cycle: built.mechanism.model.cycle.clone(),
         settings: Settings::for_simulation(),
         with_states: false,
+        lyapunov_turns: None,
         overrides: Vec::new(),
     };
     let record = simulate(&built.mechanism, &built.values, &plan).expect("it runs").record;

@@ -48,11 +48,12 @@ stiffness = "350 N/m"
 free_length = "90 mm"
 "#;
 
-fn simulated(built: &Built) -> Simulation {
+pub(super) fn simulated(built: &Built) -> Simulation {
     let plan = Plan {
         cycle: built.mechanism.model.cycle.clone(),
         settings: Settings::for_simulation(),
         with_states: false,
+        lyapunov_turns: None,
         overrides: Vec::new(),
     };
     simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}"))

@@ -1,8 +1,13 @@
 //! Springs, dampers, loads, motions of drives and initial states against closed forms and against the energy account.
 
+mod cams;
+mod control;
+mod couplings;
 mod drives;
 mod initial;
+mod joint_friction;
 mod loads;
+mod neighbours;
 mod springs;
 
 use loosepin::mechanism::{Mechanism, Sample};

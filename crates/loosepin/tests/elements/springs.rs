@@ -118,3 +118,89 @@ direction = "33 deg"
     let expected = [pull_n * x / x.hypot(y) - 7.0 * push_rad.cos(), pull_n * y / x.hypot(y) - 7.0 * push_rad.sin()];
     assert!((force_n.x - expected[0]).abs() < ROUND_OFF * 100.0 && (force_n.y - expected[1]).abs() < ROUND_OFF * 100.0);
 }
+
+/// A slider on a spring, with an arm that hangs on it by another.
+fn slider_on(springs: &str) -> super::Built {
+    build(&format!(
+        r#"
+name = "slider on a table"
+gravity = "0 m/s^2"
+[body.ground]
+points = {{ o = ["0 mm", "0 mm"], anchor = ["-100 mm", "0 mm"] }}
+[body.slider]
+mass = "0.7 kg"
+inertia = "1e-4 kg m^2"
+centre_of_mass = ["3 mm", "0 mm"]
+points = {{ pin = ["0 mm", "0 mm"] }}
+[body.arm]
+mass = "0.3 kg"
+inertia = "2e-4 kg m^2"
+centre_of_mass = ["40 mm", "0 mm"]
+points = {{ eye = ["0 mm", "0 mm"] }}
+[joint.rail]
+kind = "prismatic"
+guide = {{ point = "ground.o", angle = "0 deg" }}
+slider = "slider.pin"
+[joint.pivot]
+kind = "revolute"
+bearing = "slider.pin"
+journal = "arm.eye"
+{springs}
+[initial.joint.rail]
+position = "20 mm"
+velocity = "0.3 m/s"
+[initial.joint.pivot]
+angle = "-25 deg"
+angular_velocity = "4 rad/s"
+[cycle]
+duration = "0.4 s"
+samples_per_turn = 40
+[output.slider]
+position_of = "slider.pin"
+along = "x"
+[output.arm]
+angle_of = "arm"
+"#
+    ))
+}
+
+/// A linear spring on the slider and a torsional one on the arm.
+fn springs(linear: &str, torsional: &str) -> String {
+    format!(
+        "[spring.coil]\nkind = \"linear\"\nfirst = \"ground.anchor\"\nsecond = \"slider.pin\"\n{linear}\n[spring.wire]\nkind = \"torsional\"\njoint = \"pivot\"\n{torsional}"
+    )
+}
+
+/// Points on a line are a spring with a constant stiffness, by either curve, beyond their ends as well (at 110 mm and 20 deg); points
+/// that bend keep the account.
+#[test]
+fn identity_springs_by_tables() {
+    let line = slider_on(&springs(
+        "stiffness = \"350 N/m\"\nfree_length = \"90 mm\"",
+        "stiffness = \"0.9 N m/rad\"\nfree_angle = \"10 deg\"\npreload = \"0.2 N m\"",
+    ));
+    let expected = super::initial::simulated(&line).record;
+    for curve in ["monotone", "spline"] {
+        let with = |points: &str| format!("curve = \"{curve}\"\npoints = [{points}]");
+        let built = slider_on(&springs(
+            &with("[\"70 mm\", \"-7 N\"], [\"90 mm\", \"0 N\"], [\"101 mm\", \"3.85 N\"], [\"110 mm\", \"7 N\"]"),
+            &with(
+                "[\"-0.5 rad + 10 deg\", \"-0.25 N m\"], [\"10 deg\", \"0.2 N m\"], [\"0.2 rad + 10 deg\", \"0.38 N m\"]",
+            ),
+        ));
+        let record = super::initial::simulated(&built).record;
+        for (found, expected) in record.outputs.iter().zip(&expected.outputs) {
+            for (a, b) in found.value_si.iter().zip(&expected.value_si) {
+                assert!((a - b).abs() < 1e-8, "{curve}: {a} {b}");
+            }
+        }
+        let bent = slider_on(&springs(
+            &with("[\"70 mm\", \"-30 N\"], [\"90 mm\", \"0 N\"], [\"101 mm\", \"1 N\"], [\"120 mm\", \"25 N\"]"),
+            &with(
+                "[\"-40 deg\", \"-2 N m\"], [\"10 deg\", \"0.2 N m\"], [\"30 deg\", \"0.2 N m\"], [\"60 deg\", \"0.9 N m\"]",
+            ),
+        ));
+        let account = super::initial::simulated(&bent).report.energy.expect("it is integrated");
+        assert!(account.relative_residual() < ACCOUNT && account.supplied_j == 0.0, "{curve}: {account:?}");
+    }
+}

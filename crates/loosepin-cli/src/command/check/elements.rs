@@ -1,18 +1,29 @@
-//! Springs and loads in words.
+//! Couplings, springs, loads and controls in words.
 
 use std::fmt::Write;
 
-use loosepin::model::{Course, JointId, Load, LoadKind, Model, PointId, Spring, SpringKind, Values};
+use loosepin::model::{
+    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, JointKind, Load, LoadKind, Model,
+    PointId, QuantityId, Ratio, Spring, SpringCurve, SpringKind, Values,
+};
 use loosepin::units::{Dimension, format_value};
 
+use super::mechanism::law_words;
 use crate::console::counted;
 
-/// The springs and the loads, each under a line that counts them; nothing where there are none.
+/// The couplings, the springs, the loads and the controls, each under a line that counts them; nothing where there are none.
 pub fn push_elements(text: &mut String, model: &Model, values: &Values) {
+    let couplings = model.couplings.iter().map(|coupling| {
+        let name = coupling.path.rsplit('.').next().unwrap_or_default();
+        (name, coupling_words(model, coupling, values))
+    });
+    push_list(text, couplings.collect(), ("coupling", "couplings"));
     let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));
     push_list(text, springs.collect(), ("spring", "springs"));
     let loads = model.loads.iter().map(|load| (load.name.as_str(), load_words(model, load, values)));
     push_list(text, loads.collect(), ("load", "loads"));
+    let controls = model.controls.iter().map(|control| (control.name.as_str(), control_words(model, control, values)));
+    push_list(text, controls.collect(), ("control", "controls"));
 }
 
 fn push_list(text: &mut String, items: Vec<(&str, String)>, (one, many): (&str, &str)) {
@@ -47,17 +58,25 @@ fn spring_words(model: &Model, spring: &Spring, values: &Values) -> String {
             Dimension::TORQUE,
         ),
     };
-    let mut words = format!(
-        "{place}, {}, {} {}",
-        format_value(values[spring.stiffness], stiffness),
-        free.0,
-        format_value(values[spring.free], free.1)
-    );
+    let (elastic, preload_si) = match &spring.elasticity {
+        Elasticity::Linear { stiffness: id, free: free_id, preload } => {
+            let stiffness = format_value(values[*id], stiffness);
+            (format!("{stiffness}, {} {}", free.0, format_value(values[*free_id], free.1)), values[*preload])
+        }
+        Elasticity::Table { points, curve } => {
+            let curve = match curve {
+                SpringCurve::Monotone => "monotone",
+                SpringCurve::Spline => "a spline",
+            };
+            (format!("by a table of {} points, {curve}", points.len()), 0.0)
+        }
+    };
+    let mut words = format!("{place}, {elastic}");
     if let Some(id) = spring.damping {
         let _ = write!(words, ", damping {}", format_value(values[id], damping));
     }
-    if values[spring.preload] != 0.0 {
-        let _ = write!(words, ", preload {}", format_value(values[spring.preload], preload));
+    if preload_si != 0.0 {
+        let _ = write!(words, ", preload {}", format_value(preload_si, preload));
     }
     words
 }
@@ -106,4 +125,60 @@ fn course_words(
             None => "an expression over time".to_owned(),
         },
     }
+}
+
+fn control_words(model: &Model, control: &Control, values: &Values) -> String {
+    let name = |joint: JointId| &model.joints[joint.0].name;
+    let is_prismatic =
+        |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. } | JointKind::Slot { .. });
+    let effort = if is_prismatic(control.joint) { Dimension::FORCE } else { Dimension::TORQUE };
+    let mut words = format!("acts in '{}'", name(control.joint));
+    if control.measured != control.joint {
+        let _ = write!(words, ", measures '{}'", name(control.measured));
+    }
+    let gain = |id| format_value(values[id], model.quantities[id].dimension);
+    let _ = write!(words, ": proportional {}", gain(control.proportional));
+    for (what, id) in [("integral", control.integral), ("derivative", control.derivative)] {
+        if let Some(id) = id {
+            let _ = write!(words, ", {what} {}", gain(id));
+        }
+    }
+    match &control.feed_forward {
+        FeedForward::None => {}
+        FeedForward::InverseDynamics => words.push_str(", inverse dynamics fed forward"),
+        FeedForward::Course(Course::Function(_)) => words.push_str(", an expression fed forward"),
+        FeedForward::Course(Course::Constant(id) | Course::Harmonic { mean: id, .. }) => {
+            let _ = write!(words, ", {} fed forward", format_value(values[*id], effort));
+        }
+    }
+    if let Some(id) = control.limit {
+        let _ = write!(words, ", at most {}", format_value(values[id], effort));
+    }
+    let _ =
+        write!(words, "; the reference goes {}", law_words(&control.reference, is_prismatic(control.measured), values));
+    words
+}
+
+fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String {
+    let [first, second] = [coupling.first, coupling.second].map(|joint| &model.joints[joint.0].name);
+    let (ratio, offset) = match &coupling.law {
+        CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
+        CouplingLaw::Cam { points } => {
+            return format!("'{second}' follows '{first}' by a cam of {} points", points.len());
+        }
+    };
+    let value = |id: QuantityId| format_value(values[id], model.quantities[id].dimension);
+    let sign = |is_reversed: bool| if is_reversed { "-" } else { "" };
+    let factor = match *ratio {
+        Ratio::Given(id) => value(id),
+        Ratio::Wheels { sizes, is_reversed } => {
+            format!("{}{} / {}", sign(is_reversed), value(sizes[0]), value(sizes[1]))
+        }
+        Ratio::Rack { radius_m, is_reversed } => format!("{}{} / rad", sign(is_reversed), value(radius_m)),
+    };
+    let mut words = format!("'{second}' follows '{first}' times {factor}");
+    if values[*offset] != 0.0 {
+        let _ = write!(words, ", plus {}", value(*offset));
+    }
+    words
 }

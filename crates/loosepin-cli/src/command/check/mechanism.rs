@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
-use loosepin::mechanism::{Drives, Mechanism, Sample};
+use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
-    BodyId, Clearance, Contact, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PointId,
+    BodyId, Contact, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -64,14 +64,27 @@ fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
             kind_words(model, joint, values),
             drive_words(model, joint_id, values)
         );
-        let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
         let indent = " ".repeat(width + 4);
+        if let Some(friction) = &joint.friction {
+            let what =
+                if matches!(joint.kind, JointKind::Prismatic { .. }) { "a guide length of" } else { "a pin radius of" };
+            let size = format_value(values[friction.size_m], Dimension::LENGTH);
+            let _ = writeln!(text, "{indent}{}, at {what} {size}", friction_words(model, &friction.friction, values));
+        }
+        let Some((clearance, contact)) = joint.kind.play() else { continue };
         let Some(play) = mechanism.plays.iter().position(|play| *play == joint_id) else {
-            let _ = writeln!(text, "{indent}ideal, since its radial clearance is 0 mm");
+            let which = if matches!(joint.kind, JointKind::Revolute { .. }) { "radial clearance" } else { "clearance" };
+            let _ = writeln!(text, "{indent}ideal, since its {which} is 0 mm");
             continue;
         };
         let numbers = sample.as_ref().map(|sample| &sample.plays[play]);
-        for line in play_lines(model, clearance, values, numbers) {
+        let play = play_words(joint, format_value(values[clearance], Dimension::LENGTH), values);
+        let contact = &model.contacts[contact.0];
+        let length = match &joint.kind {
+            JointKind::Revolute { clearance: Some(clearance), .. } => clearance.bearing_length_m,
+            _ => None,
+        };
+        for line in std::iter::once(play).chain(contact_lines(model, contact, length, values, numbers)) {
             let _ = writeln!(text, "{indent}{line}");
         }
     }
@@ -90,18 +103,31 @@ fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
             point(*guide),
             angle(values[*guide_angle_rad])
         ),
+        JointKind::Slot { slot, slot_angle_rad, pin, .. } => format!(
+            "slot: {} slides and turns in a slot through {} at {}",
+            point(*pin),
+            point(*slot),
+            angle(values[*slot_angle_rad])
+        ),
         JointKind::Rigid { first, second, .. } => format!("rigid: {} is fixed to {}", point(*second), point(*first)),
     }
 }
 
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
     let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
-    let (speed, start) = match model.joints[joint.0].kind {
-        JointKind::Prismatic { .. } => (Dimension::VELOCITY, Dimension::LENGTH),
-        _ => (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE),
+    let is_prismatic = matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. });
+    format!(", driven by '{}' {}", drive.name, law_words(&drive.law, is_prismatic, values))
+}
+
+/// A motion in words, of a position or of an angle.
+pub fn law_words(law: &DriveLaw, is_prismatic: bool, values: &Values) -> String {
+    let (speed, start) = if is_prismatic {
+        (Dimension::VELOCITY, Dimension::LENGTH)
+    } else {
+        (Dimension::ANGULAR_VELOCITY, Dimension::ANGLE)
     };
     let value = |id, dimension| format_value(values[id], dimension);
-    let law = match &drive.law {
+    match law {
         DriveLaw::Constant { speed: id, start: from } => {
             format!("at {} from {}", value(*id, speed), value(*from, start))
         }
@@ -123,23 +149,45 @@ fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
             format!("by a table of {} points, {}", points.len(), if *is_periodic { "again and again" } else { "once" })
         }
         DriveLaw::Function(_) => "by an expression over time".to_owned(),
-    };
-    format!(", driven by '{}' {law}", drive.name)
+    }
 }
 
-fn play_lines(
+fn play_words(joint: &Joint, clearance: String, values: &Values) -> String {
+    let length = |id| format_value(values[id], Dimension::LENGTH);
+    match &joint.kind {
+        JointKind::Revolute { clearance: Some(play), .. } => {
+            format!("play: radial clearance {clearance} in a bearing of radius {}", length(play.bearing_radius_m))
+        }
+        JointKind::Slot { clearance: Some(play), .. } => {
+            let (half_length, radius) = (length(play.half_length_m), length(play.end_radius_m));
+            format!(
+                "play: clearance {clearance} on each side in a slot with round ends of radius {radius}, their centres \
+                 {half_length} from its middle"
+            )
+        }
+        JointKind::Prismatic { clearance: Some(play), .. } => {
+            let radius = play.corner_radius_m.map_or(String::new(), |id| format!(", corners of radius {}", length(id)));
+            let (half_length, half_height) = (length(play.half_length_m), length(play.half_height_m));
+            let ends = play.ends_m.map_or("a guide without ends".to_owned(), |[start, end]| {
+                format!("faces from {} to {}", length(start), length(end))
+            });
+            format!(
+                "play: clearance {clearance} on each side of a slider of half-length {half_length} and half-height \
+                 {half_height}{radius}; {ends}"
+            )
+        }
+        _ => String::new(),
+    }
+}
+
+fn contact_lines(
     model: &Model,
-    clearance: &Clearance,
+    contact: &Contact,
+    bearing_length_m: Option<QuantityId>,
     values: &Values,
     numbers: Option<&loosepin::mechanism::PlayGeometry<f64>>,
 ) -> Vec<String> {
-    let contact = &model.contacts[clearance.contact.0];
-    let length = |id| format_value(values[id], Dimension::LENGTH);
-    let mut lines = vec![format!(
-        "play: radial clearance {} in a bearing of radius {}",
-        length(clearance.radial_clearance_m),
-        length(clearance.bearing_radius_m)
-    )];
+    let mut lines = Vec::new();
     let mut law = format!("contact '{}': {}", contact.name, contact.law.name());
     if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
         law.push_str(&format!(", energy loss of {}", damping.name()));
@@ -158,12 +206,23 @@ fn play_lines(
         (None, None) => {}
     }
     lines.push(law);
-    let stiffness = numbers.map_or(String::new(), |numbers| stiffness_words(contact, clearance, numbers, values));
+    let stiffness =
+        numbers.map_or(String::new(), |numbers| stiffness_words(contact, bearing_length_m, numbers, values));
     let friction = match &contact.friction {
         None => "no friction".to_owned(),
         Some(friction) => friction_words(model, friction, values),
     };
     lines.push(format!("{stiffness}{friction}"));
+    if let Some(film) = &contact.film {
+        let length = |id| format_value(values[id], Dimension::LENGTH);
+        let bearing = bearing_length_m.map_or(String::new(), |id| format!(", {} of bearing", length(id)));
+        lines.push(format!(
+            "film of oil by {}: viscosity {}, roughness {}{bearing}",
+            film.law.name,
+            format_value(values[film.viscosity_pa_s], Dimension::VISCOSITY),
+            length(film.roughness_m)
+        ));
+    }
     if let Some(limit_m_s) =
         numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
     {
@@ -174,18 +233,25 @@ fn play_lines(
 
 fn stiffness_words(
     contact: &Contact,
-    clearance: &Clearance,
+    bearing_length_m: Option<QuantityId>,
     numbers: &loosepin::mechanism::PlayGeometry<f64>,
     values: &Values,
 ) -> String {
-    match (&numbers.normal, clearance.bearing_length_m) {
+    match (&numbers.normal, bearing_length_m) {
         (NormalLaw::Point(point), _) => {
             let k = format_value(point.stiffness_n_m_n, Dimension::contact_stiffness(point.exponent));
             let origin = match contact.stiffness {
                 Stiffness::Material { .. } => "from the materials",
                 Stiffness::Given { .. } | Stiffness::Linear { .. } => "as given",
             };
-            format!("stiffness {k} {origin}; ")
+            match numbers.shape {
+                PlayShape::Slot(slot) if slot.end_stiffening > 0.0 => {
+                    let in_ends = point.stiffness_n_m_n * (1.0 + slot.end_stiffening);
+                    let in_ends = format_value(in_ends, Dimension::contact_stiffness(point.exponent));
+                    format!("stiffness {k} at the faces and {in_ends} in the ends, {origin}; ")
+                }
+                _ => format!("stiffness {k} {origin}; "),
+            }
         }
         (NormalLaw::Linear(linear), _) => {
             format!("stiffness {} as given; ", format_value(linear.stiffness_n_m, Dimension::contact_stiffness(1.0)))
@@ -251,11 +317,11 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }
-    for (joint, count) in &mechanism.redundant {
+    for (owner, count) in &mechanism.redundant {
         let _ = writeln!(
             text,
-            "joint {} repeats what the others impose already: {} of it {} redundant",
-            name(joint),
+            "{} repeats what the others impose already: {} of it {} redundant",
+            owner.words(model),
             counted(*count, "constraint", "constraints"),
             if *count == 1 { "is" } else { "are" }
         );

@@ -14,13 +14,14 @@ use crate::ending::Failure;
 /// Evaluations after which a timed run is given up: a hundredth of a second or so.
 const TIMED_EVALUATIONS: u64 = 1_000_000;
 
-/// The values of the model with every interval input in the middle of its interval.
+/// The values of the model with every interval input in the middle of its interval, every number of a list at the first.
 ///
 /// # Errors
 /// They are impossible together.
 pub fn middle_values(study: &Study) -> Result<Values, Failure> {
+    let epistemic = study.epistemic.iter();
     let middle: Vec<(QuantityId, f64)> =
-        study.epistemic.iter().map(|input| (input.quantity, input.interval.at(0.5))).collect();
+        epistemic.filter_map(|input| Some((input.quantity()?, input.variable.middle()))).collect();
     let complain =
         |error: QuantityError| loosepin::diagnostics::Complaint::error(&error, study.model.place(error.path()));
     study.model.quantities.evaluate(&middle).map_err(|error| complain(error).into())
@@ -67,16 +68,24 @@ fn push_inputs(text: &mut String, study: &Study) {
         let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
         let _ = writeln!(text, "  {:width$}  {shown}", input.path);
     }
-    let _ = writeln!(text, "\n{}", counted(study.epistemic.len(), "interval input", "interval inputs"));
+    let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
+    let has_lists = lists > 0;
+    let intervals = counted(study.epistemic.len() - lists, "interval input", "interval inputs");
+    let lists = counted(lists, "input from a list", "inputs from lists");
+    let _ = match (study.epistemic.iter().any(|input| input.interval().is_some()), has_lists) {
+        (true, true) => writeln!(text, "\n{intervals}, {lists}"),
+        (false, true) => writeln!(text, "\n{lists}"),
+        (_, false) => writeln!(text, "\n{intervals}"),
+    };
     for input in &study.epistemic {
-        let dimension = dimension(input.quantity);
-        let _ = writeln!(
-            text,
-            "  {:width$}  between {} and {}",
-            input.path,
-            format_value(input.interval.lower(), dimension),
-            format_value(input.interval.upper(), dimension)
-        );
+        let known = match input.members_written(&study.model) {
+            Some(of) => format!("any of {}", of.join(", ")),
+            None => {
+                let [lower, upper] = input.variable.ends().map(|end| input.written(&study.model, end));
+                format!("between {lower} and {upper}")
+            }
+        };
+        let _ = writeln!(text, "  {:width$}  {known}", input.path);
     }
 }
 

@@ -4,7 +4,9 @@ use maud::{Markup, html};
 
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
-use crate::report::wording::{deviation_words, guarantee_words, output_words, place_words, statistic_words};
+use crate::report::wording::{
+    deviation_words, guarantee_words, output_words, place_words, statistic_words, unknown_words,
+};
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
 /// More rows are left to `bounds.csv`.
@@ -18,7 +20,7 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
     let others = result.bounds.len() - rows.len();
     html! {
         p {
-            "Each statistic lies between its two bounds, wherever in their ranges the interval inputs are. The bounds are \
+            "Each statistic lies between its two bounds, wherever in their ranges the " (unknown_words(&result.inputs)) " are. The bounds are \
              rounded and widened outwards by their numerical error, which stands beside them."
         }
         table.cards {

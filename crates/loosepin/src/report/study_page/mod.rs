@@ -14,7 +14,7 @@ use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::still_figures::orbit_figure;
-use super::wording::{count, place_words, verdict_words};
+use super::wording::{count, place_words, unknown_words, verdict_words};
 use crate::study::result::{StudyResult, Verdict};
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
@@ -103,7 +103,7 @@ fn verdict_class(verdict: Verdict) -> &'static str {
 fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         table.cards {
-            caption.quiet { "Each share holds for every value of the interval inputs and includes its numerical error." }
+            caption.quiet { "Each share holds for every value of the " (unknown_words(&result.inputs)) " and includes its numerical error." }
             thead {
                 tr {
                     th scope="col" { "Requirement" }

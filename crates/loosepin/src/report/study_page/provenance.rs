@@ -2,12 +2,12 @@
 
 use maud::{Markup, html};
 
-use crate::report::answer::turns;
+use crate::report::answer::{turn_word, turns};
 use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
 use crate::report::still_figures::histogram_figure;
-use crate::report::wording::{count, guarantee_words, listed, reading_words};
+use crate::report::wording::{count, guarantee_words, listed, reading_words, unknown_words};
 use crate::study::result::{EnergyResiduals, InputKind, JointImpacts, StudyResult, TreatmentKind};
 use crate::units::SiUnit;
 
@@ -16,7 +16,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
             (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
-            " values of the interval inputs, each with " (count(result.counts.inner, writer))
+            " values of the " (unknown_words(&result.inputs)) ", each with " (count(result.counts.inner, writer))
             " random samples, the same for every one of them. "
             @if result.counts.failed == 0 { "No run failed. " }
             @else {
@@ -48,14 +48,14 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 }
             }
         }
-        @for joint in &result.impacts { (impacts(joint, writer)) }
+        @for joint in &result.impacts { (impacts(joint, turn_word(result.cycle.drive_speed_rad_s), writer)) }
     }
 }
 
-fn impacts(joint: &JointImpacts, writer: &NumberWriter) -> Markup {
+fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
     let [least, median, most] = joint.impacts_per_turn;
     let mut rows = vec![(
-        "Impacts per turn".to_owned(),
+        format!("Impacts per {turn}"),
         html! {
             (plain(median, writer)) " in the median run (" (plain(least, writer)) " to " (plain(most, writer)) ")"
         },
@@ -178,14 +178,14 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
                 @if let Some(speed) = result.cycle.drive_speed_rad_s {
                     " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
                 }
-                "; " (turns(result.cycle.transient_turns)) " to start up, then " (turns(result.cycle.recorded_turns))
-                " recorded"
+                "; " (turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s)) " to start up, then "
+                (turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s)) " recorded"
             },
         ),
         (
             "Runs".to_owned(),
             html! {
-                (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the interval inputs × "
+                (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the " (unknown_words(&result.inputs)) " × "
                 (count(counts.inner, writer)) " random samples"
                 @if let Some(others) = counts.runs.checked_sub(counts.outer * counts.inner).filter(|&others| others > 0) {
                     " + " (count(others, writer)) " for the two other treatments"

@@ -5,7 +5,9 @@ use maud::{Markup, html};
 use crate::report::answer::treatment_sentences;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::still_figures::percent_of;
-use crate::report::wording::{deviation_words, output_words, place_words, treatment_words};
+use crate::report::wording::{
+    EQUALLY_PROBABLE, deviation_words, has_lists, output_words, place_words, treatment_words, unknown_words,
+};
 use crate::study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
 
 /// Digits of a band in the table.
@@ -17,6 +19,9 @@ pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup 
             "The same runs, read in three ways. Each reading names a band and promises that a stated share of mechanisms \
              lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at \
              each of those that were run."
+            @if has_lists(&result.inputs) {
+                " " (EQUALLY_PROBABLE)
+            }
         }
         @for comparison in &result.treatments { (one(result, comparison, writer)) }
     }
@@ -63,7 +68,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                 }
             }
             figcaption {
-                "Bars: the bands on a common scale. Dots: the share inside at each value of the interval inputs that was \
+                "Bars: the bands on a common scale. Dots: the share inside at each value of the " (unknown_words(&result.inputs)) " that was \
                  run, from " (writer.percent(share_from, Rounding::Nearest)) " to " (writer.percent(1.0, Rounding::Nearest))
                 "; the upright line is the promised " (promise) "."
             }

@@ -6,7 +6,7 @@
 mod depth;
 mod switch;
 
-pub use depth::DepthLimit;
+pub use depth::{DepthLimit, LARGEST_RESIDUAL};
 
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -20,15 +20,19 @@ use crate::simulate::gap::{ContactStep, GapJet};
 use crate::simulate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::simulate::motion::Motion;
 use crate::simulate::observer::{DenseOutput, Observer, Source, Step};
-use crate::simulate::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
+use crate::simulate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::simulate::projection::Projection;
 use crate::simulate::reads::ReadLayout;
 use crate::simulate::report::{Counters, PlaySummary, RunReport};
+use crate::simulate::resume::MotionState;
 use crate::simulate::settings::{Settings, Window};
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
 pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
+/// What starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
+/// size of the mechanism: tolerances of the energy account need a size.
+const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
 /// Largest growth from one step to the next.
@@ -44,6 +48,8 @@ pub struct Run<O> {
     pub window: Window,
     /// Who looks at it.
     pub observer: O,
+    /// Where it goes on from; without, it starts at time zero in the ideal position.
+    pub resume: Option<MotionState>,
 }
 
 /// Runs that wait for a lane, and where they go when they are over.
@@ -126,33 +132,49 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         }
     }
 
-    /// Starts `run` in `lane` at its ideal position and velocities, journals centred.
+    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or where it goes on.
     fn start(&mut self, lane: usize, run: Run<O>, queue: &mut dyn Queue<Observer = O>) {
-        let Run { sample, arms, window, observer } = run;
-        let (coordinates, rates) = match self.mechanism.start(&sample) {
-            Ok(start) => start,
-            Err(error) => return queue.finished(observer, Err(error.into())),
-        };
+        let Run { mut sample, arms, window, observer, resume } = run;
         let n = self.mechanism.real.free;
         let state = &mut self.view_state;
-        state.fill(0.0);
-        state[..n].copy_from_slice(&coordinates[..n]);
-        state[n..2 * n].copy_from_slice(&rates[..n]);
+        let mut start_s = 0.0;
+        match &resume {
+            Some(resume) => {
+                start_s = resume.time_s(&self.view.layout);
+                sample.take_pieces_at(start_s);
+                state.copy_from_slice(&resume.state);
+            }
+            None => {
+                let (coordinates, rates) = match self.mechanism.start(&sample) {
+                    Ok(start) => start,
+                    Err(error) => return queue.finished(observer, Err(error.into())),
+                };
+                state.fill(0.0);
+                state[..n].copy_from_slice(&coordinates[..n]);
+                state[n..2 * n].copy_from_slice(&rates[..n]);
+            }
+        }
         let mut rate_1_s = fastest_drive_rad_s(self.mechanism, &sample, window.end_s);
         self.started += 1;
         self.viewed = self.started;
         self.view.dynamics.sample_mut().clone_from(&sample);
-        self.view.set_state(0.0, state);
+        self.view.set_state(start_s, state);
         if !self.mechanism.is_driven() {
             self.view.states.fill(PlayState::flight());
-            self.view.evaluate(0.0, state);
+            self.view.evaluate(start_s, state);
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
         }
-        let energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        let mut energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        if !(energy_j > 0.0) || !self.mechanism.is_driven() {
+            energy_j = energy_j.max(LEAST_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
+        }
         self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
+        if let Some(resume) = &resume {
+            self.core.resume(lane, resume);
+        }
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
-        let stop_s = sample.drives.next_break_s(0.0).min(window.end_s);
+        let stop_s = sample.next_break_s(start_s).min(window.end_s);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
@@ -283,6 +305,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let error = self.core.errors.lane(lane);
         let step = self.core.steps.lane(lane);
         let [time_s, pace, change] = self.times(lane)[0].jet;
+        let friction = self.check_joint_friction(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         run.counters.rejections += 1;
         run.was_rejected = true;
@@ -291,7 +314,11 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         run.next = step * factor;
         let next_s = run.next * (pace + 0.5 * run.next * change).abs();
         let smallest_s = run.smallest_s.max(8.0 * f64::EPSILON * time_s);
-        let failure = if next_s < smallest_s && error.is_finite() {
+        let failure = if next_s < smallest_s
+            && let Err(jams) = friction
+        {
+            jams
+        } else if next_s < smallest_s && error.is_finite() {
             RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
         } else if next_s < smallest_s {
             RunFailure::NotFinite { time_s }
@@ -309,6 +336,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
         let start_s = self.core.start[ReadLayout::TIME].lane(lane);
         self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
+        self.check_joint_friction(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
         let end_s = if run.reaches_stop { run.stop_s } else { end_s };
@@ -354,7 +382,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
             let depth_m = step.largest_penetration_m(GapMeasure::of(numbers));
             summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
-            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state));
+            let shares = self.core.layout.share(contact).map_or([1.0; 2], |place| {
+                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane))
+            });
+            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state, shares));
             self.core.set_records(lane, contact, summary);
         }
     }

@@ -12,6 +12,9 @@ use crate::simulate::reads::ReadLayout;
 
 /// Steps in turn that hardly move the time before the root of a penetration is given up as an unknown.
 const MOST_STALLED_STEPS: u32 = 12;
+/// Contacts of one joint that are within this many tolerances of their beginning or end begin together: a root that grows from
+/// zero beside another would hardly move the time.
+const TOGETHER_TOLERANCES: f64 = 1e3;
 /// Share of the longest step below which time hardly moves.
 const STALLED_SHARE: f64 = 1e-7;
 
@@ -52,10 +55,10 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             return self.succeed(lane, queue);
         }
         run.phase = Phase::Stepping;
-        run.stop_s = run.sample.drives.next_break_s(time_s).min(run.window.end_s);
+        run.stop_s = run.sample.next_break_s(time_s).min(run.window.end_s);
         let place = self.core.equations.motion.layout.time();
         self.core.stepper.start_mut()[place].set_lane(lane, time_s);
-        if run.sample.drives.take_pieces_at(time_s) {
+        if run.sample.take_pieces_at(time_s) {
             self.core.equations.load(lane, &run.sample, &run.arms);
             // Whoever looks inside a step must see the new pieces.
             self.viewed = 0;
@@ -82,6 +85,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         let has_layout_root = self.core.equations.motion.layout.roots[contact].is_some();
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
         let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, contact) } else { 0.0 };
+        let is_with_another = crossing == Crossing::Onset && self.begins_with_another(lane, contact);
         let Some(run) = &mut self.runs[lane] else { return };
         run.phase = Phase::Stepping;
         run.stalled = 0;
@@ -101,7 +105,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
                 let state =
                     PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s, effective_mass_kg };
                 // One root at a time: two that vanish together would never leave zero.
-                (state, has_layout_root && !had_root && !is_floored, 0)
+                (state, has_layout_root && !had_root && !is_floored && !is_with_another, 0)
             }
             Crossing::Separation => {
                 run.observer.contact_ends(&Separation { contact, time_s, speed_m_s: -speed_m_s });
@@ -130,6 +134,19 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
             self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
         }
         self.choose_step(lane);
+    }
+
+    /// Whether another contact of the same joint is at its beginning or end where `contact` begins.
+    fn begins_with_another(&self, lane: usize, contact: usize) -> bool {
+        let Some(run) = &self.runs[lane] else { return false };
+        let near_m = TOGETHER_TOLERANCES * self.settings.event_tolerance_m();
+        let measure = GapMeasure::of(run.sample.play_of(contact));
+        self.mechanism.contacts_of(self.mechanism.contacts[contact].play).any(|other| {
+            let value = self.gap(lane, other)[0].jet[0];
+            let is_root = self.core.equations.contact(lane, other).1;
+            let penetration_m = if is_root { value * value } else { measure.penetration_m(value) };
+            other != contact && penetration_m.abs() < near_m
+        })
     }
 
     /// The mass that a contact meets along its normal at the start of the step, kg; zero where its law does not ask for it.

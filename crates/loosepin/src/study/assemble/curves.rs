@@ -19,7 +19,7 @@ pub fn curves(material: &Material<'_>, pictures: &Pictures) -> Vec<DeviationCurv
 fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> DeviationCurve {
     let output = &material.plan().outputs[planned.output];
     let centre = centre_point(material);
-    let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.interval.at(0.5)).collect();
+    let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let mut curve = DeviationCurve {
         output: output.name.clone(),
         of: deviation_kind(planned.ask.deviation),

@@ -1,6 +1,7 @@
 //! What was uncertain and what was run, in words.
 
 use super::Material;
+use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
 use crate::study::file::Study;
 use crate::study::result::{CycleDescription, InputDescription, InputKind, OutputDescription};
@@ -17,18 +18,19 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         words: distribution_words(input.variable.distribution(), dimension(table, input.quantity)),
     });
     let epistemic = study.epistemic.iter().map(|input| {
-        let dimension = dimension(table, input.quantity);
-        let (lower_si, upper_si) = (input.interval.lower(), input.interval.upper());
-        InputDescription {
-            path: input.path.clone(),
-            kind: InputKind::Interval { lower_si, upper_si },
-            unit: unit(table, input.quantity),
-            words: format!(
-                "somewhere between {} and {}",
-                format_value(lower_si, dimension),
-                format_value(upper_si, dimension)
+        let [lower_si, upper_si] = input.variable.ends();
+        let written = |value_si: f64| input.written(&study.model, value_si);
+        let (kind, words) = match input.members_written(&study.model) {
+            None => (
+                InputKind::Interval { lower_si, upper_si },
+                format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
             ),
-        }
+            Some(of) => {
+                let words = format!("one of {}", listed(&of, "and"));
+                (InputKind::Choice { of }, words)
+            }
+        };
+        InputDescription { path: input.path.clone(), kind, unit: input.unit(&study.model), words }
     });
     random.chain(epistemic).collect()
 }

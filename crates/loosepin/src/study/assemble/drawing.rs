@@ -3,7 +3,7 @@
 use super::{Material, recorded_offset_rad};
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::simulate::{Plan, simulate, skeleton};
-use crate::units::format_value;
+use crate::study::file::EpistemicInput;
 
 /// Poses of the moving picture.
 const POSES: usize = 180;
@@ -14,7 +14,7 @@ const ORBIT_SAMPLES: usize = 720;
 pub struct Pictures {
     /// The mechanism, epistemic inputs in the middle.
     pub drawing: Drawing,
-    /// Journal paths at the ends and the middle of each clearance interval.
+    /// Journal paths at the ends and the middle of each clearance interval, and for each member of a list of clearances or laws.
     pub orbits: Vec<JournalOrbit>,
     /// The row of the run with nominal dimensions and the epistemic inputs in the middle.
     pub nominal_row: Vec<f64>,
@@ -23,7 +23,7 @@ pub struct Pictures {
 /// Runs the nominal mechanism for the pictures. A picture whose run fails is left out: no finished study is lost for it.
 pub fn pictures(material: &Material<'_>) -> Pictures {
     let (study, response) = (material.study, material.response);
-    let middle: Vec<f64> = study.epistemic.iter().map(|input| input.interval.at(0.5)).collect();
+    let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
     let mut nominal_row = vec![f64::NAN; response.row_length()];
     if response.run(&nominal, &middle, &mut nominal_row).is_err() {
@@ -32,10 +32,11 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
 
     let mut cycle = study.cycle.clone();
     cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
-    let plan = Plan { cycle, settings: *response.settings(), with_states: false, overrides: Vec::new() };
+    let plan =
+        Plan { cycle, settings: *response.settings(), with_states: false, lyapunov_turns: None, overrides: Vec::new() };
     let run_at = |epistemic: &[f64]| {
         let values = response.values(&nominal, epistemic).ok()?;
-        simulate(&response.mechanism, &values, &plan).ok()
+        simulate(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
     };
     let mut orbits: Vec<JournalOrbit> = Vec::new();
     let mut add = |label: String, mut found: Vec<JournalOrbit>| {
@@ -44,20 +45,25 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         }
         orbits.append(&mut found);
     };
-    let mut drawing = skeleton(&response.mechanism, &response.nominal);
+    let mut drawing = skeleton(response.mechanism(), &response.nominal);
     if let Some(central) = run_at(&middle) {
         drawing = central.record.drawing.clone();
         thin(&mut drawing, recorded_offset_rad(study, response));
-        add("unknown values in the middle of their intervals".to_owned(), central.record.orbits);
+        let has_lists = study.epistemic.iter().any(|input| input.interval().is_none());
+        let label = if has_lists {
+            "unknown values in the middle of their intervals, of lists the first"
+        } else {
+            "unknown values in the middle of their intervals"
+        };
+        add(label.to_owned(), central.record.orbits);
     }
-    let is_clearance = |path: &str| path.ends_with("radial_clearance");
-    for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_clearance(&input.path)) {
-        for value in [input.interval.lower(), input.interval.upper()] {
+    let is_shown = |input: &EpistemicInput| input.path.ends_with("radial_clearance") || input.quantity().is_none();
+    for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_shown(input)) {
+        for value in input.variable.shown() {
             let mut epistemic = middle.clone();
             epistemic[index] = value;
             if let Some(run) = run_at(&epistemic) {
-                let dimension = study.model.quantities[input.quantity].dimension;
-                add(format!("{} = {}", input.path, format_value(value, dimension)), run.record.orbits);
+                add(format!("{} = {}", input.path, input.written(&study.model, value)), run.record.orbits);
             }
         }
     }

@@ -4,7 +4,7 @@ use super::describe::unit;
 use crate::bounds::{Purpose, SampleTable};
 use crate::simulate::RunFailure;
 use crate::study::columns::Spot;
-use crate::study::file::{Study, Where};
+use crate::study::file::{EpistemicSubject, Study, Where};
 use crate::study::response::StudyResponse;
 use crate::study::runs::{RunColumn, RunData, RunsTable};
 use crate::units::SiUnit;
@@ -34,8 +34,11 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
         push(input.path.clone(), unit, number(&|run| inputs[run].random[k]));
     }
     for (k, input) in study.epistemic.iter().enumerate() {
-        let unit = unit(&study.model.quantities, input.quantity);
-        push(input.path.clone(), unit, number(&|run| inputs[run].epistemic[k]));
+        let data = match &input.subject {
+            EpistemicSubject::Quantity(_) => number(&|run| inputs[run].epistemic[k]),
+            EpistemicSubject::Law { .. } => text(&|run| input.written(&study.model, inputs[run].epistemic[k])),
+        };
+        push(input.path.clone(), input.unit(&study.model), data);
     }
     let plan = &response.shared.plan;
     for (index, column) in plan.columns.iter().enumerate() {

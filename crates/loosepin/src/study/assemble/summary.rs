@@ -6,6 +6,7 @@ use crate::bounds::Purpose;
 use crate::simulate::RunFailure;
 use crate::study::response::RunExtras;
 use crate::study::result::{EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, RunCounts};
+use crate::units::SiUnit;
 use std::collections::BTreeMap;
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
@@ -69,13 +70,19 @@ pub fn failures(material: &Material<'_>) -> Vec<FailureGroup> {
 fn command(material: &Material<'_>, run: usize) -> String {
     let study = material.study;
     let inputs = &material.table.inputs()[run];
-    let random = study.random.iter().map(|input| (&input.path, input.quantity)).zip(&inputs.random);
-    let epistemic = study.epistemic.iter().map(|input| (&input.path, input.quantity)).zip(&inputs.epistemic);
-    let mut words = format!("loosepin simulate {}", study.model_path.display());
-    for ((path, quantity), value) in random.chain(epistemic) {
-        let unit = unit(&study.model.quantities, quantity);
+    let number = |path: &str, unit: &SiUnit, value: f64| {
         let symbol = if unit.symbol() == "1" { String::new() } else { format!(" {unit}") };
-        words.push_str(&format!(" --set \"{path}={value:?}{symbol}\""));
+        format!(" --set \"{path}={value:?}{symbol}\"")
+    };
+    let mut words = format!("loosepin simulate {}", study.model_path.display());
+    for (input, &value) in study.random.iter().zip(&inputs.random) {
+        words.push_str(&number(&input.path, &unit(&study.model.quantities, input.quantity), value));
+    }
+    for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {
+        words.push_str(&match input.law(value) {
+            Some(law) => format!(" --set \"{}={}\"", input.path, law.name()),
+            None => number(&input.path, &input.unit(&study.model), value),
+        });
     }
     words.push_str(&format!(
         " --transient {} --turns {} --tolerance \"{:?} m\"",
@@ -154,9 +161,9 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
         .collect()
 }
 
-/// Index of the outer point at the middle of the epistemic box, where there is one.
+/// Index of the outer point at the middle of the epistemic box, lists at their first members, where there is one.
 pub fn centre_point(material: &Material<'_>) -> Option<u32> {
-    let middle: Vec<f64> = material.study.epistemic.iter().map(|input| input.interval.at(0.5)).collect();
+    let middle: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let same = |point: &&crate::bounds::RunInputs| {
         point.purpose == Purpose::DoubleLoop
             && point.epistemic.iter().zip(&middle).all(|(a, b)| (a - b).abs() <= 1e-12 * b.abs())

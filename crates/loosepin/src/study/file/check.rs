@@ -5,28 +5,35 @@ use super::problem::StudyProblem;
 use crate::diagnostics::Complaint;
 use crate::diagnostics::Place;
 use crate::document::{Entry, Table};
-use crate::model::{JointKind, QuantityError, QuantityId};
+use crate::model::{QuantityError, QuantityId};
 use crate::units::{format_number, format_value};
 
 /// Share of a distribution that may be impossible; what is drawn there is a failed run.
 const MOST_IMPOSSIBLE_SHARE: f64 = 0.01;
 /// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
 const QUANTILES: usize = 1000;
-/// Intervals whose corners are all tried; more would be too many corners.
-const MOST_INTERVALS_WITH_CORNERS: usize = 10;
+/// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
+const MOST_CORNERS: usize = 1024;
 
 impl StudyReader {
-    /// Checks one end of an interval against the rules of the model, all other values being those of the file; says
-    /// whether it is possible.
-    pub fn check_end(&mut self, quantity: QuantityId, path: &str, value_si: f64, entry: &Entry<'_>) -> bool {
-        let problem = self.problem_at_end(quantity, path, value_si);
+    /// Checks one end of an interval, or one of a list, against the rules of the model, all other values being those of the
+    /// file; says whether it is possible.
+    pub fn check_end(
+        &mut self,
+        quantity: QuantityId,
+        path: &str,
+        value_si: f64,
+        entry: &Entry<'_>,
+        is_member: bool,
+    ) -> bool {
+        let problem = self.problem_at_end(quantity, path, value_si, is_member);
         if let Some(problem) = &problem {
             self.complain(problem, entry);
         }
         problem.is_none()
     }
 
-    fn problem_at_end(&self, quantity: QuantityId, path: &str, value_si: f64) -> Option<StudyProblem> {
+    fn problem_at_end(&self, quantity: QuantityId, path: &str, value_si: f64, is_member: bool) -> Option<StudyProblem> {
         let quantities = &self.model.quantities;
         let end = format_value(value_si, quantities[quantity].dimension);
         let path = path.to_owned();
@@ -34,14 +41,14 @@ impl StudyReader {
             Ok(values) => values,
             Err(error) => return Some(StudyProblem::ImpossibleEnd { path, end, error }),
         };
-        let lost = self.model.joints.iter().find_map(|joint| match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => {
-                let id = clearance.radial_clearance_m;
-                (values[id] == 0.0 && self.model.roots(id).contains(&quantity)).then_some(id)
-            }
-            _ => None,
+        let lost = self.model.joints.iter().find_map(|joint| {
+            let (id, _) = joint.kind.play()?;
+            (values[id] == 0.0 && self.model.roots(id).contains(&quantity)).then_some(id)
         });
-        lost.map(|id| StudyProblem::ClearanceTouchesZero { path, end, clearance: quantities[id].path.clone() })
+        lost.map(|id| {
+            let clearance = quantities[id].path.clone();
+            StudyProblem::ClearanceTouchesZero { path, end, clearance, is_member }
+        })
     }
 
     /// Checks what only the whole study shows.
@@ -83,20 +90,23 @@ impl StudyReader {
         }
     }
 
-    /// Evaluates every corner of the box of intervals.
+    /// Evaluates every corner of the box of intervals with every combination of the numbers of lists.
     fn check_corners(&self) -> Result<(), QuantityError> {
-        if self.epistemic.len() > MOST_INTERVALS_WITH_CORNERS {
+        let shown: Vec<(QuantityId, Vec<f64>)> =
+            self.epistemic.iter().filter_map(|input| Some((input.quantity()?, input.variable.shown()))).collect();
+        let corners = shown.iter().fold(1_usize, |corners, (_, values)| corners.saturating_mul(values.len()));
+        if corners > MOST_CORNERS {
             return Ok(());
         }
         let mut values = self.model.quantities.nominal();
-        for corner in 0..1_usize << self.epistemic.len() {
-            let set: Vec<(QuantityId, f64)> = self
-                .epistemic
+        for corner in 0..corners {
+            let mut rest = corner;
+            let set: Vec<(QuantityId, f64)> = shown
                 .iter()
-                .enumerate()
-                .map(|(index, input)| {
-                    let is_upper = corner >> index & 1 == 1;
-                    (input.quantity, if is_upper { input.interval.upper() } else { input.interval.lower() })
+                .map(|(quantity, values)| {
+                    let value = values[rest % values.len()];
+                    rest /= values.len();
+                    (*quantity, value)
                 })
                 .collect();
             self.model.quantities.evaluate_into(&set, &mut values)?;
@@ -105,13 +115,14 @@ impl StudyReader {
     }
 
     /// The share of a random input that is impossible, where it is too large; the intervals stand at their lower ends,
-    /// middles and upper ends in turn.
+    /// middles and upper ends in turn, the lists at members from the first to the last.
     fn impossible_share(&self, index: usize) -> Option<StudyProblem> {
         let input = &self.random[index];
         let mut values = self.model.quantities.nominal();
         for fraction in [0.0, 0.5, 1.0] {
+            let epistemic = self.epistemic.iter();
             let mut set: Vec<(QuantityId, f64)> =
-                self.epistemic.iter().map(|input| (input.quantity, input.interval.at(fraction))).collect();
+                epistemic.filter_map(|input| Some((input.quantity()?, input.variable.at(fraction)))).collect();
             set.push((input.quantity, f64::NAN));
             let mut impossible = 0;
             let mut first = None;

@@ -4,9 +4,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::bounds::Statistic;
+use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
-use crate::model::{Cycle, Model, QuantityId};
-use crate::uncertainty::{Interval, RandomVariable};
+use crate::model::{ContactId, Cycle, Model, QuantityId};
+use crate::uncertainty::{EpistemicVariable, Interval, RandomVariable};
+use crate::units::{Dimension, SiUnit, format_value};
 
 /// A study: what is uncertain in a model, and what is asked.
 #[derive(Debug, Clone)]
@@ -60,15 +62,81 @@ pub struct RandomInput {
     pub variable: RandomVariable,
 }
 
-/// A quantity known only to lie in an interval.
-#[derive(Debug, Clone, PartialEq)]
+/// What is known only to lie in an interval, or to be one of a list.
+#[derive(Debug, Clone)]
 pub struct EpistemicInput {
     /// Path in the model.
     pub path: String,
-    /// The quantity.
-    pub quantity: QuantityId,
-    /// The interval, SI; its ends differ.
-    pub interval: Interval,
+    /// What it is.
+    pub subject: EpistemicSubject,
+    /// What is known of it: SI, laws by their place in the list.
+    pub variable: EpistemicVariable,
+}
+
+/// What an epistemic input stands for.
+#[derive(Debug, Clone)]
+pub enum EpistemicSubject {
+    /// A number of the model.
+    Quantity(QuantityId),
+    /// The normal force law of a contact.
+    Law {
+        /// The contact.
+        contact: ContactId,
+        /// The laws, in file order; a sample has the place of one of them as its value.
+        laws: Vec<NormalDescription>,
+    },
+}
+
+impl EpistemicInput {
+    /// The quantity, where it is one.
+    pub fn quantity(&self) -> Option<QuantityId> {
+        match self.subject {
+            EpistemicSubject::Quantity(quantity) => Some(quantity),
+            EpistemicSubject::Law { .. } => None,
+        }
+    }
+
+    /// The interval, where it is one.
+    pub fn interval(&self) -> Option<&Interval> {
+        match &self.variable {
+            EpistemicVariable::Interval(interval) => Some(interval),
+            EpistemicVariable::OneOf(_) => None,
+        }
+    }
+
+    /// The law that `value` stands for, where the input is a law.
+    pub fn law(&self, value: f64) -> Option<NormalDescription> {
+        match &self.subject {
+            EpistemicSubject::Quantity(_) => None,
+            EpistemicSubject::Law { laws, .. } => laws.get(value as usize).copied(),
+        }
+    }
+
+    /// The unit of its values; that of a pure number for a law.
+    pub fn unit(&self, model: &Model) -> SiUnit {
+        self.quantity().map_or(SiUnit::NONE, |id| SiUnit::of_dimension(model.quantities[id].dimension))
+    }
+
+    /// `value` as it is written: with its unit, or the name of a law.
+    pub fn written(&self, model: &Model, value: f64) -> String {
+        match self.law(value) {
+            Some(law) => law.name().to_owned(),
+            None => {
+                let dimension = self.quantity().map_or(Dimension::NUMBER, |id| model.quantities[id].dimension);
+                format_value(value, dimension)
+            }
+        }
+    }
+
+    /// Its values one by one as they are written, where it is one of a list.
+    pub fn members_written(&self, model: &Model) -> Option<Vec<String>> {
+        match &self.variable {
+            EpistemicVariable::Interval(_) => None,
+            EpistemicVariable::OneOf(members) => {
+                Some(members.values().iter().map(|&value| self.written(model, value)).collect())
+            }
+        }
+    }
 }
 
 /// Which deviation of an output (method, section 1).

@@ -1,15 +1,16 @@
 //! Random and epistemic inputs.
 
 use super::StudyReader;
-use super::description::{EpistemicInput, RandomInput};
+use super::description::{EpistemicInput, EpistemicSubject, RandomInput};
 use super::keys::{
     BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
     TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
 };
 use super::problem::StudyProblem;
+use crate::contact::NormalDescription;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
-use crate::model::QuantityId;
-use crate::uncertainty::{Distribution, Interval, RandomVariable};
+use crate::model::{ContactId, QuantityId};
+use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members, RandomVariable};
 use crate::units::{Dimension, Rule, format_number, format_value};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
@@ -26,6 +27,10 @@ impl StudyReader {
     /// Reads the table of random inputs.
     pub fn read_random(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.any_keys(entry) {
+            if self.model.contact_of_law(entry.name).is_some() {
+                self.complain(&StudyProblem::RandomLaw { path: entry.name.to_owned() }, &entry.at_key());
+                continue;
+            }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
             let dimension = self.model.quantities[quantity].dimension;
             let distribution =
@@ -44,16 +49,101 @@ impl StudyReader {
     /// Reads the table of epistemic inputs.
     pub fn read_epistemic(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.any_keys(entry) {
+            if let Some(contact) = self.model.contact_of_law(entry.name) {
+                match contact {
+                    Ok(contact) => self.read_law(&entry, contact),
+                    Err(error) => self.complain(&error.into(), &entry.at_key()),
+                }
+                continue;
+            }
             let Some(quantity) = self.input(&entry, EPISTEMIC_EXAMPLE) else { continue };
             if self.random.iter().any(|input| input.quantity == quantity) {
                 self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
             let Some(table) = self.reader.table(&entry, &EPISTEMIC_KEYS) else { continue };
-            let Some(written) = table.get("interval") else { continue };
-            if let Some(interval) = self.interval(&written, quantity, entry.name) {
-                self.epistemic.push(EpistemicInput { path: entry.name.to_owned(), quantity, interval });
+            let variable = if let Some(written) = table.get("interval") {
+                self.interval(&written, quantity, entry.name).map(EpistemicVariable::from)
+            } else if let Some(written) = table.get("any_of") {
+                self.numbers(&written, quantity, entry.name).map(EpistemicVariable::from)
+            } else {
+                None
+            };
+            if let Some(variable) = variable {
+                let subject = EpistemicSubject::Quantity(quantity);
+                self.epistemic.push(EpistemicInput { path: entry.name.to_owned(), subject, variable });
             }
         }
+    }
+
+    /// Reads a law that is one of a list.
+    fn read_law(&mut self, entry: &Entry<'_>, contact: ContactId) {
+        let Some(table) = self.reader.table(entry, &EPISTEMIC_KEYS) else { return };
+        if let Some(interval) = table.get("interval") {
+            self.complain(&StudyProblem::IntervalOfLaws { path: entry.name.to_owned() }, &interval.at_key());
+        }
+        let Some(written) = table.get("any_of") else { return };
+        let Some(entries) = self.reader.list(&written) else { return };
+        let choices: Vec<(&'static str, NormalDescription)> =
+            NormalDescription::all().map(|law| (law.name(), law)).collect();
+        let mut laws: Vec<NormalDescription> = Vec::new();
+        let mut is_right = true;
+        for member in &entries {
+            let Some(law) = self.reader.choice(member, &choices) else {
+                is_right = false;
+                continue;
+            };
+            if laws.iter().any(|known| known.name() == law.name()) {
+                let (entry, value) = (written.path.describe(), format!("\"{}\"", law.name()));
+                self.complain(&StudyProblem::MemberTwice { entry, value }, member);
+                is_right = false;
+            } else if let Err(error) = self.model.with_law(contact, law) {
+                self.complain(&StudyProblem::Law { entry: written.path.describe(), error }, member);
+                is_right = false;
+            }
+            laws.push(law);
+        }
+        if !is_right || !self.has_choice(&written, &entries) {
+            return;
+        }
+        let places = (0..laws.len()).map(|place| place as f64).collect();
+        if let Ok(members) = Members::try_new(places) {
+            let subject = EpistemicSubject::Law { contact, laws };
+            self.epistemic.push(EpistemicInput { path: entry.name.to_owned(), subject, variable: members.into() });
+        }
+    }
+
+    /// Reads a number that is one of a list.
+    fn numbers(&mut self, written: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Members> {
+        let dimension = self.model.quantities[quantity].dimension;
+        let entries = self.reader.list(written)?;
+        let mut values: Vec<f64> = Vec::new();
+        let mut is_right = true;
+        for member in &entries {
+            let Some(value) = self.reader.measured(member, dimension, Rule::Finite) else {
+                is_right = false;
+                continue;
+            };
+            if values.contains(&value) {
+                let (entry, value) = (written.path.describe(), format_value(value, dimension));
+                self.complain(&StudyProblem::MemberTwice { entry, value }, member);
+                is_right = false;
+            } else if !self.check_end(quantity, path, value, member, true) {
+                is_right = false;
+            }
+            values.push(value);
+        }
+        (is_right && self.has_choice(written, &entries)).then(|| Members::try_new(values).ok()).flatten()
+    }
+
+    /// Whether a list leaves something to choose.
+    fn has_choice(&mut self, written: &Entry<'_>, entries: &[Entry<'_>]) -> bool {
+        let entry = written.path.describe();
+        match entries.len() {
+            0 => self.complain(&StudyProblem::Empty { entry }, written),
+            1 => self.complain(&StudyProblem::SingleMember { entry }, written),
+            _ => return true,
+        }
+        false
     }
 
     /// The quantity that a key names, where a table stands behind it.
@@ -64,7 +154,7 @@ impl StudyReader {
             self.complain(&problem, &entry.at_key());
             return None;
         }
-        if entry.name.starts_with("contact.") && entry.name.ends_with(".law") {
+        if entry.name.starts_with("contact.") && entry.name.ends_with(".friction.law") {
             let instead = "run one study for each law".to_owned();
             self.reader
                 .complain(&DocumentProblem::NotYetSupported { entry: entry.path.describe(), instead }, entry.key_span);
@@ -97,8 +187,8 @@ impl StudyReader {
             return None;
         }
         let [first, second] = &pair;
-        let lower_is_possible = self.check_end(quantity, path, lower, first);
-        let upper_is_possible = self.check_end(quantity, path, upper, second);
+        let lower_is_possible = self.check_end(quantity, path, lower, first, false);
+        let upper_is_possible = self.check_end(quantity, path, upper, second, false);
         if !lower_is_possible || !upper_is_possible {
             return None;
         }

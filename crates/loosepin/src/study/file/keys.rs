@@ -143,15 +143,23 @@ const LATER_EPISTEMIC: &str = "use an interval";
 
 pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
     "what is known of a quantity",
-    &[required(
-        "interval",
-        Kind::List(&Kind::AnyQuantity),
-        "[\"0.1 mm\", \"0.5 mm\"]",
-        "lower and upper end; every value between is possible, and nothing else is known",
-    )],
+    &[
+        optional(
+            "interval",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.1 mm\", \"0.5 mm\"]",
+            "lower and upper end; every value between is possible, and nothing else is known",
+        ),
+        optional(
+            "any_of",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"lankarani-nikravesh\", \"flores\"]",
+            "all values that are possible: laws for the law of a contact, else values with their unit",
+        ),
+    ],
 )
+.with_exactly_one(&[&["interval", "any_of"]])
 .with_planned(&[
-    ("any_of", "run one study for each choice"),
     ("evidence", LATER_EPISTEMIC),
     ("fuzzy", LATER_EPISTEMIC),
     ("triangular", LATER_EPISTEMIC),
@@ -249,7 +257,7 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             "epistemic",
             Kind::Tables { keys: &EPISTEMIC_KEYS, except: &[] },
             "",
-            "quantities known only as intervals, by their paths in the model",
+            "quantities known only as intervals, and quantities and laws known only as lists, by their paths in the model",
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
 use crate::document::{describe_path, listed};
-use crate::model::{PathError, QuantityError};
+use crate::model::{LawError, PathError, QuantityError};
 use crate::uncertainty::DistributionError;
 use crate::units::{Dimension, format_value};
 
@@ -70,6 +70,40 @@ pub enum StudyProblem {
         /// Both ends, with their unit.
         value: String,
     },
+    /// A list with nothing to choose.
+    #[error("{entry} has 1 entry; at least 2 are due")]
+    SingleMember {
+        /// The list.
+        entry: String,
+    },
+    /// The same member again.
+    #[error("{entry} holds {value} twice")]
+    MemberTwice {
+        /// The list.
+        entry: String,
+        /// The member.
+        value: String,
+    },
+    /// A law that the contact cannot have.
+    #[error("{entry}: {error}")]
+    Law {
+        /// The list.
+        entry: String,
+        /// Why.
+        error: LawError,
+    },
+    /// A law among the random inputs.
+    #[error("'{path}' is a law; no distribution tells how probable it is")]
+    RandomLaw {
+        /// The path.
+        path: String,
+    },
+    /// A law between two ends.
+    #[error("'{path}' is a law; between two of them there is nothing")]
+    IntervalOfLaws {
+        /// The path.
+        path: String,
+    },
     /// An interval at whose end a joint loses its clearance.
     #[error(
         "'{path}' reaches {end}, where {} becomes 0: a joint without play is another mechanism, and one study cannot mix both",
@@ -82,6 +116,8 @@ pub enum StudyProblem {
         end: String,
         /// Path of the clearance.
         clearance: String,
+        /// Whether the end is one of a list.
+        is_member: bool,
     },
     /// A value within the inputs that is impossible.
     #[error("'{path}' reaches {end}, which is impossible: {error}")]
@@ -93,7 +129,7 @@ pub enum StudyProblem {
         /// Why.
         error: QuantityError,
     },
-    /// Intervals that are possible one by one and impossible together.
+    /// Intervals and lists that are possible one by one and impossible together.
     #[error("the intervals together allow what is impossible: {error}")]
     ImpossibleTogether {
         /// Why.
@@ -190,6 +226,9 @@ impl Problem for StudyProblem {
             Self::InputTwice { .. } => Code::InputTwice,
             Self::UncertainParameter { .. } => Code::NotYetSupported,
             Self::DistributionRule { .. } | Self::Distribution { .. } => Code::BadDistribution,
+            Self::SingleMember { .. } | Self::MemberTwice { .. } => Code::BadList,
+            Self::Law { error, .. } => error.code(),
+            Self::RandomLaw { .. } | Self::IntervalOfLaws { .. } => Code::BadList,
             Self::IntervalTurnedRound { .. } => Code::IntervalTurnedRound,
             Self::IntervalWithoutWidth { .. } => Code::IntervalWithoutWidth,
             Self::ClearanceTouchesZero { .. } => Code::ClearanceTouchesZero,
@@ -213,9 +252,18 @@ impl Problem for StudyProblem {
             Self::Distribution { error: DistributionError::NothingKept { .. }, .. } => {
                 Some("cut nearer to the mean, or state a uniform distribution".to_owned())
             }
+            Self::SingleMember { .. } => Some("write the value in the model file, or name the others".to_owned()),
+            Self::MemberTwice { .. } => Some("keep one of the two".to_owned()),
+            Self::Law { error, .. } => error.hint(),
+            Self::RandomLaw { path } | Self::IntervalOfLaws { path } => Some(format!(
+                "write \"{path}\" = {{ any_of = [\"lankarani-nikravesh\", \"flores\"] }} under [epistemic]"
+            )),
             Self::IntervalTurnedRound { lower, upper, .. } => Some(format!("write [\"{upper}\", \"{lower}\"]")),
             Self::IntervalWithoutWidth { .. } => {
                 Some("write the value in the model file, or widen the interval".to_owned())
+            }
+            Self::ClearanceTouchesZero { end, is_member: true, .. } => {
+                Some(format!("leave {end} out, and run the ideal joint as a study of its own"))
             }
             Self::ClearanceTouchesZero { .. } => {
                 Some("begin the interval above zero, and run the ideal joint as a study of its own".to_owned())

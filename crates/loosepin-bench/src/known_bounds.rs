@@ -1,0 +1,304 @@
+//! Responses whose bounds are known: closed forms, or quadrature and a search that share nothing with [`loosepin::bounds`].
+
+use loosepin::bounds::{Failure, Problem, Request, Response, Sampling, Statistic};
+use loosepin::uncertainty::{Distribution, Interval, RandomVariable, normal_cdf};
+use std::f64::consts::{E, FRAC_PI_3, TAU};
+
+/// A response Y = g(X, u) with one column.
+pub type Function = fn(&[f64], &[f64]) -> f64;
+
+/// A response and the true bounds of some of its statistics.
+pub struct KnownCase {
+    /// What it is called in tables.
+    pub name: &'static str,
+    /// Distributions of X.
+    pub random: Vec<Distribution>,
+    /// Intervals of u.
+    pub epistemic: Vec<(f64, f64)>,
+    /// Statistics, and their least and greatest value over u.
+    pub statistics: Vec<(Statistic, (f64, f64))>,
+    /// g.
+    pub function: Function,
+    /// Points u, and runs at each.
+    pub sampling: [usize; 2],
+}
+
+const STANDARD_NORMAL: Distribution = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
+
+impl KnownCase {
+    /// The question, for a seed.
+    ///
+    /// # Panics
+    /// Where the case itself is wrong.
+    pub fn problem(&self, seed: u64) -> Problem {
+        let random = self.random.iter().cloned().map(|distribution| match RandomVariable::try_new(distribution) {
+            Ok(variable) => variable,
+            Err(error) => panic!("{}: {error}", self.name),
+        });
+        let epistemic = self.epistemic.iter().map(|&(lower, upper)| match Interval::try_new(lower, upper) {
+            Ok(interval) => interval.into(),
+            Err(error) => panic!("{}: {error}", self.name),
+        });
+        let request = |&(statistic, _): &(Statistic, (f64, f64))| Request { column: 0, statistic };
+        Problem {
+            random: random.collect(),
+            epistemic: epistemic.collect(),
+            columns: 1,
+            requests: self.statistics.iter().map(request).collect(),
+            compared_columns: Vec::new(),
+            band_probability: 0.95,
+            cut_standard_deviations: 3.0,
+            sampling: Sampling { outer: self.sampling[0], inner: self.sampling[1], seed, ..Sampling::default() },
+        }
+    }
+
+    /// All cases.
+    pub fn all() -> Vec<Self> {
+        vec![sum(), product(), power(), challenge(), inside_four(), ridge(), jump(), slider_crank_with_play(FRAC_PI_3)]
+    }
+}
+
+impl Response for KnownCase {
+    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        columns[0] = (self.function)(random, epistemic);
+        Ok(())
+    }
+}
+
+/// Y = X + u.
+fn sum() -> KnownCase {
+    let quantile = 1.959_963_984_540_054;
+    let beyond = |u: f64| normal_cdf(-2.0 - u) + normal_cdf(u - 2.0);
+    KnownCase {
+        name: "X + u",
+        random: vec![STANDARD_NORMAL],
+        epistemic: vec![(-1.0, 1.0)],
+        statistics: vec![
+            (Statistic::Mean, (-1.0, 1.0)),
+            (Statistic::StandardDeviation, (1.0, 1.0)),
+            (Statistic::Quantile(0.975), (quantile - 1.0, quantile + 1.0)),
+            (Statistic::ProbabilityAbove(2.0), (normal_cdf(-3.0), normal_cdf(-1.0))),
+            (Statistic::ProbabilityBeyond(2.0), (beyond(0.0), beyond(1.0))),
+        ],
+        function: |x, u| x[0] + u[0],
+        sampling: [64, 256],
+    }
+}
+
+/// Y = u X: the least deviation lies inside, off the centre.
+fn product() -> KnownCase {
+    KnownCase {
+        name: "u X",
+        random: vec![STANDARD_NORMAL],
+        epistemic: vec![(-0.37, 1.0)],
+        statistics: vec![
+            (Statistic::Mean, (0.0, 0.0)),
+            (Statistic::StandardDeviation, (0.0, 1.0)),
+            (Statistic::Quantile(0.975), (0.0, 1.959_963_984_540_054)),
+            (Statistic::ProbabilityAbove(1.0), (0.0, normal_cdf(-1.0))),
+        ],
+        function: |x, u| u[0] * x[0],
+        sampling: [64, 256],
+    }
+}
+
+/// Y = (a + b)^a with two intervals (Oberkampf and others 2004, first problem): \[e^(-1/e), 2\].
+fn power() -> KnownCase {
+    KnownCase {
+        name: "(a + b)^a, two intervals",
+        random: Vec::new(),
+        epistemic: vec![(0.1, 1.0), (0.0, 1.0)],
+        statistics: vec![(Statistic::Mean, (libm::exp(-1.0 / E), 2.0))],
+        function: |_, u| libm::pow(u[0] + u[1], u[0]),
+        sampling: [64, 256],
+    }
+}
+
+/// Y = (a + b)^a, a in an interval, ln b normal with mean and deviation in intervals (their problem of a probability box).
+fn challenge() -> KnownCase {
+    const LIMIT: f64 = 2.5;
+    let intervals = vec![(0.1, 1.0), (0.0, 1.0), (0.1, 0.5)];
+    // Y rises with b: every quantile is the value at that quantile of b, every probability one of b.
+    let quantile = |u: &[f64]| libm::pow(u[0] + libm::exp(u[1] + u[2] * 1.644_853_626_951_472_6), u[0]);
+    let above = |u: &[f64]| normal_cdf((u[1] - libm::log(libm::pow(LIMIT, 1.0 / u[0]) - u[0])) / u[2]);
+    let mean = |u: &[f64]| expectation(|z| libm::pow(u[0] + libm::exp(u[1] + u[2] * z), u[0]));
+    let variance = |u: &[f64]| {
+        let mean = mean(u);
+        expectation(|z| (libm::pow(u[0] + libm::exp(u[1] + u[2] * z), u[0]) - mean).powi(2))
+    };
+    let deviations = extremes(&variance, &intervals);
+    KnownCase {
+        name: "(a + b)^a, b a probability box",
+        random: vec![STANDARD_NORMAL],
+        statistics: vec![
+            (Statistic::Mean, extremes(&mean, &intervals)),
+            (Statistic::StandardDeviation, (deviations.0.sqrt(), deviations.1.sqrt())),
+            (Statistic::Quantile(0.95), extremes(&quantile, &intervals)),
+            (Statistic::ProbabilityAbove(LIMIT), extremes(&above, &intervals)),
+        ],
+        epistemic: intervals,
+        function: |x, u| libm::pow(u[0] + libm::exp(u[1] + u[2] * x[0]), u[0]),
+        sampling: [96, 256],
+    }
+}
+
+/// A hill inside four intervals: mean exp(-2 |u - m|²).
+fn inside_four() -> KnownCase {
+    const TOP: [f64; 4] = [0.31, 0.62, 0.45, 0.58];
+    let furthest: f64 = TOP.iter().map(|m: &f64| m.max(1.0 - m).powi(2)).sum();
+    KnownCase {
+        name: "a hill inside four intervals",
+        random: vec![STANDARD_NORMAL],
+        epistemic: vec![(0.0, 1.0); 4],
+        statistics: vec![
+            (Statistic::Mean, (libm::exp(-2.0 * furthest), 1.0)),
+            (Statistic::StandardDeviation, (0.1, 0.1)),
+        ],
+        function: |x, u| {
+            let square: f64 = u.iter().zip(TOP).map(|(u, m)| (u - m) * (u - m)).sum();
+            0.1 * x[0] + libm::exp(-2.0 * square)
+        },
+        sampling: [96, 256],
+    }
+}
+
+/// Along a curved ridge: minus a hundredth of Rosenbrock's valley on \[-2, 2\]², greatest at (1, 1), least at (-2, -2).
+fn ridge() -> KnownCase {
+    KnownCase {
+        name: "a curved ridge",
+        random: vec![STANDARD_NORMAL],
+        epistemic: vec![(-2.0, 2.0); 2],
+        statistics: vec![(Statistic::Mean, (-36.09, 0.0))],
+        function: |x, u| {
+            let across = u[1] - u[0] * u[0];
+            0.1 * x[0] - (across * across + 0.01 * (1.0 - u[0]) * (1.0 - u[0]))
+        },
+        sampling: [96, 256],
+    }
+}
+
+/// Y = X + 2 where u1 + u2 > 1.2, else X.
+fn jump() -> KnownCase {
+    KnownCase {
+        name: "a jump",
+        random: vec![STANDARD_NORMAL],
+        epistemic: vec![(0.0, 1.0); 2],
+        statistics: vec![
+            (Statistic::Mean, (0.0, 2.0)),
+            (Statistic::ProbabilityAbove(1.0), (normal_cdf(-1.0), normal_cdf(1.0))),
+        ],
+        function: |x, u| x[0] + if u[0] + u[1] > 1.2 { 2.0 } else { 0.0 },
+        sampling: [64, 256],
+    }
+}
+
+const CRANK_MM: [f64; 2] = [50.0, 0.02];
+const ROD_MM: [f64; 2] = [120.0, 0.03];
+const CLEARANCE_MM: (f64, f64) = (0.1, 0.5);
+
+/// The slider-crank with play of method.md section 4 at a crank angle: lengths r and l normal, the clearance and its direction
+/// in intervals.
+///
+/// The angle is an interval of no width, so that one function serves all poses.
+pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
+    let (sine, cosine) = (libm::sin(crank_angle_rad), libm::cos(crank_angle_rad));
+    let nominal_mm = CRANK_MM[0] * cosine + (ROD_MM[0].powi(2) - (CRANK_MM[0] * sine).powi(2)).sqrt();
+    let height = move |crank: f64, u: &[f64]| crank * sine + u[0] * libm::sin(u[1]);
+    let length = move |z: f64, of: [f64; 2]| of[0] + of[1] * z;
+    let value = move |z: f64, w: f64, u: &[f64]| {
+        let (crank, rod) = (length(z, CRANK_MM), length(w, ROD_MM));
+        crank * cosine + (rod * rod - height(crank, u).powi(2)).sqrt() + u[0] * libm::cos(u[1]) - nominal_mm
+    };
+    let mean = move |u: &[f64]| expectation(|z| expectation(|w| value(z, w, u)));
+    let variance = move |u: &[f64]| {
+        let mean = mean(u);
+        expectation(|z| expectation(|w| (value(z, w, u) - mean).powi(2)))
+    };
+    // Y rises with the rod: at a given crank it is above y where the rod is longer than this.
+    let above = move |y: f64, u: &[f64]| {
+        expectation(|z| {
+            let crank = length(z, CRANK_MM);
+            let foot = y + nominal_mm - crank * cosine - u[0] * libm::cos(u[1]);
+            let rod = (foot * foot + height(crank, u).powi(2)).sqrt();
+            normal_cdf((ROD_MM[0] - rod) / ROD_MM[1])
+        })
+    };
+    let quantile = move |p: f64, u: &[f64]| {
+        let (mut low, mut high) = (mean(u) - 1.0, mean(u) + 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if 1.0 - above(middle, u) < p { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    };
+    let beyond = move |limit: f64, u: &[f64]| above(limit, u) + 1.0 - above(-limit, u);
+    let intervals = [CLEARANCE_MM, (0.0, TAU)];
+    let deviations = extremes(&variance, &intervals);
+    KnownCase {
+        name: "slider-crank with play",
+        random: [CRANK_MM, ROD_MM]
+            .map(|[mean, standard_deviation]| Distribution::Normal { mean, standard_deviation })
+            .to_vec(),
+        statistics: vec![
+            (Statistic::Mean, extremes(&mean, &intervals)),
+            (Statistic::StandardDeviation, (deviations.0.sqrt(), deviations.1.sqrt())),
+            (Statistic::Quantile(0.025), extremes(&|u: &[f64]| quantile(0.025, u), &intervals)),
+            (Statistic::Quantile(0.975), extremes(&|u: &[f64]| quantile(0.975, u), &intervals)),
+            (Statistic::ProbabilityBeyond(0.45), extremes(&|u: &[f64]| beyond(0.45, u), &intervals)),
+            (Statistic::ProbabilityBeyond(0.60), extremes(&|u: &[f64]| beyond(0.60, u), &intervals)),
+        ],
+        epistemic: vec![CLEARANCE_MM, (0.0, TAU), (crank_angle_rad, crank_angle_rad)],
+        function: |x, u| {
+            let (sine, cosine) = (libm::sin(u[2]), libm::cos(u[2]));
+            let height = x[0] * sine + u[0] * libm::sin(u[1]);
+            let nominal = CRANK_MM[0] * cosine + (ROD_MM[0].powi(2) - (CRANK_MM[0] * sine).powi(2)).sqrt();
+            x[0] * cosine + (x[1] * x[1] - height * height).sqrt() + u[0] * libm::cos(u[1]) - nominal
+        },
+        sampling: [64, 256],
+    }
+}
+
+/// E f(Z) of a standard normal Z by the trapezoidal rule, whose error for smooth f is e^(-2π²/h²).
+fn expectation(f: impl Fn(f64) -> f64) -> f64 {
+    const STEP: f64 = 0.25;
+    const STEPS: i32 = 34;
+    (-STEPS..=STEPS)
+        .map(|k| {
+            let z = STEP * f64::from(k);
+            STEP / TAU.sqrt() * libm::exp(-0.5 * z * z) * f(z)
+        })
+        .sum()
+}
+
+/// The least and the greatest value of `f` over a box of up to three intervals: a grid, then grids around its extremes, each
+/// half as large as the one before.
+fn extremes(f: &dyn Fn(&[f64]) -> f64, intervals: &[(f64, f64)]) -> (f64, f64) {
+    let per_axis = if intervals.len() > 2 { 21 } else { 37 };
+    let search = |sign: f64| {
+        let mut centre: Vec<f64> = intervals.iter().map(|(low, high)| 0.5 * (low + high)).collect();
+        let (mut most, mut share) = (f64::NEG_INFINITY, 1.0);
+        for round in 0..32 {
+            let points = if round == 0 { per_axis } else { 5 };
+            let around = centre.clone();
+            for index in 0..usize::pow(points, intervals.len() as u32) {
+                let mut rest = index;
+                let point: Vec<f64> = intervals
+                    .iter()
+                    .zip(&around)
+                    .map(|(&(low, high), centre)| {
+                        let fraction = (rest % points) as f64 / (points - 1) as f64 - 0.5;
+                        rest /= points;
+                        (centre + share * fraction * (high - low)).clamp(low, high)
+                    })
+                    .collect();
+                let value = sign * f(&point);
+                if value > most {
+                    (most, centre) = (value, point);
+                }
+            }
+            share = if round == 0 { 4.0 / per_axis as f64 } else { 0.5 * share };
+        }
+        sign * most
+    };
+    (search(-1.0), search(1.0))
+}

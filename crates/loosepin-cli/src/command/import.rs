@@ -1,0 +1,36 @@
+//! `loosepin import`.
+
+use std::path::PathBuf;
+
+use loosepin::diagnostics::Complaint;
+use loosepin::import::{ImportError, ImportOptions, import_dxf, write_model};
+use loosepin::model::{Rule, measured_argument};
+use loosepin::units::Dimension;
+
+use crate::arguments::ImportArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+
+/// Writes the model of a drawing.
+pub fn run(arguments: &ImportArguments) -> Ending {
+    let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
+    let options = ImportOptions { unit: arguments.unit.clone(), tolerance_m };
+    // The places of a drawing are its coordinates, not lines of its file.
+    let complain = |error: &ImportError| {
+        let mut complaint = Complaint::error(error, None);
+        complaint.message = format!("{}: {}", arguments.drawing.display(), complaint.message);
+        Failure::from(complaint)
+    };
+    let read = std::fs::read(&arguments.drawing).map_err(|error| ImportError::NoDrawing { reason: error.to_string() });
+    let bytes = read.map_err(|error| complain(&error))?;
+    let name = arguments.drawing.file_stem().map_or("drawing".into(), |stem| stem.to_string_lossy());
+    let imported = import_dxf(&name, &bytes, &options).map_err(|error| complain(&error))?;
+    let folder = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(&*name));
+    let model = write_model(&folder, &imported.model).map_err(|error| Failure::of(&error))?;
+    for note in &imported.notes {
+        console::message(note);
+    }
+    let model = model.display();
+    console::message(&format!("wrote {model}; fill in every \"?\" in it\nnext: loosepin check {model}"));
+    Ok(Done::Well)
+}

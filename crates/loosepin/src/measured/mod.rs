@@ -1,0 +1,9 @@
+//! Measured curves: a table with units in its header, laid over the outputs of a run, with what is left between them.
+
+mod compare;
+mod problem;
+mod table;
+
+pub use compare::lay_over;
+pub use problem::MeasuredProblem;
+pub use table::{MeasuredColumn, MeasuredTable};

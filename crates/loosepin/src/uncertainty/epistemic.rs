@@ -1,0 +1,167 @@
+//! Epistemic inputs: a number between two ends, or one of a few, nobody knows which.
+
+use thiserror::Error;
+
+use super::interval::Interval;
+
+/// Two or more different numbers, in the order in which they were given.
+///
+/// What is no number (a law of contact) is numbered by whoever asks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Members {
+    values: Vec<f64>,
+}
+
+/// Why numbers are no list to choose from.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum MembersError {
+    /// Nothing to choose from.
+    #[error("a list of {count}; must hold at least 2 numbers")]
+    TooFew {
+        /// How many there are.
+        count: usize,
+    },
+    /// A number that is infinite or not a number.
+    #[error("{value} in a list; every number must be finite")]
+    NotFinite {
+        /// The number.
+        value: f64,
+    },
+    /// The same number again.
+    #[error("{value} stands in a list twice")]
+    Twice {
+        /// The number.
+        value: f64,
+    },
+}
+
+impl Members {
+    /// The list of these values.
+    ///
+    /// # Errors
+    ///
+    /// [`MembersError`] where there are fewer than two, one is not finite, or two are equal.
+    pub fn try_new(values: Vec<f64>) -> Result<Self, MembersError> {
+        if values.len() < 2 {
+            return Err(MembersError::TooFew { count: values.len() });
+        }
+        for (index, &value) in values.iter().enumerate() {
+            if !value.is_finite() {
+                return Err(MembersError::NotFinite { value });
+            }
+            if values[..index].contains(&value) {
+                return Err(MembersError::Twice { value });
+            }
+        }
+        Ok(Self { values })
+    }
+
+    /// The numbers, in the order in which they were given.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Which member `value` is; the first where it is none.
+    pub fn index_of(&self, value: f64) -> usize {
+        self.values.iter().position(|&member| member == value).unwrap_or(0)
+    }
+
+    /// The member on which `fraction` in \[0, 1\] falls when each takes the same share.
+    pub fn at(&self, fraction: f64) -> f64 {
+        let place = (fraction * self.values.len() as f64) as usize;
+        self.values[place.min(self.values.len() - 1)]
+    }
+}
+
+/// All that is known of an epistemic input.
+#[derive(Debug, Clone, PartialEq)]
+pub enum EpistemicVariable {
+    /// It lies between two ends.
+    Interval(Interval),
+    /// It is one of a few numbers.
+    OneOf(Members),
+}
+
+impl EpistemicVariable {
+    /// The value at `fraction` in \[0, 1\]: of the way along an interval, or the member whose equal share it falls on. A uniform
+    /// fraction therefore takes every interval as uniform and every member as equally probable.
+    pub fn at(&self, fraction: f64) -> f64 {
+        match self {
+            Self::Interval(interval) => interval.at(fraction),
+            Self::OneOf(members) => members.at(fraction),
+        }
+    }
+
+    /// From how many the true one is chosen: the members of a list, 1 for an interval.
+    pub fn choices(&self) -> usize {
+        match self {
+            Self::Interval(_) => 1,
+            Self::OneOf(members) => members.values.len(),
+        }
+    }
+
+    /// The least and the greatest value.
+    pub fn ends(&self) -> [f64; 2] {
+        match self {
+            Self::Interval(interval) => [interval.lower(), interval.upper()],
+            Self::OneOf(members) => members
+                .values
+                .iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| [low.min(value), high.max(value)]),
+        }
+    }
+
+    /// Where one value has to stand for all: the middle of an interval, the first of a list.
+    pub fn middle(&self) -> f64 {
+        match self {
+            Self::Interval(interval) => interval.at(0.5),
+            Self::OneOf(members) => members.values[0],
+        }
+    }
+
+    /// Values that show its range: the ends of an interval, every member of a list.
+    pub fn shown(&self) -> Vec<f64> {
+        match self {
+            Self::Interval(interval) => vec![interval.lower(), interval.upper()],
+            Self::OneOf(members) => members.values.clone(),
+        }
+    }
+}
+
+impl From<Interval> for EpistemicVariable {
+    fn from(interval: Interval) -> Self {
+        Self::Interval(interval)
+    }
+}
+
+impl From<Members> for EpistemicVariable {
+    fn from(members: Members) -> Self {
+        Self::OneOf(members)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EpistemicVariable, Members};
+
+    #[test]
+    fn what_is_no_list_is_refused() {
+        let refused = |values: &[f64]| Members::try_new(values.to_vec()).unwrap_err().to_string();
+        assert_eq!(refused(&[0.5]), "a list of 1; must hold at least 2 numbers");
+        assert_eq!(refused(&[0.5, f64::NAN]), "NaN in a list; every number must be finite");
+        assert_eq!(refused(&[0.5, 0.25, 0.5]), "0.5 stands in a list twice");
+    }
+
+    #[test]
+    fn identity_every_member_takes_the_same_share() {
+        let variable = EpistemicVariable::from(Members::try_new(vec![7.0, -2.5, 3.0, 4.5]).unwrap());
+        let mut counts = [0; 4];
+        for step in 0..400 {
+            let value = variable.at((f64::from(step) + 0.5) / 400.0);
+            counts[[7.0, -2.5, 3.0, 4.5].iter().position(|&member| member == value).unwrap()] += 1;
+        }
+        assert_eq!(counts, [100; 4]);
+        assert_eq!((variable.at(0.0), variable.at(1.0)), (7.0, 4.5));
+        assert_eq!((variable.ends(), variable.middle()), ([-2.5, 7.0], 7.0));
+    }
+}
