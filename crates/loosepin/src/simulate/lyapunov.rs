@@ -16,7 +16,7 @@ use crate::mechanism::{Mechanism, Sample};
 pub struct ExponentPlan {
     /// Turns before anything is measured, as for every run.
     pub transient_turns: f64,
-    /// Turns over which the exponent is the mean; at least [`BATCHES`].
+    /// Turns over which the exponent is the mean; at least 20, one for each batch.
     pub turns: u32,
     /// Duration of a turn, s.
     pub turn_s: f64,
