@@ -15,6 +15,7 @@
 
 mod assemble;
 mod bound;
+mod combine;
 mod coverage;
 mod dense;
 mod evaluate;
@@ -33,12 +34,14 @@ mod sample;
 mod search;
 mod search_box;
 mod smoother;
+mod spread;
 mod statistic;
+mod structure;
 mod table;
 mod treatment;
 mod trend;
 
-pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, Reading, Treatment, Witness};
+pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading, Treatment, Witness};
 pub use coverage::{Coverage, CoveragePoint};
 pub use evaluate::{EvaluateError, Response, evaluate, execute};
 pub use plan::{DoubleLoop, PlanError};
@@ -50,6 +53,8 @@ pub use treatment::{Band, TreatmentComparison};
 
 #[cfg(test)]
 mod discrete_cases;
+#[cfg(test)]
+mod evidence_cases;
 #[cfg(test)]
 mod exact_cases;
 #[cfg(test)]

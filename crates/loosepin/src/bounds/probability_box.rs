@@ -48,11 +48,12 @@ impl ProbabilityBox {
             .map(|&value| Measure::probability(&samples, Event::UpTo(value), evidence.plan.confidence()))
             .collect();
         let search = evidence.search(measures.iter());
+        let parts = evidence.parts(evidence.plan.structure().widest());
         let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = measures
             .par_iter()
             .map(|measure| {
                 let modelled = Modelled::new(&search, measure);
-                let bound = |direction| evidence.bound(&search, &samples, &modelled, direction);
+                let bound = |direction| evidence.added(&search, &samples, &modelled, &parts, direction);
                 (bound(Direction::Minimum), bound(Direction::Maximum))
             })
             .unzip();

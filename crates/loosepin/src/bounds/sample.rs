@@ -28,6 +28,11 @@ impl Sample {
         Self { values, replicate_ends, failed }
     }
 
+    /// The same runs with another value each; finished ones stay finished where `change` is finite.
+    pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
+        Self { values: self.values.iter().map(|&value| change(value)).collect(), ..self.clone() }
+    }
+
     /// Finished values.
     pub fn values(&self) -> &[f64] {
         &self.values

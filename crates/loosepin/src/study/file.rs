@@ -3,6 +3,7 @@
 mod ask;
 mod check;
 mod description;
+mod evidence;
 mod input;
 mod keys;
 mod parameter;
@@ -19,6 +20,7 @@ use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
 pub use problem::StudyProblem;
 
+use crate::bounds::Reading;
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
 use crate::model::{Cycle, Model};
@@ -99,6 +101,9 @@ fn read(
     if let Some(entry) = root.get("epistemic") {
         file.read_epistemic(&entry);
     }
+    let readings = [("fixed", Reading::FixedButUnknown), ("unknown-distribution", Reading::UnknownDistribution)];
+    let reading = root.get("reading").and_then(|entry| file.reader.choice(&entry, &readings));
+    let reading = reading.unwrap_or(Reading::FixedButUnknown);
     let asks = file.read_asks(&root);
     let requirements = file.read_requirements(&root);
     file.check_whole(&root);
@@ -114,6 +119,7 @@ fn read(
         seed,
         cycle,
         sampling,
+        reading,
         random: file.random,
         epistemic: file.epistemic,
         asks,
