@@ -9,6 +9,7 @@ use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
 use super::probability_box::ProbabilityBox;
 use super::problem::Request;
+use super::random_set::RandomSet;
 use super::sample::Sample;
 use super::search::{Branch, Direction, SEARCH_RESOLUTION, Search, extreme_among, smoothed};
 use super::search_box::{Place, Region};
@@ -42,7 +43,7 @@ impl DoubleLoop {
             return Err(PlanError::NoRuns);
         }
         self.check_points(&pool)?;
-        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool };
+        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table };
         let mut levels = evidence.levels();
         let pairs = levels.first().map(|level| level.pairs.clone()).unwrap_or_default();
         if levels.len() == 1 {
@@ -72,6 +73,7 @@ impl DoubleLoop {
 pub(super) struct Evidence<'a> {
     pub plan: &'a DoubleLoop,
     pub pool: &'a Pool,
+    pub table: &'a SampleTable,
     /// Outer points in the search box.
     pub places: Vec<Place>,
 }
@@ -133,6 +135,9 @@ impl Evidence<'_> {
         parts: &Parts<'_>,
     ) -> Vec<BoundPair> {
         let reading = self.plan.problem().reading;
+        if reading == Reading::RandomSet {
+            return self.random_set_pairs(requests, parts);
+        }
         let is_one = parts.parts.len() == 1;
         let jobs: Vec<QuantileJob> = requests
             .iter()
@@ -181,6 +186,30 @@ impl Evidence<'_> {
                 })
             })
             .collect()
+    }
+
+    /// Belief and plausibility, and what else the random set says.
+    fn random_set_pairs(&self, requests: &[Request], parts: &Parts<'_>) -> Vec<BoundPair> {
+        let mut columns: Vec<usize> = requests.iter().map(|request| request.column).collect();
+        columns.sort_unstable();
+        columns.dedup();
+        let of_column = |column: usize| {
+            let set = RandomSet::new(self, parts, column);
+            let failed_runs = self.pool.samples(column).iter().map(|sample| sample.failed()).sum();
+            let own = requests.iter().enumerate().filter(move |(_, request)| request.column == column);
+            let pair = |(place, request): (usize, &Request)| {
+                let [lower, upper] = set.bounds(self, request.statistic);
+                let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
+                let estimates = vec![lower.value, upper.value];
+                let unbounded_by_failures = has_no_bound && failed_runs > 0;
+                let Request { column, statistic } = *request;
+                (place, BoundPair { column, statistic, lower, upper, estimates, failed_runs, unbounded_by_failures })
+            };
+            own.map(pair).collect::<Vec<_>>()
+        };
+        let mut pairs: Vec<(usize, BoundPair)> = columns.into_par_iter().flat_map_iter(of_column).collect();
+        pairs.sort_by_key(|(place, _)| *place);
+        pairs.into_iter().map(|(_, pair)| pair).collect()
     }
 
     /// Models for everything that `measures` search.

@@ -84,11 +84,18 @@ fn analytic_sum_of_a_normal_variable_and_evidence() {
         let upper = root(|q| added(|u| normal_cdf(q - u)).1 - 0.9);
         check(&bounds.pairs[2], (lower, upper), 0.15);
         check(&bounds.pairs[3], added(|u| normal_cdf(u - LIMIT)), 0.02);
+        // Each end has 95 % confidence: in the tails a few of the 202 fall short by part of their error.
+        const MOST_SHORT: usize = 10;
+        const SHORT_BY: f64 = 2e-3;
+        let mut short = 0;
         for (i, &y) in bounds.boxes[0].values.iter().enumerate() {
             let (most, least) = added(|u| normal_cdf(y - u));
             let (low, high) = (&bounds.boxes[0].lower[i], &bounds.boxes[0].upper[i]);
-            assert!(low.widened <= least && high.widened >= most, "{y}: {least} {most} {low:?} {high:?}");
+            let by = (low.widened - least).max(most - high.widened);
+            assert!(by < SHORT_BY, "{y}: {least} {most} {low:?} {high:?}");
+            short += usize::from(by > 0.0);
         }
+        assert!(short <= MOST_SHORT, "{short}");
     }
 }
 
@@ -220,4 +227,71 @@ fn analytic_the_slider_crank_when_the_play_has_an_unknown_distribution() {
     check(&bounds.pairs[0], (-0.536_290_6, 0.535_951_9), 0.005);
     check(&bounds.pairs[1], (0.032_290_24, 0.537_10), 0.005);
     check(&bounds.pairs[2], (0.0, 0.024_466_6), 0.015);
+}
+
+/// Density of the standard normal distribution.
+fn density(x: f64) -> f64 {
+    libm::exp(-0.5 * x * x) / (2.0 * core::f64::consts::PI).sqrt()
+}
+
+#[test]
+fn analytic_a_sum_as_a_random_set() {
+    // Y = X + u, u in [a, b] by choice of anybody: |X| and half the width w add, or what of |X| is beyond w is left.
+    let (a, b) = (-0.7, 0.5);
+    let (w, middle): (f64, f64) = (0.6, -0.1);
+    let statistics = [
+        Statistic::Mean,
+        Statistic::StandardDeviation,
+        Statistic::ProbabilityAbove(LIMIT),
+        Statistic::ProbabilityBeyond(LIMIT),
+        Statistic::Quantile(0.9),
+        Statistic::Cdf,
+    ];
+    for seed in SEEDS {
+        let problem = Problem { reading: Reading::RandomSet, ..with(vec![interval(a, b).into()], &statistics, seed) };
+        let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| x[0] + u[0])).unwrap();
+        check(&bounds.pairs[0], (a, b), 0.02);
+        let most = 1.0 + 2.0 * w * (2.0 / core::f64::consts::PI).sqrt() + w * w;
+        let least = 2.0 * ((1.0 + w * w) * normal_cdf(-w) - w * density(w));
+        check(&bounds.pairs[1], (least.sqrt(), most.sqrt()), 0.05);
+        check(&bounds.pairs[2], (normal_cdf(a - LIMIT), normal_cdf(b - LIMIT)), 0.02);
+        // Surely beyond: by more than w from the middle on the side of the limit; possibly: with either end.
+        let sure = normal_cdf(a - LIMIT) + normal_cdf(-b - LIMIT);
+        let possible = normal_cdf(b - LIMIT) + normal_cdf(-a - LIMIT);
+        check(&bounds.pairs[3], (sure, possible), 0.03);
+        let quantile = crate::uncertainty::normal_quantile(0.9);
+        check(&bounds.pairs[4], (quantile + middle - w, quantile + middle + w), 0.15);
+        for (i, &y) in bounds.boxes[0].values.iter().enumerate() {
+            let (low, high) = (bounds.boxes[0].lower[i].widened, bounds.boxes[0].upper[i].widened);
+            const SHORT_BY: f64 = 2e-3; // in the tails, by part of the error
+            assert!(low <= normal_cdf(y - b) + SHORT_BY && high >= normal_cdf(y - a) - SHORT_BY, "{y} {low} {high}");
+        }
+    }
+}
+
+#[test]
+fn analytic_evidence_as_a_random_set_with_a_product() {
+    // Y = uX: from -|X| max to |X| max where an element holds 0; the least deviation is that of u nearest to 0.
+    let statistics = [Statistic::Mean, Statistic::ProbabilityAbove(LIMIT)];
+    let problem = Problem { reading: Reading::RandomSet, ..with(vec![evidence()], &statistics, 5) };
+    let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| x[0] * u[0])).unwrap();
+    let half = 1.0 / (2.0 * core::f64::consts::PI).sqrt(); // E max(X, 0)
+    let greatest: f64 = ELEMENTS.iter().map(|(low, high, mass)| mass * half * (high - low)).sum();
+    check(&bounds.pairs[0], (-greatest, greatest), 0.03);
+    // Surely above: all of [u X] is; possibly: the end further out on the side of X is.
+    let sure: f64 = 0.5 * normal_cdf(-LIMIT / 0.1) + 0.2 * normal_cdf(-LIMIT / 1.5);
+    let possible = 0.3 * (normal_cdf(-LIMIT / 0.25) + normal_cdf(-LIMIT))
+        + 0.5 * normal_cdf(-LIMIT / 0.8)
+        + 0.2 * normal_cdf(-LIMIT / 2.0);
+    check(&bounds.pairs[1], (sure, possible), 0.02);
+}
+
+#[test]
+fn analytic_the_slider_crank_as_a_random_set() {
+    let statistics = [Statistic::StandardDeviation, Statistic::ProbabilityBeyond(0.60)];
+    let mut problem = problem(&SLIDER_CRANK_RANDOM, &SLIDER_CRANK_EPISTEMIC, &statistics);
+    problem.sampling = Sampling { inner: 256, ..Sampling::default() };
+    let bounds = read(Reading::RandomSet, problem);
+    check(&bounds.pairs[0], (0.0, 0.562_25), 0.01);
+    assert!(bounds.pairs[1].upper.widened >= 0.024_466_6);
 }

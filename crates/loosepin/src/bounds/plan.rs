@@ -5,11 +5,13 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 use thiserror::Error;
 
+use super::bound::Reading;
 use super::measure::{Measure, target};
 use super::moments::mean;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
 use super::problem::{MOST_POINTS, Problem, ProblemError, Request};
+use super::random_set::{run_target, values_by_run};
 use super::sample::{Confidence, Estimate};
 use super::search::{Direction, Search, Target};
 use super::search_box::{Place, Region, SearchBox};
@@ -23,6 +25,10 @@ const REFINING_ROUNDS: usize = 6;
 
 /// The whole distribution function is searched by these quantiles.
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Of every column so many inner runs are searched where each may have its own u, to this share of their range.
+const SINGLE_RUNS: usize = 8;
+const SINGLE_RUN_RESOLUTION: f64 = 1e-4;
 
 /// Separates the streams of random numbers.
 const INNER: u64 = 0x0069_6e6e_6572;
@@ -206,7 +212,7 @@ impl DoubleLoop {
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
-            for place in self.next_outer(&outer, count) {
+            for place in self.next_outer(table, &outer, count) {
                 let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
                 runs.extend(self.runs_at(round, point, &place));
             }
@@ -241,9 +247,9 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
-        let targets: Vec<(Target, Vec<Direction>)> = self
+        let mut targets: Vec<(Target, Vec<Direction>)> = self
             .searched()
             .par_iter()
             .flat_map_iter(|(request, directions)| {
@@ -255,8 +261,27 @@ impl DoubleLoop {
                     .map(|target| (target, directions.clone()))
             })
             .collect();
+        if self.problem.reading == Reading::RandomSet {
+            targets.extend(self.single_runs(table));
+        }
         let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
         search.next_points(&targets, &self.searched_elements, count, MOST_POINTS)
+    }
+
+    /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
+    fn single_runs(&self, table: &SampleTable) -> Vec<(Target, Vec<Direction>)> {
+        let of_column = |column: usize| {
+            let (replicates, points) = values_by_run(table, column);
+            let step = replicates.len().div_ceil(SINGLE_RUNS).max(1);
+            let runs = (0..replicates.len()).step_by(step);
+            let targets = runs.map(move |run| {
+                let target = run_target(&points, run, f64::MIN_POSITIVE);
+                let resolution = (SINGLE_RUN_RESOLUTION * target.range()).max(f64::MIN_POSITIVE);
+                (run_target(&points, run, resolution), Direction::BOTH.to_vec())
+            });
+            targets.collect::<Vec<_>>()
+        };
+        self.needed_columns().into_iter().flat_map(of_column).collect()
     }
 
     fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {

@@ -212,7 +212,7 @@ impl Points {
 }
 
 /// The least of a convex function between two ends.
-fn golden(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn golden(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..GOLDEN_STEPS {
         let width = GOLDEN * (high - low);
         let (left, right) = (high - width, low + width);

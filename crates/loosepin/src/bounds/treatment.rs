@@ -3,12 +3,13 @@
 use rayon::prelude::*;
 
 use super::assemble::{Evidence, Modelled};
-use super::bound::{Bound, BoundError, Guarantee, Treatment, Witness};
+use super::bound::{Bound, BoundError, Guarantee, Reading, Treatment, Witness};
 use super::combine::QuantileJob;
 use super::coverage::Coverage;
 use super::measure::Measure;
 use super::pool::Pool;
 use super::quantile::quantile;
+use super::random_set::RandomSet;
 use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme};
 use super::search_box::Region;
 use super::statistic::Statistic;
@@ -88,6 +89,15 @@ fn gather(table: &SampleTable, has_own: bool, own: Purpose, columns: &[usize]) -
 fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
     let statistics = evidence.plan.band_statistics();
     let parts = evidence.parts(evidence.plan.structure().widest());
+    if evidence.plan.problem().reading == Reading::RandomSet {
+        return columns
+            .par_iter()
+            .map(|&column| {
+                let set = RandomSet::new(evidence, &parts, column);
+                [0, 1].map(|end| set.bounds(evidence, statistics[end].0)[end].clone())
+            })
+            .collect();
+    }
     if parts.parts.len() > 1 {
         let job = |column, (statistic, direction)| match statistic {
             Statistic::Quantile(probability) => Some(QuantileJob { column, probability, direction }),

@@ -101,7 +101,11 @@ fn read(
     if let Some(entry) = root.get("epistemic") {
         file.read_epistemic(&entry);
     }
-    let readings = [("fixed", Reading::FixedButUnknown), ("unknown-distribution", Reading::UnknownDistribution)];
+    let readings = [
+        ("fixed", Reading::FixedButUnknown),
+        ("unknown-distribution", Reading::UnknownDistribution),
+        ("random-set", Reading::RandomSet),
+    ];
     let reading = root.get("reading").and_then(|entry| file.reader.choice(&entry, &readings));
     let reading = reading.unwrap_or(Reading::FixedButUnknown);
     let asks = file.read_asks(&root);

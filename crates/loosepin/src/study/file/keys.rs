@@ -250,7 +250,7 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["interval", "any_of", "evidence", "fuzzy", "quantiles", "mean"]]);
 
-pub(super) const READINGS: [&str; 2] = ["fixed", "unknown-distribution"];
+pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
 pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
 pub(super) const PLAIN_STATISTICS: [&str; 3] = ["mean", "standard_deviation", "cdf"];
@@ -348,7 +348,7 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             "reading",
             Kind::Choice(&READINGS),
             "\"fixed\"",
-            "how an interval is read: one value fixed but unknown, or a distribution that is unknown; fixed if left out",
+            "how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left out",
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),
