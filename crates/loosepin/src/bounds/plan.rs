@@ -5,23 +5,30 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 use thiserror::Error;
 
+use super::bound::Reading;
 use super::measure::{Measure, target};
 use super::moments::mean;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
 use super::problem::{MOST_POINTS, Problem, ProblemError, Request};
+use super::random_set::{run_target, values_by_run};
 use super::sample::{Confidence, Estimate};
 use super::search::{Direction, Search, Target};
-use super::search_box::{Place, SearchBox};
+use super::search_box::{Place, Region, SearchBox};
 use super::statistic::Statistic;
+use super::structure::{Element, Structure};
 use super::table::{Purpose, RunInputs, SampleTable};
-use crate::uncertainty::{EpistemicVariable, Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
+use crate::uncertainty::{EpistemicVariable, IntervalError, RandomVariable, ScrambledSobol, SobolError, hash};
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
 
 /// The whole distribution function is searched by these quantiles.
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Of every column so many inner runs are searched where each may have its own u, to this share of their range.
+const SINGLE_RUNS: usize = 8;
+const SINGLE_RUN_RESOLUTION: f64 = 1e-4;
 
 /// Separates the streams of random numbers.
 const INNER: u64 = 0x0069_6e6e_6572;
@@ -37,16 +44,34 @@ const MIXTURE: u64 = 0x006d_6978_7475;
 pub struct DoubleLoop {
     problem: Problem,
     confidence: Confidence,
-    /// Replicate, index and values of the random inputs of every inner run.
-    inner: Vec<(u32, u32, Vec<f64>)>,
+    /// Every inner run.
+    inner: Vec<InnerRun>,
+    /// The random inputs whose values differ from one u to another, since parameters are among the epistemic inputs.
+    moving: Vec<usize>,
     epistemic_box: SearchBox,
     /// The joint box of the interval-only treatment: random inputs cut, then epistemic inputs.
     joint_box: SearchBox,
+    /// The parts of the epistemic box.
+    structure: Structure,
+    /// Those of all levels.
+    searched_elements: Vec<Element>,
+    whole_joint_box: [Element; 1],
     candidates: Vec<Vec<f64>>,
     joint_candidates: Vec<Vec<f64>>,
     first_outer: Vec<Place>,
     first_extreme: Vec<Place>,
     mixture: ScrambledSobol,
+}
+
+/// A point of the random inputs, the same at every u.
+#[derive(Debug, Clone)]
+struct InnerRun {
+    replicate: u32,
+    index: u32,
+    /// Values of the random inputs; of those that move, at no particular u.
+    random: Vec<f64>,
+    /// Of those that move: the probability whose quantile is taken at each u.
+    probabilities: Vec<f64>,
 }
 
 /// Why there is no plan, or no next round.
@@ -103,17 +128,24 @@ impl DoubleLoop {
         problem.check()?;
         let sampling = problem.sampling;
         let mut joint_box: Vec<EpistemicVariable> = Vec::with_capacity(problem.random.len() + problem.epistemic.len());
-        for (input, variable) in problem.random.iter().enumerate() {
+        for input in 0..problem.random.len() {
             let standard_deviations = problem.cut_standard_deviations;
-            let end = |signed: f64| variable.quantile(normal_cdf(signed));
-            let interval = Interval::try_new(end(-standard_deviations), end(standard_deviations))
-                .map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
+            let interval =
+                problem.widest_cut(input).map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
             joint_box.push(interval.into());
         }
-        joint_box.extend_from_slice(&problem.epistemic);
+        // A parameter tells which values are likely; within the cut all of them are possible.
+        joint_box.extend(problem.epistemic.iter().enumerate().map(|(epistemic, variable)| {
+            if problem.is_parameter(epistemic) { variable.held() } else { variable.clone() }
+        }));
         let (epistemic_box, joint_box) = (SearchBox::new(problem.epistemic.clone()), SearchBox::new(joint_box));
         let (epistemic, joint) = (epistemic_box.dimensions(), joint_box.dimensions());
         let combinations = epistemic_box.combinations();
+        let structure = Structure::new(&problem, &epistemic_box);
+        let mut epistemic_candidates = candidates(epistemic)?;
+        if structure.is_divided() {
+            epistemic_candidates.extend(structure.candidates(epistemic)?);
+        }
         let first = |dimensions: usize, count: usize| -> Result<Vec<Place>, SobolError> {
             let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
             let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
@@ -122,9 +154,19 @@ impl DoubleLoop {
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
             inner: inner_runs(&problem)?,
-            candidates: candidates(epistemic)?,
+            moving: problem.inputs_with_parameters(),
+            candidates: epistemic_candidates,
             joint_candidates: candidates(joint)?,
-            first_outer: first(epistemic, sampling.outer)?,
+            first_outer: if structure.is_divided() {
+                let points = first_divided(sampling.seed, epistemic, sampling.outer / combinations, &structure)?;
+                let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
+                (0..combinations).flat_map(places).collect()
+            } else {
+                first(epistemic, sampling.outer)?
+            },
+            whole_joint_box: [Element { mass: 1.0, region: Region::whole(joint) }],
+            searched_elements: structure.levels.iter().flat_map(|level| level.elements.iter().cloned()).collect(),
+            structure,
             first_extreme: first(joint, sampling.extreme)?,
             mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.inputs().len())?,
             epistemic_box,
@@ -170,7 +212,7 @@ impl DoubleLoop {
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
-            for place in self.next_outer(&outer, count) {
+            for place in self.next_outer(table, &outer, count) {
                 let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
                 runs.extend(self.runs_at(round, point, &place));
             }
@@ -205,9 +247,9 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
-        let targets: Vec<(Target, Vec<Direction>)> = self
+        let mut targets: Vec<(Target, Vec<Direction>)> = self
             .searched()
             .par_iter()
             .flat_map_iter(|(request, directions)| {
@@ -219,8 +261,27 @@ impl DoubleLoop {
                     .map(|target| (target, directions.clone()))
             })
             .collect();
+        if self.problem.reading == Reading::RandomSet {
+            targets.extend(self.single_runs(table));
+        }
         let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count, MOST_POINTS)
+        search.next_points(&targets, &self.searched_elements, count, MOST_POINTS)
+    }
+
+    /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
+    fn single_runs(&self, table: &SampleTable) -> Vec<(Target, Vec<Direction>)> {
+        let of_column = |column: usize| {
+            let (replicates, points) = values_by_run(table, column);
+            let step = replicates.len().div_ceil(SINGLE_RUNS).max(1);
+            let runs = (0..replicates.len()).step_by(step);
+            let targets = runs.map(move |run| {
+                let target = run_target(&points, run, f64::MIN_POSITIVE);
+                let resolution = (SINGLE_RUN_RESOLUTION * target.range()).max(f64::MIN_POSITIVE);
+                (run_target(&points, run, resolution), Direction::BOTH.to_vec())
+            });
+            targets.collect::<Vec<_>>()
+        };
+        self.needed_columns().into_iter().flat_map(of_column).collect()
     }
 
     fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {
@@ -232,7 +293,7 @@ impl DoubleLoop {
             .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
         let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count, MOST_POINTS)
+        search.next_points(&targets, &self.whole_joint_box, count, MOST_POINTS)
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -289,6 +350,11 @@ impl DoubleLoop {
         pool.points.iter().map(|point| self.joint_box.place_of(&values(point))).collect()
     }
 
+    /// The parts of the epistemic box.
+    pub(super) fn structure(&self) -> &Structure {
+        &self.structure
+    }
+
     pub(super) fn confidence(&self) -> &Confidence {
         &self.confidence
     }
@@ -325,14 +391,22 @@ impl DoubleLoop {
 
     fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
         let epistemic = self.epistemic_box.values_at(place);
-        self.inner.iter().map(move |(replicate, index, random)| RunInputs {
-            round,
-            purpose: Purpose::DoubleLoop,
-            point,
-            replicate: *replicate,
-            index: *index,
-            random: random.clone(),
-            epistemic: epistemic.clone(),
+        let moved: Vec<(usize, Option<RandomVariable>)> =
+            self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();
+        self.inner.iter().map(move |run| {
+            let mut random = run.random.clone();
+            for ((input, variable), probability) in moved.iter().zip(&run.probabilities) {
+                random[*input] = variable.as_ref().map_or(f64::NAN, |variable| variable.quantile(*probability));
+            }
+            RunInputs {
+                round,
+                purpose: Purpose::DoubleLoop,
+                point,
+                replicate: run.replicate,
+                index: run.index,
+                random,
+                epistemic: epistemic.clone(),
+            }
         })
     }
 
@@ -341,15 +415,12 @@ impl DoubleLoop {
         let replicates = 0..self.problem.sampling.replicates as u32;
         replicates.flat_map(move |replicate| {
             (0..per_replicate).map(move |index| {
-                let random = self.problem.random.iter().enumerate();
-                let random: Vec<f64> = random
-                    .map(|(input, variable)| variable.quantile(self.mixture.point(replicate, index, input)))
-                    .collect();
                 let epistemic = self.problem.epistemic.iter().enumerate();
                 let epistemic = epistemic.map(|(input, variable)| {
                     variable.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
                 });
-                let epistemic = epistemic.collect();
+                let epistemic: Vec<f64> = epistemic.collect();
+                let random = self.problem.random_at(&epistemic, |input| self.mixture.point(replicate, index, input));
                 RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
             })
         })
@@ -384,21 +455,40 @@ fn first_count(dimensions: usize, budget: usize) -> usize {
     if dimensions == 0 { 1 } else { budget.min((budget / 2).max(structural_point_count(dimensions) + 2 * dimensions)) }
 }
 
+/// The first points of a box with parts: corners and centres of all of them, then low-discrepancy points up to half of the budget.
+fn first_divided(
+    seed: u64,
+    dimensions: usize,
+    budget: usize,
+    structure: &Structure,
+) -> Result<Vec<Vec<f64>>, SobolError> {
+    let structural = structure.points(dimensions);
+    let count = first_count(dimensions, budget).max(structural.len() + 2 * dimensions).min(budget);
+    let interior = first_points(seed, dimensions, structural_point_count(dimensions) + count - structural.len())?;
+    let interior = interior.into_iter().skip(structural_point_count(dimensions));
+    Ok(structural.into_iter().chain(interior).collect())
+}
+
 /// Every inner run; a single one where nothing is random.
-fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError> {
+fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
     if problem.random.is_empty() {
-        return Ok(vec![(0, 0, Vec::new())]);
+        return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), probabilities: Vec::new() }]);
     }
+    let moving = problem.inputs_with_parameters();
     let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
     let replicates = problem.sampling.replicates;
     let per_replicate = (problem.sampling.inner / replicates) as u32;
     let mut runs = Vec::with_capacity(problem.sampling.inner);
     for replicate in 0..replicates as u32 {
         for index in 0..per_replicate {
-            let quantile = |(input, variable): (usize, &crate::uncertainty::RandomVariable)| {
-                variable.quantile(sobol.point(replicate, index, input))
-            };
-            runs.push((replicate, index, problem.random.iter().enumerate().map(quantile).collect()));
+            let quantile =
+                |(input, variable): (usize, &RandomVariable)| variable.quantile(sobol.point(replicate, index, input));
+            runs.push(InnerRun {
+                replicate,
+                index,
+                random: problem.random.iter().enumerate().map(quantile).collect(),
+                probabilities: moving.iter().map(|&input| sobol.point(replicate, index, input)).collect(),
+            });
         }
     }
     Ok(runs)

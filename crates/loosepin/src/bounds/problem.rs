@@ -2,10 +2,12 @@
 
 use thiserror::Error;
 
+use super::bound::Reading;
 use super::points::structural_point_count;
 use super::search_box::SearchBox;
 use super::statistic::Statistic;
-use crate::uncertainty::{EpistemicVariable, MAXIMUM_DIMENSIONS, RandomVariable};
+use super::structure::{Structure, element_count};
+use crate::uncertainty::{EpistemicParameter, EpistemicVariable, MAXIMUM_DIMENSIONS, RandomVariable};
 
 /// One statistic of one column of the response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +52,10 @@ pub struct Problem {
     pub random: Vec<RandomVariable>,
     /// What is known of the epistemic inputs.
     pub epistemic: Vec<EpistemicVariable>,
+    /// Parameters of distributions that are epistemic inputs. The response is given their values and need not look at them.
+    pub parameters: Vec<EpistemicParameter>,
+    /// How an epistemic interval is read.
+    pub reading: Reading,
     /// Number of columns of the response.
     pub columns: usize,
     /// Statistics whose bounds are asked for.
@@ -108,6 +114,23 @@ pub enum ProblemError {
     TooFewReplicates {
         /// Value given.
         replicates: usize,
+    },
+    /// A parameter of an input that does not exist.
+    #[error(
+        "parameter {parameter} belongs to random input {random} of {randoms} and is epistemic input {epistemic} of {epistemics}, \
+         counted from 0"
+    )]
+    NoSuchInput {
+        /// Position of the parameter.
+        parameter: usize,
+        /// The random input.
+        random: usize,
+        /// Random inputs there are.
+        randoms: usize,
+        /// The epistemic input.
+        epistemic: usize,
+        /// Epistemic inputs there are.
+        epistemics: usize,
     },
     /// A sample that cannot be split evenly.
     #[error(
@@ -168,6 +191,30 @@ pub enum ProblemError {
         /// How many there are.
         combinations: usize,
     },
+    /// Too few points for the corners and centres of focal elements and cuts.
+    #[error(
+        "{name} {count}; the corners and centres of all focal elements and cuts need at least {least}\n\
+         hint: {recommended} is a good start, and elements that share ends need fewer"
+    )]
+    TooFewForElements {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// More focal elements than are put together.
+    #[error(
+        "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
+         hint: join elements of the inputs that matter least"
+    )]
+    TooManyElements {
+        /// How many there are.
+        elements: usize,
+    },
     /// More points than the search can model.
     #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
     TooManyPoints {
@@ -189,6 +236,9 @@ pub enum ProblemError {
 /// The smoother factorises matrices of this order.
 pub(super) const MOST_POINTS: usize = 512;
 
+/// Every combination of focal elements has bounds of its own.
+const MOST_ELEMENTS: usize = 256;
+
 /// Every combination of members is run, and searched by itself.
 const MOST_COMBINATIONS: usize = 64;
 
@@ -200,6 +250,13 @@ impl Problem {
             return Err(ProblemError::TooManyInputs { inputs });
         }
         self.check_requests()?;
+        for (parameter, of) in self.parameters.iter().enumerate() {
+            let (randoms, epistemics) = (self.random.len(), self.epistemic.len());
+            let EpistemicParameter { random, epistemic, .. } = *of;
+            if random >= randoms || epistemic >= epistemics {
+                return Err(ProblemError::NoSuchInput { parameter, random, randoms, epistemic, epistemics });
+            }
+        }
         let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;
         check_probability("confidence", confidence)?;
         check_probability("band probability", self.band_probability)?;
@@ -220,12 +277,29 @@ impl Problem {
         if !search_box.is_a_point() {
             check_points("outer", outer, wide, combinations)?;
         }
+        let elements = element_count(self);
+        if elements > MOST_ELEMENTS {
+            return Err(ProblemError::TooManyElements { elements });
+        }
+        let structure = Structure::new(self, &search_box);
+        if structure.is_divided() {
+            let least = combinations * structure.points(wide).len();
+            if outer < least {
+                let recommended = (2 * least).max(64);
+                return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
+            }
+        }
         if !self.compared_columns.is_empty() {
             if !search_box.is_a_point() {
                 check_multiple("mixture", mixture, replicates)?;
             }
             if !self.random.is_empty() {
-                check_points("extreme", extreme, self.random.len() + wide, combinations)?;
+                // Parameters of distributions are no dimensions of the joint box.
+                let epistemic = self.epistemic.iter().enumerate();
+                let is_searched = |(index, _): &(usize, _)| !self.is_parameter(*index);
+                let joint = SearchBox::new(epistemic.filter(is_searched).map(|(_, known)| known.clone()).collect());
+                let dimensions = self.random.len() + joint.dimensions();
+                check_points("extreme", extreme, dimensions, joint.combinations())?;
             }
         }
         Ok(())

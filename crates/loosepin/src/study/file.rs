@@ -3,19 +3,24 @@
 mod ask;
 mod check;
 mod description;
+mod evidence;
 mod input;
 mod keys;
+mod parameter;
 mod problem;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use description::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study, Where,
+    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
+    UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
+use parameter::Parameters;
 pub use problem::StudyProblem;
 
+use crate::bounds::Reading;
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
 use crate::model::{Cycle, Model};
@@ -85,7 +90,8 @@ fn read(
     });
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
-    let mut file = StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new() };
+    let mut file =
+        StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new(), parameters: Parameters::default() };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
     let sampling = file.sampling(&root);
@@ -95,6 +101,13 @@ fn read(
     if let Some(entry) = root.get("epistemic") {
         file.read_epistemic(&entry);
     }
+    let readings = [
+        ("fixed", Reading::FixedButUnknown),
+        ("unknown-distribution", Reading::UnknownDistribution),
+        ("random-set", Reading::RandomSet),
+    ];
+    let reading = root.get("reading").and_then(|entry| file.reader.choice(&entry, &readings));
+    let reading = reading.unwrap_or(Reading::FixedButUnknown);
     let asks = file.read_asks(&root);
     let requirements = file.read_requirements(&root);
     file.check_whole(&root);
@@ -110,6 +123,7 @@ fn read(
         seed,
         cycle,
         sampling,
+        reading,
         random: file.random,
         epistemic: file.epistemic,
         asks,
@@ -134,6 +148,8 @@ pub(super) struct StudyReader {
     pub model: Model,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
+    /// Of the distribution that is being read.
+    pub parameters: Parameters,
 }
 
 impl StudyReader {

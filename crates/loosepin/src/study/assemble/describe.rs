@@ -3,10 +3,12 @@
 use super::Material;
 use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
-use crate::study::file::Study;
-use crate::study::result::{CycleDescription, InputDescription, InputKind, OutputDescription};
-use crate::uncertainty::Distribution;
-use crate::units::{Dimension, SiUnit, format_value};
+use crate::study::file::{RandomInput, Study, UncertainParameter};
+use crate::study::result::{
+    CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind, OutputDescription,
+};
+use crate::uncertainty::{Distribution, EpistemicVariable, FocalElement, Interval};
+use crate::units::{Dimension, SiUnit, format_number, format_value};
 
 /// The uncertain inputs, random ones first, each kind in file order.
 pub fn inputs(study: &Study) -> Vec<InputDescription> {
@@ -15,24 +17,73 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         path: input.path.clone(),
         kind: InputKind::Random,
         unit: unit(table, input.quantity),
-        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity)),
+        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity))
+            + &uncertain_words(input, study),
     });
     let epistemic = study.epistemic.iter().map(|input| {
         let [lower_si, upper_si] = input.variable.ends();
         let written = |value_si: f64| input.written(&study.model, value_si);
-        let (kind, words) = match input.members_written(&study.model) {
-            None => (
-                InputKind::Interval { lower_si, upper_si },
-                format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
-            ),
-            Some(of) => {
+        let ends = |interval: &Interval| format!("{} .. {}", written(interval.lower()), written(interval.upper()));
+        let (kind, words) = match (&input.variable, input.members_written(&study.model)) {
+            (EpistemicVariable::Evidence(evidence), _) => {
+                let element = |element: &FocalElement| ElementDescription {
+                    lower_si: element.interval.lower(),
+                    upper_si: element.interval.upper(),
+                    mass: element.mass,
+                };
+                let shown: Vec<String> = evidence
+                    .elements()
+                    .iter()
+                    .map(|element| format!("{} with mass {}", ends(&element.interval), format_number(element.mass)))
+                    .collect();
+                let is_scattering = evidence.is_scattering();
+                let how = if is_scattering { "scatters in an unknown way within" } else { "in one of" };
+                let kind =
+                    InputKind::Evidence { elements: evidence.elements().iter().map(element).collect(), is_scattering };
+                (kind, format!("{how} {}", listed(&shown, "and")))
+            }
+            (EpistemicVariable::Fuzzy(fuzzy), _) => {
+                let cut = |(alpha, interval): &(f64, Interval)| CutDescription {
+                    alpha: *alpha,
+                    lower_si: interval.lower(),
+                    upper_si: interval.upper(),
+                };
+                let shown: Vec<String> = fuzzy
+                    .cuts()
+                    .iter()
+                    .map(|(alpha, interval)| format!("{} to the degree {}", ends(interval), format_number(*alpha)))
+                    .collect();
+                let kind = InputKind::Fuzzy { cuts: fuzzy.cuts().iter().map(cut).collect() };
+                (kind, format!("possible are {}", listed(&shown, "and")))
+            }
+            (_, Some(of)) => {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)
             }
+            (_, None) => (
+                InputKind::Interval { lower_si, upper_si },
+                format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
+            ),
         };
         InputDescription { path: input.path.clone(), kind, unit: input.unit(&study.model), words }
     });
     random.chain(epistemic).collect()
+}
+
+/// Which parameters are uncertain; the words before have them in the middle.
+fn uncertain_words(input: &RandomInput, study: &Study) -> String {
+    let words = |uncertain: &UncertainParameter| {
+        let known = &study.epistemic[uncertain.epistemic];
+        let known_words = match known.members_written(&study.model) {
+            Some(of) => format!("any of {}", listed(&of, "and")),
+            None => {
+                let [lower, upper] = known.variable.ends().map(|end| known.written(&study.model, end));
+                format!("between {lower} and {upper}")
+            }
+        };
+        format!("; its {} unknown, {known_words}", uncertain.parameter.words())
+    };
+    input.parameters.iter().map(words).collect()
 }
 
 fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {

@@ -42,12 +42,37 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
 
+/// What is known of a parameter of a distribution.
+pub(super) static PARAMETER_KEYS: Keys = Keys::new(
+    "what is known of a parameter of a distribution; with it the distribution is a probability box",
+    &[
+        optional(
+            "interval",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"119.98 mm\", \"120.02 mm\"]",
+            "lower and upper end; every value between is possible, and nothing else is known",
+        ),
+        optional(
+            "any_of",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"119.98 mm\", \"120.02 mm\"]",
+            "all values that are possible, with their unit",
+        ),
+    ],
+)
+.with_exactly_one(&[&["interval", "any_of"]]);
+
+/// A parameter with a unit: a number, or what is known of it.
+const PARAMETER: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::Table(&PARAMETER_KEYS)]);
+/// The same, a pure number.
+const SHAPE: Kind = Kind::AnyOf(&[Kind::Number { rule: Rule::Finite }, Kind::Table(&PARAMETER_KEYS)]);
+
 /// The ends that most distributions have.
 macro_rules! ends {
     () => {
         [
-            required("lower", Kind::AnyQuantity, "\"49.9 mm\"", "lower end"),
-            required("upper", Kind::AnyQuantity, "\"50.1 mm\"", "upper end"),
+            required("lower", PARAMETER, "\"49.9 mm\"", "lower end"),
+            required("upper", PARAMETER, "\"50.1 mm\"", "upper end"),
         ]
     };
 }
@@ -55,8 +80,8 @@ macro_rules! ends {
 macro_rules! moments {
     () => {
         [
-            required("mean", Kind::AnyQuantity, "\"50 mm\"", "mean"),
-            required("standard_deviation", Kind::AnyQuantity, "\"0.02 mm\"", "standard deviation"),
+            required("mean", PARAMETER, "\"50 mm\"", "mean"),
+            required("standard_deviation", PARAMETER, "\"0.02 mm\"", "standard deviation"),
         ]
     };
 }
@@ -71,13 +96,13 @@ pub(super) static TRUNCATED_NORMAL_KEYS: Keys = Keys::new(
 pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!());
 pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
     "a triangular distribution",
-    &[ends!()[0], required("mode", Kind::AnyQuantity, "\"50 mm\"", "most likely value"), ends!()[1]],
+    &[ends!()[0], required("mode", PARAMETER, "\"50 mm\"", "most likely value"), ends!()[1]],
 );
 pub(super) static BETA_KEYS: Keys = Keys::new(
     "a beta distribution between two ends",
     &[
-        required("alpha", Kind::Number { rule: Rule::Finite }, "2", "first shape, from 0.001 to 1e6"),
-        required("beta", Kind::Number { rule: Rule::Finite }, "3", "second shape, from 0.001 to 1e6"),
+        required("alpha", SHAPE, "2", "first shape, from 0.001 to 1e6"),
+        required("beta", SHAPE, "3", "second shape, from 0.001 to 1e6"),
         ends!()[0],
         ends!()[1],
     ],
@@ -139,7 +164,47 @@ pub(super) static RANDOM_KEYS: Keys = Keys::new(
     ("fit", LATER_TOLERANCE),
 ]);
 
-const LATER_EPISTEMIC: &str = "use an interval";
+pub(super) static ELEMENT_KEYS: Keys = Keys::new(
+    "an interval and the mass of evidence that lies in it",
+    &[
+        required("interval", Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]", "lower and upper end"),
+        required("mass", Kind::Number { rule: Rule::Finite }, "0.4", "above 0; the masses of all elements sum to 1"),
+    ],
+);
+
+pub(super) static CUT_KEYS: Keys = Keys::new(
+    "a degree and the interval of all values possible to at least that degree",
+    &[
+        required("alpha", Kind::Number { rule: Rule::Finite }, "0.5", "the degree, from 0 to 1, increasing"),
+        required("interval", Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]", "lower and upper end"),
+    ],
+);
+
+pub(super) static FUZZY_KEYS: Keys = Keys::new(
+    "a fuzzy number",
+    &[
+        optional(
+            "triangular",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.1 mm\", \"0.2 mm\", \"0.5 mm\"]",
+            "possible at all from the first to the third, to the degree 1 the second",
+        ),
+        optional(
+            "trapezoidal",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.1 mm\", \"0.2 mm\", \"0.3 mm\", \"0.5 mm\"]",
+            "possible at all from the first to the fourth, to the degree 1 from the second to the third",
+        ),
+        optional("cuts", Kind::List(&Kind::Table(&CUT_KEYS)), "", "the cuts themselves, each within the one before"),
+        optional(
+            "degrees",
+            Kind::List(&Kind::Number { rule: Rule::Finite }),
+            "[0, 0.25, 0.5, 0.75, 1]",
+            "degrees at which a triangle or trapezoid is cut; 0, 0.25, 0.5, 0.75 and 1 if left out",
+        ),
+    ],
+)
+.with_exactly_one(&[&["triangular", "trapezoidal", "cuts"]]);
 
 pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
     "what is known of a quantity",
@@ -156,16 +221,36 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
             "[\"lankarani-nikravesh\", \"flores\"]",
             "all values that are possible: laws for the law of a contact, else values with their unit",
         ),
+        optional(
+            "evidence",
+            Kind::List(&Kind::Table(&ELEMENT_KEYS)),
+            "",
+            "intervals with masses: the true value lies in one of them, as much speaks for it as its mass says",
+        ),
+        optional("fuzzy", Kind::Table(&FUZZY_KEYS), "", "values possible to different degrees"),
+        optional(
+            "quantiles",
+            Kind::List(&Kind::List(&Kind::AnyOf(&[Kind::Number { rule: Rule::Probability }, Kind::AnyQuantity]))),
+            "[[0.05, \"0.1 mm\"], [0.5, \"0.2 mm\"], [0.95, \"0.4 mm\"]]",
+            "a quantity that scatters in an unknown way, of which a few quantiles are known, and its support",
+        ),
+        optional(
+            "mean",
+            Kind::AnyQuantity,
+            "\"0.2 mm\"",
+            "a quantity that scatters in an unknown way, of which the mean is known, and its support",
+        ),
+        optional(
+            "support",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.05 mm\", \"0.5 mm\"]",
+            "with quantiles or a mean: the least and the greatest value",
+        ),
     ],
 )
-.with_exactly_one(&[&["interval", "any_of"]])
-.with_planned(&[
-    ("evidence", LATER_EPISTEMIC),
-    ("fuzzy", LATER_EPISTEMIC),
-    ("triangular", LATER_EPISTEMIC),
-    ("trapezoidal", LATER_EPISTEMIC),
-]);
+.with_exactly_one(&[&["interval", "any_of", "evidence", "fuzzy", "quantiles", "mean"]]);
 
+pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
 pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
 pub(super) const PLAIN_STATISTICS: [&str; 3] = ["mean", "standard_deviation", "cdf"];
@@ -258,6 +343,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             Kind::Tables { keys: &EPISTEMIC_KEYS, except: &[] },
             "",
             "quantities known only as intervals, and quantities and laws known only as lists, by their paths in the model",
+        ),
+        optional(
+            "reading",
+            Kind::Choice(&READINGS),
+            "\"fixed\"",
+            "how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left out",
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),

@@ -32,6 +32,16 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// More uncertain parameters of one distribution than are checked together.
+    #[error("{entry} has {found} uncertain parameters; at most {most} are accepted")]
+    TooManyParameters {
+        /// The entry.
+        entry: String,
+        /// How many there are.
+        found: usize,
+        /// The most that are accepted.
+        most: usize,
+    },
     /// A number of a distribution that breaks its rule.
     #[error("{entry} {found}; must be {rule}")]
     DistributionRule {
@@ -69,6 +79,42 @@ pub enum StudyProblem {
         entry: String,
         /// Both ends, with their unit.
         value: String,
+    },
+    /// Intervals that do not fit together.
+    #[error("{entry}: {words}")]
+    Structure {
+        /// The entry.
+        entry: String,
+        /// What is wrong, with units.
+        words: String,
+    },
+    /// Corners of a fuzzy number that are too few or too many.
+    #[error("{entry} has {found} corners; must be {due}")]
+    Corners {
+        /// The entry.
+        entry: String,
+        /// How many there are.
+        found: usize,
+        /// How many are due.
+        due: usize,
+    },
+    /// Degrees beside cuts that have their own.
+    #[error("{entry} stands beside cuts, which have degrees of their own")]
+    DegreesTwice {
+        /// The entry.
+        entry: String,
+    },
+    /// Quantiles or a mean without ends.
+    #[error("{entry} needs a support: between which ends does the quantity lie?")]
+    NoSupport {
+        /// The entry.
+        entry: String,
+    },
+    /// A support without quantiles or a mean.
+    #[error("{entry} goes with quantiles or a mean")]
+    SupportAlone {
+        /// The entry.
+        entry: String,
     },
     /// A list with nothing to choose.
     #[error("{entry} has 1 entry; at least 2 are due")]
@@ -225,8 +271,15 @@ impl Problem for StudyProblem {
             Self::UnquotedPath { .. } => Code::UnknownPath,
             Self::InputTwice { .. } => Code::InputTwice,
             Self::UncertainParameter { .. } => Code::NotYetSupported,
-            Self::DistributionRule { .. } | Self::Distribution { .. } => Code::BadDistribution,
+            Self::DistributionRule { .. } | Self::Distribution { .. } | Self::TooManyParameters { .. } => {
+                Code::BadDistribution
+            }
             Self::SingleMember { .. } | Self::MemberTwice { .. } => Code::BadList,
+            Self::Structure { .. }
+            | Self::Corners { .. }
+            | Self::DegreesTwice { .. }
+            | Self::NoSupport { .. }
+            | Self::SupportAlone { .. } => Code::BadEvidence,
             Self::Law { error, .. } => error.code(),
             Self::RandomLaw { .. } | Self::IntervalOfLaws { .. } => Code::BadList,
             Self::IntervalTurnedRound { .. } => Code::IntervalTurnedRound,
@@ -248,10 +301,14 @@ impl Problem for StudyProblem {
             Self::Path(error) => error.hint(),
             Self::UnquotedPath { path } => Some(format!("write \"{path}\" = {{ ... }}")),
             Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
+            Self::TooManyParameters { .. } => Some("write one number for those that matter least".to_owned()),
             Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
             Self::Distribution { error: DistributionError::NothingKept { .. }, .. } => {
                 Some("cut nearer to the mean, or state a uniform distribution".to_owned())
             }
+            Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
+            Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
+            Self::DegreesTwice { .. } => Some("leave it out".to_owned()),
             Self::SingleMember { .. } => Some("write the value in the model file, or name the others".to_owned()),
             Self::MemberTwice { .. } => Some("keep one of the two".to_owned()),
             Self::Law { error, .. } => error.hint(),
