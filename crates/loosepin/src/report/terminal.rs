@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
-use super::answer::{answer, output_unit, treatment_sentences};
+use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
@@ -26,7 +26,15 @@ const MOST_ROWS: usize = 24;
 pub fn study_text(result: &StudyResult) -> String {
     let writer = NumberWriter::for_terminal(&result.display_units);
     let answer = answer(result, &writer);
-    let mut text = format!("{}\n\n{}\n", result.name, wrapped(&answer.headline, ""));
+    let mut text = format!("{}\n\n", result.name);
+    if let Some(verdict) = answer.verdict {
+        text.push_str(&format!("{}\n", verdict_headline(verdict)));
+        for requirement in &answer.requirements {
+            text.push_str(&format!("{}\n", wrapped(requirement, "- ")));
+        }
+        text.push('\n');
+    }
+    text.push_str(&format!("{}\n", wrapped(&answer.headline, "")));
     for detail in &answer.details {
         text.push_str(&format!("{}\n", wrapped(detail, "- ")));
     }

@@ -366,7 +366,7 @@ fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
     for planned in &material.plan().requirements {
         let requirement = &planned.requirement;
         for &column in &planned.columns {
-            let Some(pair) = material.pair(column, Statistic::ProbabilityBeyond(requirement.within)) else {
+            let Some(pair) = material.pair(column, requirement.limit.broken()) else {
                 continue;
             };
             // The share inside is one minus the share beyond, so the ends change places.
@@ -381,6 +381,7 @@ fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
             } else {
                 Verdict::Undecided
             };
+            let [lower_si, upper_si] = requirement.limit.ends();
             let at = match requirement.location {
                 Where::Cycle => ResponsePoint::Whole,
                 _ => material.point_of(column, false),
@@ -389,8 +390,8 @@ fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
                 output: material.name_of(column),
                 of: deviation_kind(requirement.deviation),
                 at,
-                lower_si: -requirement.within,
-                upper_si: requirement.within,
+                lower_si,
+                upper_si,
                 probability_at_least: requirement.probability_at_least,
                 probability: [least.max(0.0), (1.0 - pair.lower.widened).min(1.0)],
                 witness: material.end(&pair.upper).witness,

@@ -128,7 +128,7 @@ impl ColumnPlan {
         for requirement in &study.requirements {
             for output in plan.outputs_of(requirement.output) {
                 let spots = match &requirement.location {
-                    Where::Cycle => vec![Spot::Reduced(Reduction::MaximumAbsolute)],
+                    Where::Cycle => vec![Spot::Reduced(requirement.limit.reduction())],
                     other => spots(other),
                 };
                 let columns = plan.add(output, requirement.deviation, &spots);
@@ -186,7 +186,7 @@ impl ColumnPlan {
         }
         for planned in &self.requirements {
             for &column in &planned.columns {
-                push(column, Statistic::ProbabilityBeyond(planned.requirement.within));
+                push(column, planned.requirement.limit.broken());
             }
         }
         requests

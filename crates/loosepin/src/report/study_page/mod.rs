@@ -9,7 +9,7 @@ use maud::{Markup, html};
 
 pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
 
-use super::answer::{Answer, answer, limits_words, output_unit};
+use super::answer::{Answer, answer, limits_words, output_unit, verdict_headline};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
@@ -80,13 +80,10 @@ fn answer_markup(answer: &Answer) -> Markup {
     html! {
         @if let Some(verdict) = answer.verdict {
             p class={ "verdict " (verdict_class(verdict)) } {
-                @match verdict {
-                    Verdict::Met => "All requirements met",
-                    Verdict::NotMet => "Requirement not met",
-                    Verdict::Undecided => "Requirement undecided",
-                }
+                (verdict_headline(verdict))
             }
         }
+        @for requirement in &answer.requirements { p { (requirement) } }
         p.headline { (answer.headline) }
         ul.details { @for detail in &answer.details { li { (detail) } } }
     }

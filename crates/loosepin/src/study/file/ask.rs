@@ -1,8 +1,10 @@
 //! Questions and requirements.
 
 use super::StudyReader;
-use super::description::{Ask, Deviation, Reduction, Requirement, Where};
-use super::keys::{ASK_KEYS, DEVIATIONS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS};
+use super::description::{Ask, Deviation, Limit, Reduction, Requirement, Where};
+use super::keys::{
+    ASK_KEYS, DEVIATIONS, LIMITS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS,
+};
 use super::problem::StudyProblem;
 use crate::bounds::Statistic;
 use crate::diagnostics::nearest_name;
@@ -78,15 +80,20 @@ impl StudyReader {
         let location = self.location(table, "over", None);
         let probability_at_least = self.reader.number(table, "probability_at_least");
         let output = output?;
-        let within = table.get("within").and_then(|entry| {
+        let limit = LIMITS.into_iter().find_map(|key| {
+            let entry = table.get(key)?;
             let dimension = self.model.outputs[output].kind.dimension();
-            let within = self.reader.measured(&entry, dimension, Rule::Finite)?;
-            self.limit(&entry, within, dimension, Rule::Positive)
+            let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
+            match key {
+                "below" => Some(Limit::Below(limit)),
+                "above" => Some(Limit::Above(limit)),
+                _ => self.limit(&entry, limit, dimension, Rule::Positive).map(Limit::Within),
+            }
         });
         Some(Requirement {
             output,
             deviation: deviation?,
-            within: within?,
+            limit: limit?,
             location: location?,
             probability_at_least: probability_at_least?,
         })

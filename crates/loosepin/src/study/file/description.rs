@@ -196,15 +196,55 @@ pub struct Ask {
     pub statistics: Vec<Statistic>,
 }
 
-/// A requirement: P(|deviation| <= within) >= probability for every value of the epistemic inputs.
+/// What a requirement allows, in the SI unit of the output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// A magnitude of at most this, > 0.
+    Within(f64),
+    /// A value of at most this.
+    Below(f64),
+    /// A value of at least this.
+    Above(f64),
+}
+
+impl Limit {
+    /// The probability of breaking it.
+    pub fn broken(self) -> Statistic {
+        match self {
+            Self::Within(limit) => Statistic::ProbabilityBeyond(limit),
+            Self::Below(limit) => Statistic::ProbabilityAbove(limit),
+            Self::Above(limit) => Statistic::ProbabilityBelow(limit),
+        }
+    }
+
+    /// The number of a whole curve that breaks it where any point of the curve does.
+    pub fn reduction(self) -> Reduction {
+        match self {
+            Self::Within(_) => Reduction::MaximumAbsolute,
+            Self::Below(_) => Reduction::Maximum,
+            Self::Above(_) => Reduction::Minimum,
+        }
+    }
+
+    /// The least and the largest value allowed.
+    pub fn ends(self) -> [f64; 2] {
+        match self {
+            Self::Within(limit) => [-limit, limit],
+            Self::Below(limit) => [f64::NEG_INFINITY, limit],
+            Self::Above(limit) => [limit, f64::INFINITY],
+        }
+    }
+}
+
+/// A requirement: P(the limit is kept) >= probability for every value of the epistemic inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
     /// Index in [`Model::outputs`].
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,
-    /// The limit, in the SI unit of the output, > 0.
-    pub within: f64,
+    /// What is allowed.
+    pub limit: Limit,
     /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
     pub location: Where,
     /// The least probability, in (0, 1].

@@ -211,12 +211,17 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["at", "poses", "reduce"]]);
 
+/// What a requirement can limit.
+pub(super) const LIMITS: [&str; 3] = ["within", "below", "above"];
+
 pub(super) static REQUIRE_KEYS: Keys = Keys::new(
     "a requirement that must hold for every value of the epistemic inputs",
     &[
         required("output", Kind::Reference("output"), "\"slider\"", "an output of the model"),
         required("of", Kind::Choice(&DEVIATIONS), "\"total\"", DEVIATION_DOC),
-        required("within", Kind::AnyQuantity, "\"0.6 mm\"", "limit of the magnitude"),
+        optional(LIMITS[0], Kind::AnyQuantity, "\"0.6 mm\"", "limit of the magnitude"),
+        optional(LIMITS[1], Kind::AnyQuantity, "\"2 kN\"", "the largest value that is allowed"),
+        optional(LIMITS[2], Kind::AnyQuantity, "\"-2 kN\"", "the least value that is allowed"),
         optional("over", Kind::Choice(&["cycle"]), "\"cycle\"", "nowhere in the cycle may the limit be exceeded"),
         optional("poses", POSES, POSES_EXAMPLE, POSES_DOC),
         required(
@@ -227,7 +232,7 @@ pub(super) static REQUIRE_KEYS: Keys = Keys::new(
         ),
     ],
 )
-.with_exactly_one(&[&["over", "poses"]]);
+.with_exactly_one(&[&LIMITS, &["over", "poses"]]);
 
 pub(super) static STUDY_KEYS: Keys = Keys::new(
     "what is uncertain in a model, and what is asked",
