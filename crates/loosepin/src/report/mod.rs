@@ -4,6 +4,7 @@
 mod answer;
 mod cases_page;
 mod chart;
+mod contributors_text;
 mod glossary;
 mod measured_figures;
 mod mechanism_figure;

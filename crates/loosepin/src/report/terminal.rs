@@ -3,6 +3,7 @@
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
 use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
+use super::contributors_text::contributors_text;
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
@@ -60,6 +61,7 @@ pub fn study_text(result: &StudyResult) -> String {
             text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
         }
     }
+    text.push_str(&contributors_text(result, &writer));
     for comparison in &result.treatments {
         text.push_str(&format!(
             "\nThree ways to treat what is not known: {} {}, {}\n\n{}\n",

@@ -10,11 +10,12 @@ pub use runs_table::runs_table;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
+use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::result::{
-    BoundEnd, BoundRecord, CoveragePoint, DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError,
-    ProbabilityBox, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison,
-    TreatmentKind, Verdict, Witness, WitnessValue,
+    BoundEnd, BoundRecord, Contributors, CoveragePoint, DeviationKind, FORMAT, GuaranteeKind, IntervalReading,
+    NumericalError, ProbabilityBox, RareEnd, RareRecord, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult,
+    TreatmentBand, TreatmentComparison, TreatmentKind, Verdict, Witness, WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
@@ -25,18 +26,13 @@ pub(super) struct Material<'m> {
     pub response: &'m StudyResponse,
     pub table: &'m SampleTable,
     pub bounds: &'m Bounds,
+    pub rare: &'m [Rare],
 }
 
 /// Puts the result together.
-pub fn assemble(
-    study: &Study,
-    input_hash: &str,
-    response: &StudyResponse,
-    table: &SampleTable,
-    bounds: &Bounds,
-) -> StudyResult {
-    let material = Material { study, response, table, bounds };
-    let pictures = drawing::pictures(&material);
+pub(super) fn assemble(material: &Material<'_>, input_hash: &str, contributors: Vec<Contributors>) -> StudyResult {
+    let study = material.study;
+    let pictures = drawing::pictures(material);
     StudyResult {
         format: FORMAT,
         name: study.name.clone(),
@@ -46,19 +42,21 @@ pub fn assemble(
         seed: study.seed,
         inputs: describe::inputs(study),
         correlations: Vec::new(),
-        cycle: describe::cycle(&material),
-        outputs: describe::outputs(&material),
-        counts: summary::counts(&material),
-        failures: summary::failures(&material),
-        settled_share: summary::settled_share(&material),
-        requirements: requirements(&material),
-        bounds: asked_bounds(&material),
-        treatments: treatments(&material),
-        energy: summary::energy(&material),
-        impacts: summary::impacts(&material),
+        cycle: describe::cycle(material),
+        outputs: describe::outputs(material),
+        counts: summary::counts(material),
+        failures: summary::failures(material),
+        settled_share: summary::settled_share(material),
+        requirements: requirements(material),
+        bounds: asked_bounds(material),
+        rare: rare_records(material),
+        contributors,
+        treatments: treatments(material),
+        energy: summary::energy(material),
+        impacts: summary::impacts(material),
         display_units: DisplayUnits::default(),
-        curves: curves::curves(&material, &pictures),
-        boxes: boxes(&material),
+        curves: curves::curves(material, &pictures),
+        boxes: boxes(material),
         orbits: pictures.orbits,
         drawing: pictures.drawing,
     }
@@ -70,7 +68,7 @@ impl Material<'_> {
     }
 
     /// The epistemic inputs by path.
-    fn witness(&self, epistemic: &[f64]) -> Witness {
+    pub fn witness(&self, epistemic: &[f64]) -> Witness {
         let named = self.study.epistemic.iter().zip(epistemic);
         let shown = |input: &EpistemicInput, value: f64| match input.law(value) {
             Some(law) => WitnessValue::Choice(law.name().to_owned()),
@@ -128,16 +126,16 @@ impl Material<'_> {
         Some([lower, upper])
     }
 
-    fn unit_of(&self, column: usize) -> SiUnit {
+    pub fn unit_of(&self, column: usize) -> SiUnit {
         self.plan().outputs[self.plan().columns[column].output].unit.clone()
     }
 
-    fn name_of(&self, column: usize) -> String {
+    pub fn name_of(&self, column: usize) -> String {
         self.plan().outputs[self.plan().columns[column].output].name.clone()
     }
 
     /// Where a column is taken; `in_curve` tells that it is a point of a curve.
-    fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
+    pub fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
         match self.plan().columns[column].spot {
             Spot::Pose { angle_rad: pose_rad, .. } => {
                 if in_curve {
@@ -228,7 +226,11 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                 let (Some(statistic), Some(pair)) = (statistic_kind(asked), material.pair(column, asked)) else {
                     continue;
                 };
-                let Some([lower, upper]) = material.ends(column, asked) else { continue };
+                let Some([mut lower, mut upper]) = material.ends(column, asked) else { continue };
+                let rare = material.rare.iter().find(|rare| rare.column == column && rare.statistic == asked);
+                if let Some(rare) = rare {
+                    [lower, upper] = rare.bounds.each_ref().map(|bound| material.end(bound));
+                }
                 let unit = if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
                 records.push(BoundRecord {
                     output: material.name_of(column),
@@ -241,7 +243,7 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                     lower,
                     upper,
                     // Failed runs may have had any response: for means and deviations no bound exists then.
-                    guarantee: if pair.unbounded_by_failures {
+                    guarantee: if pair.unbounded_by_failures || rare.is_some_and(|rare| !rare.is_confirmed) {
                         GuaranteeKind::Inner
                     } else {
                         guarantee(pair.lower.guarantee)
@@ -251,6 +253,29 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
         }
     }
     records
+}
+
+/// How small probabilities were estimated.
+fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
+    let end = |end: &rare::RareEnd| RareEnd {
+        method: end.method,
+        probability: end.estimate.value,
+        standard_error: end.estimate.standard_error,
+        reliability_index: end.index,
+        runs: end.estimate.runs as u64,
+        failed: end.estimate.failed as u64,
+    };
+    let record = |rare: &Rare| {
+        Some(RareRecord {
+            output: material.name_of(rare.column),
+            of: deviation_kind(material.plan().columns[rare.column].deviation),
+            at: material.point_of(rare.column, false),
+            statistic: statistic_kind(rare.statistic)?,
+            lower: end(&rare.ends[0]),
+            upper: end(&rare.ends[1]),
+        })
+    };
+    material.rare.iter().filter_map(record).collect()
 }
 
 fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {

@@ -172,9 +172,12 @@ impl ColumnPlan {
                 }
                 if is_curve {
                     push(column, Statistic::Mean);
+                }
+                if is_curve || planned.ask.contributors {
                     push(column, Statistic::Quantile(BAND[0]));
                     push(column, Statistic::Quantile(BAND[1]));
-                } else {
+                }
+                if !is_curve {
                     push(column, Statistic::Cdf);
                 }
             }

@@ -1,13 +1,17 @@
 //! Running a study: rounds of runs on all threads, with progress and an emergency stop.
 
-use super::assemble::assemble;
+use super::assemble::{Material, assemble};
+use super::contributors::{ContributorPlan, contributors};
 use super::file::Study;
+use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
 use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, RunInputs, SampleTable, Sampling, TableError};
+use crate::contributors::IndexPlanError;
 use crate::math::Vectors;
 use crate::simulate::RunFailure;
+use crate::uncertainty::SobolError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use thiserror::Error;
@@ -37,6 +41,9 @@ pub enum StudyError {
     /// Its sampling is not possible.
     #[error(transparent)]
     Plan(#[from] PlanError),
+    /// Shares of the variance are not possible.
+    #[error(transparent)]
+    Contributors(#[from] IndexPlanError),
     /// The threads could not be started.
     #[error("the threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -82,7 +89,15 @@ pub struct Conducted {
 /// The study cannot begin or its sampling is not possible.
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
-    Ok(DoubleLoop::try_new(problem(study, &response))?.most_runs())
+    let plan = DoubleLoop::try_new(problem(study, &response))?;
+    let contributor_plan = ContributorPlan::new(study, &plan)?;
+    Ok(most_runs(&response, &plan, contributor_plan.as_ref()))
+}
+
+/// The runs of all parts.
+fn most_runs(response: &StudyResponse, plan: &DoubleLoop, contributors: Option<&ContributorPlan>) -> usize {
+    let rare = requests(&response.shared.plan.asks).count();
+    plan.most_runs() + contributors.map_or(0, ContributorPlan::runs) + MOST_RARE_RUNS * rare
 }
 
 /// Runs that are timed: enough to fill the lanes of a thread more than once.
@@ -137,21 +152,64 @@ pub fn conduct(
 ) -> Result<Conducted, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
-    let most_runs = plan.most_runs();
-    let mut table = SampleTable::with_capacity(response.row_length(), most_runs);
+    let contributor_plan = ContributorPlan::new(study, &plan)?;
+    let most_runs = most_runs(&response, &plan, contributor_plan.as_ref());
+    let mut table = SampleTable::with_capacity(response.row_length(), plan.most_runs());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs };
     progress.runs(0, most_runs);
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
+        runner.run(&round, &mut table)?;
+        round = pool.install(|| plan.next_round(&table))?;
+    }
+    if table.failed() == table.len() {
+        return Err(all_failed(&response, &table));
+    }
+    let bounds = pool.install(|| plan.results(&table))?;
+    if let Some(contributor_plan) = &contributor_plan {
+        runner.run(&contributor_plan.round(study, bounds.rounds), &mut table)?;
+    }
+    let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
+    let material = Material { study, response: &response, table: &table, bounds: &bounds, rare: &rare };
+    let result = pool.install(|| {
+        let contributors = contributors(&material, &plan, contributor_plan.as_ref());
+        assemble(&material, input_hash, contributors)
+    });
+    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
+}
+
+/// What runs need, whatever they are for.
+pub(super) struct Runner<'s> {
+    pub study: &'s Study,
+    pub response: &'s StudyResponse,
+    pool: &'s rayon::ThreadPool,
+    progress: &'s dyn Progress,
+    stop: &'s AtomicBool,
+    most_runs: usize,
+}
+
+impl From<SobolError> for StudyError {
+    fn from(error: SobolError) -> Self {
+        Self::Plan(error.into())
+    }
+}
+
+impl Runner<'_> {
+    /// Runs `round` and adds its rows to `table`.
+    ///
+    /// # Errors
+    /// The study was interrupted.
+    pub fn run(&self, round: &[RunInputs], table: &mut SampleTable) -> Result<(), StudyError> {
         for batch in round.chunks(RUNS_PER_BATCH) {
             let done = AtomicUsize::new(table.len());
             let finished = || {
                 let runs = done.fetch_add(1, Ordering::Relaxed) + 1;
                 if runs.is_multiple_of(RUNS_PER_REPORT) {
-                    progress.runs(runs, most_runs);
+                    self.progress.runs(runs, self.most_runs);
                 }
             };
-            let outcomes = pool.install(|| evaluate(batch, &response, stop, &finished));
+            let outcomes = self.pool.install(|| evaluate(batch, self.response, self.stop, &finished));
             let is_stopped = outcomes.iter().any(Option::is_none);
             for (inputs, outcome) in batch.iter().zip(outcomes) {
                 if let Some(outcome) = outcome {
@@ -159,19 +217,13 @@ pub fn conduct(
                 }
             }
             if is_stopped {
-                let finished = Box::new(super::assemble::runs_table(study, &response, &table));
-                return Err(StudyError::Interrupted { finished, most_runs });
+                let finished = Box::new(super::assemble::runs_table(self.study, self.response, table));
+                return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
             }
-            progress.runs(table.len(), most_runs);
+            self.progress.runs(table.len(), self.most_runs);
         }
-        round = pool.install(|| plan.next_round(&table))?;
+        Ok(())
     }
-    if table.failed() == table.len() {
-        return Err(all_failed(&response, &table));
-    }
-    let bounds = pool.install(|| plan.results(&table))?;
-    let result = assemble(study, input_hash, &response, &table, &bounds);
-    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
 
 /// Columns and extras of a finished run, or why it gave nothing.

@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use description::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, Reduction, Requirement, Sampling, Study,
-    Where,
+    Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling,
+    Study, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use problem::StudyProblem;

@@ -4,11 +4,13 @@ mod assemble;
 mod columns;
 mod complaint;
 mod conduct;
+mod contributors;
 mod file;
 pub mod files;
 mod ideal_curve;
 mod input_file;
 mod lanes;
+mod rare;
 mod recorder;
 mod response;
 pub mod result;
@@ -16,7 +18,7 @@ pub mod runs;
 
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use file::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, Reduction, Requirement, Sampling, Study,
-    StudyProblem, Where, study_schema,
+    Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling,
+    Study, StudyProblem, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};

@@ -127,6 +127,8 @@ pub fn worn_pin() -> StudyResult {
         settled_share: Some(0.874),
         requirements: requirements(&outers),
         bounds: bounds(&outers, &poses),
+        rare: Vec::new(),
+        contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
         energy: Some(energy()),
         impacts: vec![JointImpacts {
@@ -420,4 +422,39 @@ pub fn runs_table() -> RunsTable {
             plain("steps", RunData::U64((0..RUNS as u64).map(|row| 3000 + row % 97).collect())),
         ],
     }
+}
+
+/// Contributors to the largest deviation; their numbers belong to no run.
+fn contributors() -> Vec<Contributors> {
+    let share = |centre: f64| ShareRange { centre, error: 0.012, lower: centre - 0.03, upper: centre + 0.04 };
+    let random = |path: &str, total: f64, band_share: f64| RandomContributor {
+        paths: vec![path.to_owned()],
+        first: share(total - 0.02),
+        total: share(total),
+        band_share,
+        quasi_static_share: Some(total + 0.01),
+    };
+    let epistemic = |path: &str, band_share: [f64; 2], quasi_static_share: Option<f64>| EpistemicContributor {
+        path: path.to_owned(),
+        band_share,
+        error: 0.015,
+        quasi_static_share,
+    };
+    vec![Contributors {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        unit: SiUnit::LENGTH,
+        band_width_si: 4.7e-4,
+        band_width_error_si: 5e-6,
+        points: vec![Witness::new(); 5],
+        pairs: 256,
+        left_out: 0,
+        confidence: 0.95,
+        random: vec![random("parameter.rod_length", 0.67, 0.07), random("parameter.crank_length", 0.33, 0.03)],
+        epistemic: vec![
+            epistemic("joint.gudgeon.radial_clearance", [0.71, 0.84], Some(1.0)),
+            epistemic("contact.steel_pin.restitution", [0.01, 0.04], None),
+        ],
+    }]
 }

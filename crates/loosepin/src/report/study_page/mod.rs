@@ -1,6 +1,7 @@
 //! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
 
 mod bounds_table;
+mod contributors;
 mod curves;
 mod provenance;
 mod treatments;
@@ -8,6 +9,7 @@ mod treatments;
 use maud::{Markup, html};
 
 pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
+pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
 use super::answer::{Answer, answer, limits_words, output_unit, verdict_headline};
 use super::mechanism_figure::mechanism_figure;
@@ -35,6 +37,13 @@ pub fn study_page(result: &StudyResult) -> String {
     }
     if !result.boxes.is_empty() {
         sections.push(Section::new("boxes", "How likely is which size", curves::box_charts(result, &writer)));
+    }
+    if !result.contributors.is_empty() {
+        sections.push(Section::new(
+            "contributors",
+            "What would make it narrower",
+            contributors::contributors(result, &writer),
+        ));
     }
     if !result.treatments.is_empty() {
         sections.push(Section::new(

@@ -192,8 +192,23 @@ pub struct Ask {
     pub deviation: Deviation,
     /// Where in the cycle.
     pub location: Where,
-    /// Which statistics; limits in the SI unit of the output. At least one.
+    /// Which statistics; limits in the SI unit of the output. At least one, or contributors.
     pub statistics: Vec<Statistic>,
+    /// Whether it is asked what contributes to the answer.
+    pub contributors: bool,
+    /// Probabilities among the statistics that are not only counted.
+    pub rare: Vec<(Statistic, RareMethod)>,
+}
+
+/// How a small probability is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RareMethod {
+    /// By sampling around design points; by subset simulation where these cannot be relied on.
+    Importance,
+    /// By subset simulation.
+    Subset,
+    /// As by importance, where the double loop counts too few.
+    Automatic,
 }
 
 /// What a requirement allows, in the SI unit of the output.

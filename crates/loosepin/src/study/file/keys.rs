@@ -168,8 +168,11 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
 
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
 pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
-pub(super) const PLAIN_STATISTICS: [&str; 3] = ["mean", "standard_deviation", "cdf"];
+pub(super) const PLAIN_STATISTICS: [&str; 4] = ["mean", "standard_deviation", "cdf", "contributors"];
 pub(super) const STATISTICS: [&str; 4] = ["quantile", "probability_above", "probability_below", "probability_beyond"];
+
+/// Ways to estimate a probability.
+pub(super) const METHODS: [&str; 4] = ["count", "importance", "subset", "automatic"];
 
 pub(super) static STATISTIC_KEYS: Keys = Keys::new(
     "a statistic with a number",
@@ -183,6 +186,12 @@ pub(super) static STATISTIC_KEYS: Keys = Keys::new(
         optional(STATISTICS[1], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
         optional(STATISTICS[2], Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
         optional(STATISTICS[3], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
+        optional(
+            "method",
+            Kind::Choice(&METHODS),
+            "\"importance\"",
+            "of a probability: count (if left out), importance or subset for small ones, automatic where too few are counted",
+        ),
     ],
 )
 .with_exactly_one(&[&STATISTICS]);
@@ -205,7 +214,7 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
             "statistics",
             Kind::List(&Kind::AnyOf(&[Kind::Choice(&PLAIN_STATISTICS), Kind::Table(&STATISTIC_KEYS)])),
             "[\"mean\", { quantile = 0.975 }]",
-            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond",
+            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond; contributors",
         ),
     ],
 )

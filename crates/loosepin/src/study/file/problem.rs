@@ -179,6 +179,26 @@ pub enum StudyProblem {
         /// The drive of the cycle.
         due: String,
     },
+    /// A method for what is no probability.
+    #[error("{entry}: a quantile has no method")]
+    MethodOfQuantile {
+        /// The entry.
+        entry: String,
+    },
+    /// A small probability where nothing scatters.
+    #[error("{entry}: nothing is random, so that no probability is small")]
+    NothingRandom {
+        /// The entry.
+        entry: String,
+    },
+    /// A small probability at every pose of a curve.
+    #[error(
+        "{entry}: small probabilities are estimated at poses or of one number of the curve, not of the whole curve"
+    )]
+    RareCurve {
+        /// The entry.
+        entry: String,
+    },
     /// An empty list.
     #[error("{entry} is empty; at least one is due")]
     Empty {
@@ -235,9 +255,13 @@ impl Problem for StudyProblem {
             Self::ImpossibleEnd { error, .. } | Self::ImpossibleTogether { error } => error.code(),
             Self::ImpossibleShare { .. } => Code::ImpossibleShare,
             Self::UnknownOutput { .. } => Code::UnknownReference,
-            Self::PathOutput { .. } | Self::WrongDrive { .. } | Self::Empty { .. } | Self::Limit { .. } => {
-                Code::AskNotPossible
-            }
+            Self::PathOutput { .. }
+            | Self::WrongDrive { .. }
+            | Self::Empty { .. }
+            | Self::Limit { .. }
+            | Self::MethodOfQuantile { .. }
+            | Self::NothingRandom { .. }
+            | Self::RareCurve { .. } => Code::AskNotPossible,
             Self::NothingUncertain => Code::NothingUncertain,
             Self::NothingAsked => Code::NothingAsked,
         }
@@ -277,6 +301,11 @@ impl Problem for StudyProblem {
             Self::UnknownOutput { known, .. } => Some(format!("there is {}", listed(known, "and"))),
             Self::PathOutput { .. } => {
                 Some("give the model an output position_of the point along x or y, and ask for that".to_owned())
+            }
+            Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
+            Self::NothingRandom { .. } => Some("leave 'method' out".to_owned()),
+            Self::RareCurve { .. } => {
+                Some("write reduce = \"maximum_absolute\" for anywhere in the cycle, or name poses".to_owned())
             }
             Self::NothingUncertain => {
                 Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())

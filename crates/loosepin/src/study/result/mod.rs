@@ -1,8 +1,10 @@
 //! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
 
 mod bound;
+mod contributors;
 mod figures;
 mod inputs;
+mod rare;
 
 use serde::{Deserialize, Serialize};
 
@@ -10,6 +12,7 @@ pub use bound::{
     BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, Reduction, ResponsePoint,
     StatisticKind, TreatmentKind, Witness, WitnessValue,
 };
+pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
     TreatmentBand, TreatmentComparison,
@@ -18,6 +21,8 @@ pub use inputs::{
     CorrelationDescription, CycleDescription, ExampleRun, FailureGroup, InputDescription, InputKind, OutputDescription,
     RunCounts,
 };
+
+pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};
@@ -56,6 +61,12 @@ pub struct StudyResult {
     pub requirements: Vec<RequirementOutcome>,
     /// Every bound.
     pub bounds: Vec<BoundRecord>,
+    /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
+    #[serde(default)]
+    pub rare: Vec<RareRecord>,
+    /// What contributes to the answers that were asked so.
+    #[serde(default)]
+    pub contributors: Vec<Contributors>,
     /// The three treatments side by side.
     pub treatments: Vec<TreatmentComparison>,
     /// Energy residuals of the runs: their own check.

@@ -1,0 +1,7 @@
+//! How much each random input has to do with the scatter of a response: Sobol' indices.
+//!
+//! It knows a function from points of the unit cube to numbers, and nothing else; see [`IndexPlan`].
+
+mod sobol_indices;
+
+pub use sobol_indices::{Index, IndexPlan, IndexPlanError, Indices, SHARES_CONFIDENCE};
