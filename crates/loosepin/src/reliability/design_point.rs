@@ -14,6 +14,8 @@ const LEAST_DISTANCE: f64 = 0.5;
 const FURTHEST_BEYOND: f64 = 1.2;
 /// A step is halved at most so often.
 const MOST_HALVINGS: u32 = 4;
+/// No step goes further out than this: no event there is worth a number.
+const LARGEST_RADIUS: f64 = 10.0;
 /// Radius at which directions are tried for further starts.
 const PROBE_RADIUS: f64 = 3.0;
 /// Random directions that are tried, for each dimension and at least.
@@ -115,7 +117,8 @@ pub(super) fn descend<E>(
         if !(steepness > 0.0) {
             return Ok(None);
         }
-        let factor = (dot(&gradient, &point) - value) / steepness;
+        let straight = (dot(&gradient, &point) - value) / steepness;
+        let factor = straight.clamp(-LARGEST_RADIUS / steepness.sqrt(), LARGEST_RADIUS / steepness.sqrt());
         let target: Vec<f64> = gradient.iter().map(|g| factor * g).collect();
         let penalty = 2.0 * (square(&point) / steepness).sqrt().max(1.0);
         let merit = |at: &[f64], value: f64| 0.5 * square(at) + penalty * value.abs();

@@ -4,6 +4,7 @@ use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyl
 
 use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
 use super::contributors_text::contributors_text;
+use super::inverse::{inverse_sentences, rare_sentences};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
@@ -59,6 +60,17 @@ pub fn study_text(result: &StudyResult) -> String {
         }
         if shown.len() > MOST_ROWS {
             text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
+        }
+    }
+    for (title, sentences) in [
+        ("Small probabilities", rare_sentences(result, &writer)),
+        ("What the requirements allow", inverse_sentences(result, &writer)),
+    ] {
+        if !sentences.is_empty() {
+            text.push_str(&format!("\n{title}\n\n"));
+        }
+        for sentence in sentences {
+            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
         }
     }
     text.push_str(&contributors_text(result, &writer));

@@ -13,9 +13,10 @@ use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
 use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::result::{
-    BoundEnd, BoundRecord, Contributors, CoveragePoint, DeviationKind, FORMAT, GuaranteeKind, IntervalReading,
-    NumericalError, ProbabilityBox, RareEnd, RareRecord, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult,
-    TreatmentBand, TreatmentComparison, TreatmentKind, Verdict, Witness, WitnessValue,
+    AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, DeviationKind, FORMAT,
+    GuaranteeKind, IntervalReading, NumericalError, ProbabilityBox, RareEnd, RareRecord, RequirementOutcome,
+    ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict, Witness,
+    WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
@@ -29,8 +30,15 @@ pub(super) struct Material<'m> {
     pub rare: &'m [Rare],
 }
 
+/// What is not made from the runs of the double loop.
+pub(super) struct Extra {
+    pub contributors: Vec<Contributors>,
+    pub allowances: Vec<AllowanceRecord>,
+    pub allocation: Option<AllocationRecord>,
+}
+
 /// Puts the result together.
-pub(super) fn assemble(material: &Material<'_>, input_hash: &str, contributors: Vec<Contributors>) -> StudyResult {
+pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) -> StudyResult {
     let study = material.study;
     let pictures = drawing::pictures(material);
     StudyResult {
@@ -48,9 +56,11 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, contributors: 
         failures: summary::failures(material),
         settled_share: summary::settled_share(material),
         requirements: requirements(material),
+        allowances: extra.allowances,
+        allocation: extra.allocation,
         bounds: asked_bounds(material),
         rare: rare_records(material),
-        contributors,
+        contributors: extra.contributors,
         treatments: treatments(material),
         energy: summary::energy(material),
         impacts: summary::impacts(material),
@@ -386,7 +396,7 @@ fn mixture_purpose(material: &Material<'_>) -> Purpose {
     if material.study.epistemic.is_empty() { Purpose::DoubleLoop } else { Purpose::Mixture }
 }
 
-fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
+pub(super) fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
     let mut outcomes = Vec::new();
     for planned in &material.plan().requirements {
         let requirement = &planned.requirement;

@@ -1,6 +1,7 @@
 //! Running a study: rounds of runs on all threads, with progress and an emergency stop.
 
-use super::assemble::{Material, assemble};
+use super::allow::{allocation, allowances, most_studies, runs_of_a_study};
+use super::assemble::{Extra, Material, assemble};
 use super::contributors::{ContributorPlan, contributors};
 use super::file::Study;
 use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
@@ -91,13 +92,19 @@ pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    Ok(most_runs(&response, &plan, contributor_plan.as_ref()))
+    Ok(most_runs(study, &response, &plan, contributor_plan.as_ref()))
 }
 
 /// The runs of all parts.
-fn most_runs(response: &StudyResponse, plan: &DoubleLoop, contributors: Option<&ContributorPlan>) -> usize {
-    let rare = requests(&response.shared.plan.asks).count();
-    plan.most_runs() + contributors.map_or(0, ContributorPlan::runs) + MOST_RARE_RUNS * rare
+fn most_runs(
+    study: &Study,
+    response: &StudyResponse,
+    plan: &DoubleLoop,
+    contributors: Option<&ContributorPlan>,
+) -> usize {
+    let rare = MOST_RARE_RUNS * requests(&response.shared.plan.asks).count();
+    let allowed = most_studies(study) * runs_of_a_study(study);
+    plan.most_runs() + contributors.map_or(0, ContributorPlan::runs) + rare + allowed
 }
 
 /// Runs that are timed: enough to fill the lanes of a thread more than once.
@@ -153,10 +160,11 @@ pub fn conduct(
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    let most_runs = most_runs(&response, &plan, contributor_plan.as_ref());
+    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref());
     let mut table = SampleTable::with_capacity(response.row_length(), plan.most_runs());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    let runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs };
+    let before = AtomicUsize::new(0);
+    let runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs, before: &before };
     progress.runs(0, most_runs);
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
@@ -171,22 +179,36 @@ pub fn conduct(
         runner.run(&contributor_plan.round(study, bounds.rounds), &mut table)?;
     }
     let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
+    // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
+    runner.advance(table.len());
+    let kept = |error: StudyError| match error {
+        StudyError::Interrupted { most_runs, .. } => {
+            let finished = Box::new(super::assemble::runs_table(study, &response, &table));
+            StudyError::Interrupted { finished, most_runs }
+        }
+        error => error,
+    };
+    let allowances = allowances(&runner).map_err(kept)?;
+    let allocation = allocation(&runner).map_err(kept)?;
     let material = Material { study, response: &response, table: &table, bounds: &bounds, rare: &rare };
     let result = pool.install(|| {
         let contributors = contributors(&material, &plan, contributor_plan.as_ref());
-        assemble(&material, input_hash, contributors)
+        assemble(&material, input_hash, Extra { contributors, allowances, allocation })
     });
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
 
 /// What runs need, whatever they are for.
+#[derive(Clone, Copy)]
 pub(super) struct Runner<'s> {
     pub study: &'s Study,
     pub response: &'s StudyResponse,
-    pool: &'s rayon::ThreadPool,
-    progress: &'s dyn Progress,
-    stop: &'s AtomicBool,
-    most_runs: usize,
+    pub pool: &'s rayon::ThreadPool,
+    pub progress: &'s dyn Progress,
+    pub stop: &'s AtomicBool,
+    pub most_runs: usize,
+    /// Runs in tables that are finished.
+    pub before: &'s AtomicUsize,
 }
 
 impl From<SobolError> for StudyError {
@@ -196,13 +218,19 @@ impl From<SobolError> for StudyError {
 }
 
 impl Runner<'_> {
+    /// Counts the runs of a finished table for the progress.
+    pub fn advance(&self, runs: usize) {
+        self.before.fetch_add(runs, Ordering::Relaxed);
+    }
+
     /// Runs `round` and adds its rows to `table`.
     ///
     /// # Errors
     /// The study was interrupted.
     pub fn run(&self, round: &[RunInputs], table: &mut SampleTable) -> Result<(), StudyError> {
         for batch in round.chunks(RUNS_PER_BATCH) {
-            let done = AtomicUsize::new(table.len());
+            let before = self.before.load(Ordering::Relaxed);
+            let done = AtomicUsize::new(before + table.len());
             let finished = || {
                 let runs = done.fetch_add(1, Ordering::Relaxed) + 1;
                 if runs.is_multiple_of(RUNS_PER_REPORT) {
@@ -220,7 +248,7 @@ impl Runner<'_> {
                 let finished = Box::new(super::assemble::runs_table(self.study, self.response, table));
                 return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
             }
-            self.progress.runs(table.len(), self.most_runs);
+            self.progress.runs(before + table.len(), self.most_runs);
         }
         Ok(())
     }
@@ -281,7 +309,7 @@ fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
 }
 
 /// The question in the words of the uncertainty wing.
-fn problem(study: &Study, response: &StudyResponse) -> Problem {
+pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
     let plan = &response.shared.plan;
     let replicates = study.sampling.replicates;
     let choices = study.epistemic.iter().map(|input| input.variable.choices());

@@ -1,5 +1,6 @@
 //! From the text of a study file to a study, with all its complaints at once.
 
+mod allow;
 mod ask;
 mod check;
 mod description;
@@ -11,8 +12,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use description::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling,
-    Study, Where,
+    Allowance, AllowedInput, Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod,
+    Reduction, Requirement, Sampling, Study, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use problem::StudyProblem;
@@ -98,6 +99,7 @@ fn read(
     }
     let asks = file.read_asks(&root);
     let requirements = file.read_requirements(&root);
+    let allowances = file.read_allowances(&root, &requirements);
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -115,6 +117,7 @@ fn read(
         epistemic: file.epistemic,
         asks,
         requirements,
+        allowances,
         warnings,
         source: file.reader.source,
     })

@@ -1,5 +1,6 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
 
+mod allow;
 mod assemble;
 mod columns;
 mod complaint;
@@ -18,7 +19,7 @@ pub mod runs;
 
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use file::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling,
-    Study, StudyProblem, Where, study_schema,
+    Allowance, AllowedInput, Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod,
+    Reduction, Requirement, Sampling, Study, StudyProblem, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};

@@ -22,7 +22,7 @@ const MOST_CORNERS: usize = 8;
 const LARGEST_VARIATION: f64 = 0.25;
 /// Points of a level of the subset simulations that only compare places.
 const COMPARING_LEVEL: usize = 500;
-/// The nearest probability to 1 that has a quantile.
+/// The nearest probability to 1 that has a quantile; the nearest to 0 is the least positive number.
 const LARGEST_PROBABILITY: f64 = 1.0 - f64::EPSILON / 2.0;
 /// Separates the stream of random numbers.
 const RARE: u64 = 0x7261_7265_0000;
@@ -272,5 +272,7 @@ impl End {
 /// The random inputs at standard normal numbers, through the quantile functions of their distributions.
 fn random_inputs(study: &Study, point: &[f64]) -> Vec<f64> {
     let inputs = study.random.iter().zip(point);
-    inputs.map(|(input, &x)| input.variable.quantile(normal_cdf(x).min(LARGEST_PROBABILITY))).collect()
+    inputs
+        .map(|(input, &x)| input.variable.quantile(normal_cdf(x).clamp(f64::MIN_POSITIVE, LARGEST_PROBABILITY)))
+        .collect()
 }

@@ -126,6 +126,8 @@ pub fn worn_pin() -> StudyResult {
         }],
         settled_share: Some(0.874),
         requirements: requirements(&outers),
+        allowances: allowances(),
+        allocation: allocation(),
         bounds: bounds(&outers, &poses),
         rare: Vec::new(),
         contributors: contributors(),
@@ -457,4 +459,52 @@ fn contributors() -> Vec<Contributors> {
             epistemic("contact.steel_pin.restitution", [0.01, 0.04], None),
         ],
     }]
+}
+
+/// How far the play may grow; its numbers belong to no run.
+fn allowances() -> Vec<AllowanceRecord> {
+    let check = |value_si: f64, is_confirmation: bool, share: f64, verdict: Verdict| AllowanceCheck {
+        value_si,
+        is_confirmation,
+        share,
+        required_share: 0.9973,
+        verdict,
+    };
+    vec![AllowanceRecord {
+        path: CLEARANCE.to_owned(),
+        what: Loosened::UpperEnd,
+        unit: SiUnit::LENGTH,
+        up_to_si: 5e-4,
+        allowed_si: Some(3.125e-4),
+        beyond_si: Some(3.1875e-4),
+        checks: vec![
+            check(5e-4, false, 0.31, Verdict::NotMet),
+            check(3.125e-4, true, 0.9991, Verdict::Met),
+            check(3.1875e-4, true, 0.9962, Verdict::Undecided),
+        ],
+        runs: 147_456,
+    }]
+}
+
+/// What is cheapest.
+fn allocation() -> Option<AllocationRecord> {
+    let input = |path: &str, what: Loosened, value_si: f64, cost: f64| AllocatedInput {
+        path: path.to_owned(),
+        what,
+        unit: SiUnit::LENGTH,
+        value_si,
+        cost,
+    };
+    Some(AllocationRecord {
+        choices: vec![
+            input(CLEARANCE, Loosened::UpperEnd, 3e-4, 12.0),
+            input("parameter.rod_length", Loosened::StandardDeviation, 5e-5, 3.5),
+        ],
+        cost: 15.5,
+        combinations: 9,
+        studies: 3,
+        excluded: 4,
+        is_cheapest: true,
+        runs: 49_152,
+    })
 }

@@ -12,6 +12,7 @@ pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
 pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
 use super::answer::{Answer, answer, limits_words, output_unit, verdict_headline};
+use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
@@ -28,6 +29,14 @@ pub fn study_page(result: &StudyResult) -> String {
     let mut sections = Vec::new();
     if !result.requirements.is_empty() {
         sections.push(Section::new("requirements", "Requirements", requirements(result, &writer)));
+    }
+    for (id, title, sentences) in [
+        ("allowed", "What the requirements allow", inverse_sentences(result, &writer)),
+        ("rare", "Small probabilities", rare_sentences(result, &writer)),
+    ] {
+        if !sentences.is_empty() {
+            sections.push(Section::new(id, title, html! { ul { @for sentence in &sentences { li { (sentence) } } } }));
+        }
     }
     if !result.bounds.is_empty() {
         sections.push(Section::new("bounds", "The numbers", bounds_table::bounds_table(result, &writer)));

@@ -33,6 +33,8 @@ pub struct Study {
     pub asks: Vec<Ask>,
     /// What is required, in file order.
     pub requirements: Vec<Requirement>,
+    /// What may be loosened as far as the requirements allow, in file order.
+    pub allowances: Vec<Allowance>,
     /// What is allowed in model and study and yet looks like an oversight.
     pub warnings: Vec<Complaint>,
     pub(super) source: Arc<Source>,
@@ -264,4 +266,28 @@ pub struct Requirement {
     pub location: Where,
     /// The least probability, in (0, 1].
     pub probability_at_least: f64,
+}
+
+/// What may be loosened as far as the requirements allow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Allowance {
+    /// Path of the input.
+    pub path: String,
+    /// What of it is loosened.
+    pub input: AllowedInput,
+    /// The least value, SI: the lower end of the interval, or 0.
+    pub least_si: f64,
+    /// The largest value that is asked about, SI.
+    pub up_to_si: f64,
+    /// Values that are offered, tightest first, each with its cost; empty where it is not priced.
+    pub costs: Vec<[f64; 2]>,
+}
+
+/// What of an input is loosened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AllowedInput {
+    /// The upper end of the interval of this epistemic input.
+    UpperEnd(usize),
+    /// The standard deviation of this random input.
+    StandardDeviation(usize),
 }

@@ -243,6 +243,19 @@ pub(super) static REQUIRE_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&LIMITS, &["over", "poses"]]);
 
+pub(super) static ALLOW_KEYS: Keys = Keys::new(
+    "what may be loosened as far as the requirements allow: the upper end of an interval, or a standard deviation",
+    &[
+        required("up_to", Kind::AnyQuantity, "\"0.5 mm\"", "the largest value that is asked about"),
+        optional(
+            "cost",
+            Kind::List(&Kind::List(&Kind::AnyQuantity)),
+            "[[\"0.01 mm\", 12.0], [\"0.05 mm\", 3.0]]",
+            "values that are offered, each with its cost; the cheapest combination over all inputs is chosen",
+        ),
+    ],
+);
+
 pub(super) static STUDY_KEYS: Keys = Keys::new(
     "what is uncertain in a model, and what is asked",
     &[
@@ -275,6 +288,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),
+        optional(
+            "allow",
+            Kind::Tables { keys: &ALLOW_KEYS, except: &[] },
+            "",
+            "uncertain inputs that may be loosened as far as the requirements allow, by their paths",
+        ),
     ],
 )
 .with_planned(&[("correlation", "leave it out; the random inputs are then independent")]);

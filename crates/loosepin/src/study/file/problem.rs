@@ -199,6 +199,33 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// Something to loosen that is no interval and has no standard deviation.
+    #[error(
+        "'{path}' under [allow] is no interval of [epistemic] and no normal, lognormal or truncated_normal of [random]"
+    )]
+    AllowedInput {
+        /// The path.
+        path: String,
+    },
+    /// A value that is no looser than the least.
+    #[error("{entry} {found}; must be above {least}")]
+    AllowedRange {
+        /// The entry.
+        entry: String,
+        /// The value with its unit.
+        found: String,
+        /// The lower end of the interval, or zero.
+        least: String,
+    },
+    /// Prices in which what is looser costs no less.
+    #[error("{entry}: every value must stand there once, with a price, and the looser of two must cost less")]
+    Costs {
+        /// The entry.
+        entry: String,
+    },
+    /// Something to loosen as far as nothing allows.
+    #[error("[allow] without a requirement: anything would be allowed")]
+    NothingRequired,
     /// An empty list.
     #[error("{entry} is empty; at least one is due")]
     Empty {
@@ -261,7 +288,11 @@ impl Problem for StudyProblem {
             | Self::Limit { .. }
             | Self::MethodOfQuantile { .. }
             | Self::NothingRandom { .. }
-            | Self::RareCurve { .. } => Code::AskNotPossible,
+            | Self::RareCurve { .. }
+            | Self::AllowedInput { .. }
+            | Self::AllowedRange { .. }
+            | Self::Costs { .. }
+            | Self::NothingRequired => Code::AskNotPossible,
             Self::NothingUncertain => Code::NothingUncertain,
             Self::NothingAsked => Code::NothingAsked,
         }
@@ -302,6 +333,9 @@ impl Problem for StudyProblem {
             Self::PathOutput { .. } => {
                 Some("give the model an output position_of the point along x or y, and ask for that".to_owned())
             }
+            Self::AllowedInput { .. } => Some("name the input under [epistemic] or [random] first".to_owned()),
+            Self::NothingRequired => Some("add [[require]]".to_owned()),
+            Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } => Some("leave 'method' out".to_owned()),
             Self::RareCurve { .. } => {

@@ -1,5 +1,6 @@
 //! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
 
+mod allowances;
 mod bound;
 mod contributors;
 mod figures;
@@ -8,6 +9,7 @@ mod rare;
 
 use serde::{Deserialize, Serialize};
 
+pub use allowances::{AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened};
 pub use bound::{
     BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, Reduction, ResponsePoint,
     StatisticKind, TreatmentKind, Witness, WitnessValue,
@@ -59,6 +61,12 @@ pub struct StudyResult {
     pub settled_share: Option<f64>,
     /// Requirements and whether they are met.
     pub requirements: Vec<RequirementOutcome>,
+    /// How far inputs may be loosened, one at a time.
+    #[serde(default)]
+    pub allowances: Vec<AllowanceRecord>,
+    /// The cheapest combination of offers; absent where none has a price.
+    #[serde(default)]
+    pub allocation: Option<AllocationRecord>,
     /// Every bound.
     pub bounds: Vec<BoundRecord>,
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
