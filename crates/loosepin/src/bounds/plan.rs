@@ -164,6 +164,12 @@ impl DoubleLoop {
         self.epistemic_box.combinations()
     }
 
+    /// Values of the random inputs at a point of the unit cube, coordinate by coordinate the probability of not exceeding them, for
+    /// these values of the epistemic inputs.
+    pub fn random_values(&self, point: &[f64], _epistemic: &[f64]) -> Vec<f64> {
+        self.problem.random.iter().zip(point).map(|(variable, &at)| variable.quantile(at)).collect()
+    }
+
     /// Values of the epistemic inputs at a place of the unit box, in one of the combinations.
     pub fn box_values(&self, combination: usize, at: &[f64]) -> Vec<f64> {
         self.epistemic_box.values_at(&Place { combination, at: at.to_vec() })

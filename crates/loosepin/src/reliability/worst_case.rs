@@ -30,7 +30,8 @@ pub struct IndexExtreme {
     pub at: Vec<f64>,
     /// The design points there, nearest first.
     pub designs: Vec<DesignPoint>,
-    /// The largest change of the index to a neighbour at the last step that lies in the box: what the search does not resolve.
+    /// The largest change of the index to a neighbour at the last step, along axes on which the place is inside the box: what the
+    /// search does not resolve.
     pub unresolved: f64,
 }
 
@@ -102,7 +103,10 @@ pub fn index_range<E>(
                         moves += 1;
                         break;
                     }
-                    unresolved = unresolved.max(change.abs());
+                    // At a face of the box a worse neighbour shows that the extreme is the face itself.
+                    if at[axis] > 0.0 && at[axis] < 1.0 {
+                        unresolved = unresolved.max(change.abs());
+                    }
                 }
             }
             if !has_moved {
@@ -165,7 +169,7 @@ mod tests {
         }
         assert!((range.smallest.designs[0].index - 4.0).abs() < INDEX_TOLERANCE, "{range:?}");
         assert!(range.smallest.unresolved > range.smallest.designs[0].index - 4.0, "{range:?}");
-        assert_eq!(range.largest.at, [1.0, 1.0]);
+        assert_eq!((&range.largest.at[..], range.largest.unresolved), (&[1.0, 1.0][..], 0.0));
         assert!((range.largest.designs[0].index - 5.48).abs() < INDEX_TOLERANCE, "{range:?}");
     }
 }

@@ -190,7 +190,7 @@ struct Cheapest {
     excluded: usize,
 }
 
-/// Combinations that are listed, at most.
+/// With more combinations than this no search is made.
 const MOST_COMBINATIONS: usize = 100_000;
 
 /// The cheapest combination of `offers` (value and cost, tightest first) for which `is_met`, after at most `most_studies` of these.
@@ -199,12 +199,16 @@ fn cheapest<E>(
     most_studies: usize,
     mut is_met: impl FnMut(&[f64]) -> Result<bool, E>,
 ) -> Result<Cheapest, E> {
+    let number = offers.iter().fold(1_usize, |product, of_input| product.saturating_mul(of_input.len()));
+    if number > MOST_COMBINATIONS {
+        return Ok(Cheapest { chosen: None, combinations: number, studies: 0, excluded: 0 });
+    }
     let mut combinations: Vec<Vec<usize>> = vec![Vec::new()];
     for of_input in offers {
         let extended = combinations
             .iter()
             .flat_map(|known| (0..of_input.len()).map(move |place| known.iter().copied().chain([place]).collect()));
-        combinations = extended.take(MOST_COMBINATIONS).collect();
+        combinations = extended.collect();
     }
     let cost = |places: &[usize]| places.iter().zip(offers).map(|(&place, of)| of[place][1]).sum::<f64>();
     combinations.sort_by(|a, b| cost(a).total_cmp(&cost(b)));

@@ -176,7 +176,7 @@ pub fn conduct(
     }
     let bounds = pool.install(|| plan.results(&table))?;
     if let Some(contributor_plan) = &contributor_plan {
-        runner.run(&contributor_plan.round(study, bounds.rounds), &mut table)?;
+        runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
     }
     let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
     // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.

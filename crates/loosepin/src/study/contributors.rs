@@ -53,29 +53,22 @@ impl ContributorPlan {
     }
 
     /// The runs in their order, as round `round`.
-    pub fn round(&self, study: &Study, round: u32) -> Vec<RunInputs> {
-        let rows: Vec<Vec<f64>> = self
-            .indices
-            .points()
-            .iter()
-            .map(|point| study.random.iter().zip(point).map(|(input, &share)| input.variable.quantile(share)).collect())
-            .collect();
+    pub fn round(&self, plan: &DoubleLoop, round: u32) -> Vec<RunInputs> {
+        let rows = self.indices.points();
         let per_replicate = rows.len() / REPLICATES;
-        self.points
-            .iter()
-            .enumerate()
-            .flat_map(|(point, epistemic)| {
-                rows.iter().enumerate().map(move |(row, random)| RunInputs {
-                    round,
-                    purpose: Purpose::Contributors,
-                    point: point as u32,
-                    replicate: (row / per_replicate) as u32,
-                    index: (row % per_replicate) as u32,
-                    random: random.clone(),
-                    epistemic: epistemic.clone(),
-                })
-            })
-            .collect()
+        let of_point = |(point, epistemic): (usize, &Vec<f64>)| {
+            let inputs = |(row, at): (usize, &Vec<f64>)| RunInputs {
+                round,
+                purpose: Purpose::Contributors,
+                point: point as u32,
+                replicate: (row / per_replicate) as u32,
+                index: (row % per_replicate) as u32,
+                random: plan.random_values(at, epistemic),
+                epistemic: epistemic.clone(),
+            };
+            rows.iter().enumerate().map(inputs).collect::<Vec<RunInputs>>()
+        };
+        self.points.iter().enumerate().flat_map(of_point).collect()
     }
 
     /// Indices of `columns` at each point.

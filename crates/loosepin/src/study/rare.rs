@@ -3,7 +3,7 @@
 
 use super::columns::PlannedAsk;
 use super::conduct::{Runner, StudyError};
-use super::file::{RareMethod, Study, Where};
+use super::file::{RareMethod, Where};
 use super::result::RareMethodUsed;
 use crate::bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
@@ -137,7 +137,7 @@ impl Event<'_, '_> {
                 point: 0,
                 replicate: 0,
                 index: index as u32,
-                random: random_inputs(self.runner.study, point),
+                random: self.plan.random_values(&probabilities(point), &epistemic),
                 epistemic: epistemic.clone(),
             })
             .collect();
@@ -269,10 +269,7 @@ impl End {
     }
 }
 
-/// The random inputs at standard normal numbers, through the quantile functions of their distributions.
-fn random_inputs(study: &Study, point: &[f64]) -> Vec<f64> {
-    let inputs = study.random.iter().zip(point);
-    inputs
-        .map(|(input, &x)| input.variable.quantile(normal_cdf(x).clamp(f64::MIN_POSITIVE, LARGEST_PROBABILITY)))
-        .collect()
+/// Φ of standard normal numbers: a point of the unit cube at which every input has a value.
+fn probabilities(point: &[f64]) -> Vec<f64> {
+    point.iter().map(|&x| normal_cdf(x).clamp(f64::MIN_POSITIVE, LARGEST_PROBABILITY)).collect()
 }
