@@ -7,7 +7,7 @@ use super::result::{Contributors, EpistemicContributor, RandomContributor, Respo
 use crate::accuracy::record::{MotionRecord, OutputMotion};
 use crate::accuracy::{MotionPlan, Scatter, motion};
 use crate::bounds::{DoubleLoop, Pinching, Purpose, RunInputs, SampleTable};
-use crate::contributors::{Index, IndexPlan, IndexPlanError, Indices, SHARES_CONFIDENCE};
+use crate::contributors::{Index, IndexPlan, IndexPlanError, Indices, SHARES_CONFIDENCE, independent_groups};
 use crate::uncertainty::hash;
 
 /// Independent scramblings, which tell the errors of indices.
@@ -36,7 +36,7 @@ impl ContributorPlan {
         if study.random.is_empty() || !study.asks.iter().any(|ask| ask.contributors) {
             return Ok(None);
         }
-        let groups = (0..study.random.len()).map(|input| vec![input]).collect();
+        let groups = groups(study);
         let pairs = (study.sampling.inner / REPLICATES).max(LEAST_PAIRS);
         let seed = hash(study.seed, CONTRIBUTORS);
         let indices = IndexPlan::try_new(study.random.len(), groups, REPLICATES, pairs, seed)?;
@@ -87,6 +87,11 @@ impl ContributorPlan {
     }
 }
 
+/// Random inputs that are correlated belong together; those of a study are independent.
+fn groups(study: &Study) -> Vec<Vec<usize>> {
+    independent_groups(study.random.len(), &[])
+}
+
 /// The contributors to every question that asks for them.
 pub(super) fn contributors(
     material: &Material<'_>,
@@ -132,21 +137,23 @@ fn of_columns(
         })
     });
     let share_of_scatter = pinching.as_ref().map_or(f64::NAN, |p| (p.scatter / p.width).clamp(0.0, 1.0));
-    let mut random: Vec<RandomContributor> = study
-        .random
+    let groups = groups(study);
+    let mut random: Vec<RandomContributor> = groups
         .iter()
         .enumerate()
-        .map(|(group, input)| {
+        .map(|(group, members)| {
+            let paths: Vec<String> = members.iter().map(|&input| study.random[input].path.clone()).collect();
             let total = range(&indices, |indices| indices.total[group]);
+            let shares = still
+                .as_ref()
+                .filter(|_| planned.ask.deviation != Deviation::Clearance)
+                .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
             RandomContributor {
-                paths: vec![input.path.clone()],
+                paths,
                 first: range(&indices, |indices| indices.first[group]),
                 total,
                 band_share: share_of_scatter * (1.0 - (1.0 - total.centre).clamp(0.0, 1.0).sqrt()),
-                quasi_static_share: still
-                    .as_ref()
-                    .filter(|_| planned.ask.deviation != Deviation::Clearance)
-                    .and_then(|still| still.variance_share(&input.path)),
+                quasi_static_share: shares,
             }
         })
         .collect();
@@ -178,7 +185,7 @@ fn of_columns(
         band_width_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width),
         band_width_error_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width_error),
         points: plan.map(|plan| plan.points.iter().map(|u| material.witness(u)).collect()).unwrap_or_default(),
-        pairs: plan.map_or(0, |plan| (plan.indices.runs() / (2 + study.random.len())) as u64),
+        pairs: plan.map_or(0, |plan| (plan.indices.runs() / (2 + groups.len())) as u64),
         left_out: indices.iter().flatten().map(|indices| indices.left_out as u64).sum(),
         confidence: SHARES_CONFIDENCE,
         random,
