@@ -4,7 +4,7 @@ use std::path::Path;
 
 use loosepin::bounds::Statistic;
 use loosepin::model::{Model, model_schema};
-use loosepin::study::{Deviation, Reduction, Study, Where, study_schema};
+use loosepin::study::{Deviation, Limit, Reduction, Study, Where, study_schema};
 use loosepin::templates::{TEMPLATES, find_template};
 use loosepin::uncertainty::Distribution;
 
@@ -50,7 +50,10 @@ fn a_study_is_read_in_file_order_and_si() {
     assert_eq!(study.asks[1].location, Where::Reduced(Reduction::MaximumAbsolute));
     assert_eq!(study.asks[1].statistics[2], Statistic::ProbabilityAbove(6e-4));
     assert_eq!(study.requirements[0].deviation, Deviation::Total);
-    assert_eq!((study.requirements[0].within, study.requirements[0].probability_at_least), (6e-4, 0.9973));
+    assert_eq!(
+        (study.requirements[0].limit, study.requirements[0].probability_at_least),
+        (Limit::Within(6e-4), 0.9973)
+    );
 }
 
 #[test]

@@ -185,6 +185,38 @@ impl DoubleLoop {
         structural_point_count(self.epistemic_box.dimensions()) as u32 - 1
     }
 
+    /// Values of the epistemic inputs at the centre and at the corners of their box, the centre first; for each combination of the
+    /// members of lists, those of the first members first.
+    pub fn structural_points(&self) -> Vec<Vec<f64>> {
+        let places = self.box_places();
+        (0..self.box_combinations())
+            .flat_map(|combination| places.iter().map(move |at| (combination, at)))
+            .map(|(combination, at)| self.box_values(combination, at))
+            .collect()
+    }
+
+    /// Centre and corners of the unit box of the intervals, the centre first.
+    pub fn box_places(&self) -> Vec<Vec<f64>> {
+        let count = structural_point_count(self.epistemic_box.dimensions());
+        self.first_outer[..count].iter().rev().map(|place| place.at.clone()).collect()
+    }
+
+    /// Combinations of the members of lists, each with a box of intervals of its own; 1 without lists.
+    pub fn box_combinations(&self) -> usize {
+        self.epistemic_box.combinations()
+    }
+
+    /// Values of the random inputs at a point of the unit cube, coordinate by coordinate the probability of not exceeding them, for
+    /// these values of the epistemic inputs.
+    pub fn random_values(&self, point: &[f64], _epistemic: &[f64]) -> Vec<f64> {
+        self.problem.random.iter().zip(point).map(|(variable, &at)| variable.quantile(at)).collect()
+    }
+
+    /// Values of the epistemic inputs at a place of the unit box, in one of the combinations.
+    pub fn box_values(&self, combination: usize, at: &[f64]) -> Vec<f64> {
+        self.epistemic_box.values_at(&Place { combination, at: at.to_vec() })
+    }
+
     /// The most runs that the plan may come to.
     pub fn most_runs(&self) -> usize {
         let sampling = &self.problem.sampling;

@@ -103,6 +103,13 @@ pub(super) struct Branch<'a> {
     fit: Option<Fit<'a>>,
 }
 
+impl Branch<'_> {
+    /// Mean and standard deviation of the target at `place` by the model; nothing without one.
+    pub fn at(&self, place: &[f64]) -> Option<(f64, f64)> {
+        self.fit.as_ref().map(|fit| fit.at(place))
+    }
+}
+
 /// How far a target may go beyond what has been attained, by its model.
 #[derive(Debug, Clone)]
 struct Reach {

@@ -96,6 +96,12 @@ impl SearchBox {
         self.inputs.iter().fold(1, |combinations: usize, input| combinations.saturating_mul(input.choices()))
     }
 
+    /// Which member of input `index`, one of a list, stands in `combination`; 0 for an interval.
+    pub fn member_of(&self, combination: usize, index: usize) -> usize {
+        let weight: usize = self.inputs[..index].iter().map(EpistemicVariable::choices).product();
+        combination / weight % self.inputs[index].choices()
+    }
+
     /// Whether there is one value of the inputs and no other.
     pub fn is_a_point(&self) -> bool {
         self.dimensions() == 0 && self.combinations() == 1

@@ -11,6 +11,10 @@ pub enum Purpose {
     Mixture,
     /// The interval-only treatment: a point of the joint box of X and u.
     Extreme,
+    /// Shares of the variance: X picked and frozen at a fixed u.
+    Contributors,
+    /// A small probability at a fixed u: X around design points or in chains.
+    Rare,
 }
 
 /// The inputs of one run, and its place in the plan.

@@ -14,6 +14,8 @@ const SENTENCE_DIGITS: usize = 2;
 
 /// The answer, for pages and terminals alike.
 pub(super) struct Answer {
+    /// Each requirement with its verdict and its numbers.
+    pub requirements: Vec<String>,
     /// The one sentence.
     pub headline: String,
     /// What must be known with it.
@@ -36,11 +38,11 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
         },
     };
     let mut details = Vec::new();
-    details.extend(requirement_sentences(result, writer));
     details.extend(curve.and_then(|curve| scatter_sentence(curve, writer)));
     details.push(error_sentence(result, writer));
     details.push(runs_sentence(result, writer));
-    Answer { headline, details, verdict: overall_verdict(result) }
+    let requirements = requirement_sentences(result, writer);
+    Answer { requirements, headline, details, verdict: overall_verdict(result) }
 }
 
 /// The verdict over all requirements; none where nothing is required.
@@ -52,6 +54,15 @@ pub(super) fn overall_verdict(result: &StudyResult) -> Option<Verdict> {
         Some(Verdict::Undecided)
     } else {
         verdicts().next()
+    }
+}
+
+/// The verdict over all requirements as a headline.
+pub(super) fn verdict_headline(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Met => "All requirements met",
+        Verdict::NotMet => "Requirement not met",
+        Verdict::Undecided => "Requirement undecided",
     }
 }
 

@@ -4,7 +4,9 @@
 mod answer;
 mod cases_page;
 mod chart;
+mod contributors_text;
 mod glossary;
+mod inverse;
 mod measured_figures;
 mod mechanism_figure;
 mod mechanism_shapes;

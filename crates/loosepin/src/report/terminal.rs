@@ -2,7 +2,9 @@
 
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
-use super::answer::{answer, output_unit, treatment_sentences};
+use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
+use super::contributors_text::contributors_text;
+use super::inverse::{inverse_sentences, rare_sentences};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
@@ -26,7 +28,15 @@ const MOST_ROWS: usize = 24;
 pub fn study_text(result: &StudyResult) -> String {
     let writer = NumberWriter::for_terminal(&result.display_units);
     let answer = answer(result, &writer);
-    let mut text = format!("{}\n\n{}\n", result.name, wrapped(&answer.headline, ""));
+    let mut text = format!("{}\n\n", result.name);
+    if let Some(verdict) = answer.verdict {
+        text.push_str(&format!("{}\n", verdict_headline(verdict)));
+        for requirement in &answer.requirements {
+            text.push_str(&format!("{}\n", wrapped(requirement, "- ")));
+        }
+        text.push('\n');
+    }
+    text.push_str(&format!("{}\n", wrapped(&answer.headline, "")));
     for detail in &answer.details {
         text.push_str(&format!("{}\n", wrapped(detail, "- ")));
     }
@@ -52,6 +62,18 @@ pub fn study_text(result: &StudyResult) -> String {
             text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
         }
     }
+    for (title, sentences) in [
+        ("Small probabilities", rare_sentences(result, &writer)),
+        ("What the requirements allow", inverse_sentences(result, &writer)),
+    ] {
+        if !sentences.is_empty() {
+            text.push_str(&format!("\n{title}\n\n"));
+        }
+        for sentence in sentences {
+            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+        }
+    }
+    text.push_str(&contributors_text(result, &writer));
     for comparison in &result.treatments {
         text.push_str(&format!(
             "\nThree ways to treat what is not known: {} {}, {}\n\n{}\n",

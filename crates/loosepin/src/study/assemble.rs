@@ -10,11 +10,13 @@ pub use runs_table::runs_table;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
+use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::result::{
-    BoundEnd, BoundRecord, CoveragePoint, CutBounds, DeviationKind, FORMAT, GuaranteeKind, IntervalReading,
-    NumericalError, ProbabilityBox, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand,
-    TreatmentComparison, TreatmentKind, Verdict, Witness, WitnessValue,
+    AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, CutBounds, DeviationKind,
+    FORMAT, GuaranteeKind, IntervalReading, NumericalError, ProbabilityBox, RareEnd, RareRecord, RequirementOutcome,
+    ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict, Witness,
+    WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
@@ -27,18 +29,20 @@ pub(super) struct Material<'m> {
     pub bounds: &'m Bounds,
     /// Those that are looked at: what is possible at all, or to some degree.
     pub pairs: &'m [BoundPair],
+    pub rare: &'m [Rare],
+}
+
+/// What is not made from the runs of the double loop.
+pub(super) struct Extra {
+    pub contributors: Vec<Contributors>,
+    pub allowances: Vec<AllowanceRecord>,
+    pub allocation: Option<AllocationRecord>,
 }
 
 /// Puts the result together.
-pub fn assemble(
-    study: &Study,
-    input_hash: &str,
-    response: &StudyResponse,
-    table: &SampleTable,
-    bounds: &Bounds,
-) -> StudyResult {
-    let material = Material { study, response, table, bounds, pairs: &bounds.pairs };
-    let pictures = drawing::pictures(&material);
+pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) -> StudyResult {
+    let study = material.study;
+    let pictures = drawing::pictures(material);
     StudyResult {
         format: FORMAT,
         name: study.name.clone(),
@@ -48,20 +52,24 @@ pub fn assemble(
         seed: study.seed,
         inputs: describe::inputs(study),
         correlations: Vec::new(),
-        cycle: describe::cycle(&material),
-        outputs: describe::outputs(&material),
-        counts: summary::counts(&material),
-        failures: summary::failures(&material),
-        settled_share: summary::settled_share(&material),
-        requirements: requirements(&material),
-        bounds: asked_bounds(&material),
-        cuts: cuts(&material),
-        treatments: treatments(&material),
-        energy: summary::energy(&material),
-        impacts: summary::impacts(&material),
+        cycle: describe::cycle(material),
+        outputs: describe::outputs(material),
+        counts: summary::counts(material),
+        failures: summary::failures(material),
+        settled_share: summary::settled_share(material),
+        requirements: requirements(material),
+        allowances: extra.allowances,
+        allocation: extra.allocation,
+        bounds: asked_bounds(material),
+        cuts: cuts(material),
+        rare: rare_records(material),
+        contributors: extra.contributors,
+        treatments: treatments(material),
+        energy: summary::energy(material),
+        impacts: summary::impacts(material),
         display_units: DisplayUnits::default(),
-        curves: curves::curves(&material, &pictures),
-        boxes: boxes(&material),
+        curves: curves::curves(material, &pictures),
+        boxes: boxes(material),
         orbits: pictures.orbits,
         drawing: pictures.drawing,
     }
@@ -73,7 +81,7 @@ impl Material<'_> {
     }
 
     /// The epistemic inputs by path.
-    fn witness(&self, epistemic: &[f64]) -> Witness {
+    pub fn witness(&self, epistemic: &[f64]) -> Witness {
         let named = self.study.epistemic.iter().zip(epistemic);
         let shown = |input: &EpistemicInput, value: f64| match input.law(value) {
             Some(law) => WitnessValue::Choice(law.name().to_owned()),
@@ -131,16 +139,16 @@ impl Material<'_> {
         Some([lower, upper])
     }
 
-    fn unit_of(&self, column: usize) -> SiUnit {
+    pub fn unit_of(&self, column: usize) -> SiUnit {
         self.plan().outputs[self.plan().columns[column].output].unit.clone()
     }
 
-    fn name_of(&self, column: usize) -> String {
+    pub fn name_of(&self, column: usize) -> String {
         self.plan().outputs[self.plan().columns[column].output].name.clone()
     }
 
     /// Where a column is taken; `in_curve` tells that it is a point of a curve.
-    fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
+    pub fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
         match self.plan().columns[column].spot {
             Spot::Pose { angle_rad: pose_rad, .. } => {
                 if in_curve {
@@ -225,7 +233,8 @@ fn statistic_kind(statistic: Statistic) -> Option<StatisticKind> {
 fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
     let of_level = |level: &crate::bounds::LevelBounds| {
         let &Material { study, response, table, bounds, .. } = material;
-        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs });
+        // What was estimated for all that is possible says nothing of a degree: there the runs are counted.
+        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs, rare: &[] });
         Some(CutBounds { alpha: level.alpha?, bounds })
     };
     material.bounds.levels.iter().filter_map(of_level).collect()
@@ -241,7 +250,11 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                 let (Some(statistic), Some(pair)) = (statistic_kind(asked), material.pair(column, asked)) else {
                     continue;
                 };
-                let Some([lower, upper]) = material.ends(column, asked) else { continue };
+                let Some([mut lower, mut upper]) = material.ends(column, asked) else { continue };
+                let rare = material.rare.iter().find(|rare| rare.column == column && rare.statistic == asked);
+                if let Some(rare) = rare {
+                    [lower, upper] = rare.bounds.each_ref().map(|bound| material.end(bound));
+                }
                 let unit = if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
                 records.push(BoundRecord {
                     output: material.name_of(column),
@@ -254,7 +267,7 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                     lower,
                     upper,
                     // Failed runs may have had any response: for means and deviations no bound exists then.
-                    guarantee: if pair.unbounded_by_failures {
+                    guarantee: if pair.unbounded_by_failures || rare.is_some_and(|rare| !rare.is_confirmed) {
                         GuaranteeKind::Inner
                     } else {
                         guarantee(pair.lower.guarantee)
@@ -264,6 +277,29 @@ fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
         }
     }
     records
+}
+
+/// How small probabilities were estimated.
+fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
+    let end = |end: &rare::RareEnd| RareEnd {
+        method: end.method,
+        probability: end.estimate.value,
+        standard_error: end.estimate.standard_error,
+        reliability_index: end.index,
+        runs: end.estimate.runs as u64,
+        failed: end.estimate.failed as u64,
+    };
+    let record = |rare: &Rare| {
+        Some(RareRecord {
+            output: material.name_of(rare.column),
+            of: deviation_kind(material.plan().columns[rare.column].deviation),
+            at: material.point_of(rare.column, false),
+            statistic: statistic_kind(rare.statistic)?,
+            lower: end(&rare.ends[0]),
+            upper: end(&rare.ends[1]),
+        })
+    };
+    material.rare.iter().filter_map(record).collect()
 }
 
 fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
@@ -374,12 +410,12 @@ fn mixture_purpose(material: &Material<'_>) -> Purpose {
     if material.study.epistemic.is_empty() { Purpose::DoubleLoop } else { Purpose::Mixture }
 }
 
-fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
+pub(super) fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
     let mut outcomes = Vec::new();
     for planned in &material.plan().requirements {
         let requirement = &planned.requirement;
         for &column in &planned.columns {
-            let Some(pair) = material.pair(column, Statistic::ProbabilityBeyond(requirement.within)) else {
+            let Some(pair) = material.pair(column, requirement.limit.broken()) else {
                 continue;
             };
             // The share inside is one minus the share beyond, so the ends change places.
@@ -394,6 +430,7 @@ fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
             } else {
                 Verdict::Undecided
             };
+            let [lower_si, upper_si] = requirement.limit.ends();
             let at = match requirement.location {
                 Where::Cycle => ResponsePoint::Whole,
                 _ => material.point_of(column, false),
@@ -402,8 +439,8 @@ fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
                 output: material.name_of(column),
                 of: deviation_kind(requirement.deviation),
                 at,
-                lower_si: -requirement.within,
-                upper_si: requirement.within,
+                lower_si,
+                upper_si,
                 probability_at_least: requirement.probability_at_least,
                 probability: [least.max(0.0), (1.0 - pair.lower.widened).min(1.0)],
                 witness: material.end(&pair.upper).witness,

@@ -128,7 +128,7 @@ impl ColumnPlan {
         for requirement in &study.requirements {
             for output in plan.outputs_of(requirement.output) {
                 let spots = match &requirement.location {
-                    Where::Cycle => vec![Spot::Reduced(Reduction::MaximumAbsolute)],
+                    Where::Cycle => vec![Spot::Reduced(requirement.limit.reduction())],
                     other => spots(other),
                 };
                 let columns = plan.add(output, requirement.deviation, &spots);
@@ -172,9 +172,12 @@ impl ColumnPlan {
                 }
                 if is_curve {
                     push(column, Statistic::Mean);
+                }
+                if is_curve || planned.ask.contributors {
                     push(column, Statistic::Quantile(BAND[0]));
                     push(column, Statistic::Quantile(BAND[1]));
-                } else {
+                }
+                if !is_curve {
                     push(column, Statistic::Cdf);
                 }
             }
@@ -186,7 +189,7 @@ impl ColumnPlan {
         }
         for planned in &self.requirements {
             for &column in &planned.columns {
-                push(column, Statistic::ProbabilityBeyond(planned.requirement.within));
+                push(column, planned.requirement.limit.broken());
             }
         }
         requests

@@ -19,7 +19,7 @@ impl Problem for StudyError {
                 | PrepareError::TooManyPoses { .. }
                 | PrepareError::PoseNotRecorded { .. },
             ) => Code::AskNotPossible,
-            Self::Plan(_) => Code::SamplingNotPossible,
+            Self::Plan(_) | Self::Contributors(_) => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
             Self::Interrupted { .. } => Code::Interrupted,
@@ -45,7 +45,7 @@ impl Problem for StudyError {
             }
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
-            Self::Plan(_) | Self::Table(_) => None,
+            Self::Plan(_) | Self::Contributors(_) | Self::Table(_) => None,
         }
     }
 }
@@ -59,7 +59,7 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_) => {
+            Self::Plan(_) | Self::Contributors(_) => {
                 let mut complaint = Complaint::error(self, Some(place_of_sampling(study)));
                 // These errors bring their way out with them.
                 if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {

@@ -1,13 +1,18 @@
 //! Running a study: rounds of runs on all threads, with progress and an emergency stop.
 
-use super::assemble::assemble;
+use super::allow::{allocation, allowances, most_studies, runs_of_a_study};
+use super::assemble::{Extra, Material, assemble};
+use super::contributors::{ContributorPlan, contributors};
 use super::file::Study;
+use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
 use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, RunInputs, SampleTable, Sampling, TableError};
+use crate::contributors::IndexPlanError;
 use crate::math::Vectors;
 use crate::simulate::RunFailure;
+use crate::uncertainty::SobolError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use thiserror::Error;
@@ -37,6 +42,9 @@ pub enum StudyError {
     /// Its sampling is not possible.
     #[error(transparent)]
     Plan(#[from] PlanError),
+    /// Shares of the variance are not possible.
+    #[error(transparent)]
+    Contributors(#[from] IndexPlanError),
     /// The threads could not be started.
     #[error("the threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -82,7 +90,21 @@ pub struct Conducted {
 /// The study cannot begin or its sampling is not possible.
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
-    Ok(DoubleLoop::try_new(problem(study, &response))?.most_runs())
+    let plan = DoubleLoop::try_new(problem(study, &response))?;
+    let contributor_plan = ContributorPlan::new(study, &plan)?;
+    Ok(most_runs(study, &response, &plan, contributor_plan.as_ref()))
+}
+
+/// The runs of all parts.
+fn most_runs(
+    study: &Study,
+    response: &StudyResponse,
+    plan: &DoubleLoop,
+    contributors: Option<&ContributorPlan>,
+) -> usize {
+    let rare = MOST_RARE_RUNS * requests(&response.shared.plan.asks).count();
+    let allowed = most_studies(study) * runs_of_a_study(study);
+    plan.most_runs() + contributors.map_or(0, ContributorPlan::runs) + rare + allowed
 }
 
 /// Runs that are timed: enough to fill the lanes of a thread more than once.
@@ -137,21 +159,86 @@ pub fn conduct(
 ) -> Result<Conducted, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
-    let most_runs = plan.most_runs();
-    let mut table = SampleTable::with_capacity(response.row_length(), most_runs);
+    let contributor_plan = ContributorPlan::new(study, &plan)?;
+    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref());
+    let mut table = SampleTable::with_capacity(response.row_length(), plan.most_runs());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let before = AtomicUsize::new(0);
+    let runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs, before: &before };
     progress.runs(0, most_runs);
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
+        runner.run(&round, &mut table)?;
+        round = pool.install(|| plan.next_round(&table))?;
+    }
+    if table.failed() == table.len() {
+        return Err(all_failed(&response, &table));
+    }
+    let bounds = pool.install(|| plan.results(&table))?;
+    if let Some(contributor_plan) = &contributor_plan {
+        runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
+    }
+    let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
+    // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
+    runner.advance(table.len());
+    let kept = |error: StudyError| match error {
+        StudyError::Interrupted { most_runs, .. } => {
+            let finished = Box::new(super::assemble::runs_table(study, &response, &table));
+            StudyError::Interrupted { finished, most_runs }
+        }
+        error => error,
+    };
+    let allowances = allowances(&runner).map_err(kept)?;
+    let allocation = allocation(&runner).map_err(kept)?;
+    let material =
+        Material { study, response: &response, table: &table, bounds: &bounds, pairs: &bounds.pairs, rare: &rare };
+    let result = pool.install(|| {
+        let contributors = contributors(&material, &plan, contributor_plan.as_ref());
+        assemble(&material, input_hash, Extra { contributors, allowances, allocation })
+    });
+    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
+}
+
+/// What runs need, whatever they are for.
+#[derive(Clone, Copy)]
+pub(super) struct Runner<'s> {
+    pub study: &'s Study,
+    pub response: &'s StudyResponse,
+    pub pool: &'s rayon::ThreadPool,
+    pub progress: &'s dyn Progress,
+    pub stop: &'s AtomicBool,
+    pub most_runs: usize,
+    /// Runs in tables that are finished.
+    pub before: &'s AtomicUsize,
+}
+
+impl From<SobolError> for StudyError {
+    fn from(error: SobolError) -> Self {
+        Self::Plan(error.into())
+    }
+}
+
+impl Runner<'_> {
+    /// Counts the runs of a finished table for the progress.
+    pub fn advance(&self, runs: usize) {
+        self.before.fetch_add(runs, Ordering::Relaxed);
+    }
+
+    /// Runs `round` and adds its rows to `table`.
+    ///
+    /// # Errors
+    /// The study was interrupted.
+    pub fn run(&self, round: &[RunInputs], table: &mut SampleTable) -> Result<(), StudyError> {
         for batch in round.chunks(RUNS_PER_BATCH) {
-            let done = AtomicUsize::new(table.len());
+            let before = self.before.load(Ordering::Relaxed);
+            let done = AtomicUsize::new(before + table.len());
             let finished = || {
                 let runs = done.fetch_add(1, Ordering::Relaxed) + 1;
                 if runs.is_multiple_of(RUNS_PER_REPORT) {
-                    progress.runs(runs, most_runs);
+                    self.progress.runs(runs, self.most_runs);
                 }
             };
-            let outcomes = pool.install(|| evaluate(batch, &response, stop, &finished));
+            let outcomes = self.pool.install(|| evaluate(batch, self.response, self.stop, &finished));
             let is_stopped = outcomes.iter().any(Option::is_none);
             for (inputs, outcome) in batch.iter().zip(outcomes) {
                 if let Some(outcome) = outcome {
@@ -159,19 +246,13 @@ pub fn conduct(
                 }
             }
             if is_stopped {
-                let finished = Box::new(super::assemble::runs_table(study, &response, &table));
-                return Err(StudyError::Interrupted { finished, most_runs });
+                let finished = Box::new(super::assemble::runs_table(self.study, self.response, table));
+                return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
             }
-            progress.runs(table.len(), most_runs);
+            self.progress.runs(before + table.len(), self.most_runs);
         }
-        round = pool.install(|| plan.next_round(&table))?;
+        Ok(())
     }
-    if table.failed() == table.len() {
-        return Err(all_failed(&response, &table));
-    }
-    let bounds = pool.install(|| plan.results(&table))?;
-    let result = assemble(study, input_hash, &response, &table, &bounds);
-    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
 
 /// Columns and extras of a finished run, or why it gave nothing.
@@ -229,7 +310,7 @@ fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
 }
 
 /// The question in the words of the uncertainty wing.
-fn problem(study: &Study, response: &StudyResponse) -> Problem {
+pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
     let plan = &response.shared.plan;
     let replicates = study.sampling.replicates;
     let choices = study.epistemic.iter().map(|input| input.variable.choices());

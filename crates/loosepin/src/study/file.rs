@@ -1,5 +1,6 @@
 //! From the text of a study file to a study, with all its complaints at once.
 
+mod allow;
 mod ask;
 mod check;
 mod description;
@@ -13,8 +14,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use description::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
-    UncertainParameter, Where,
+    Allowance, AllowedInput, Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod,
+    Reduction, Requirement, Sampling, Study, UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
@@ -110,6 +111,7 @@ fn read(
     let reading = reading.unwrap_or(Reading::FixedButUnknown);
     let asks = file.read_asks(&root);
     let requirements = file.read_requirements(&root);
+    let allowances = file.read_allowances(&root, &requirements);
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -128,6 +130,7 @@ fn read(
         epistemic: file.epistemic,
         asks,
         requirements,
+        allowances,
         warnings,
         source: file.reader.source,
     })

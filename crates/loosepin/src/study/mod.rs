@@ -1,14 +1,17 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
 
+mod allow;
 mod assemble;
 mod columns;
 mod complaint;
 mod conduct;
+mod contributors;
 mod file;
 pub mod files;
 mod ideal_curve;
 mod input_file;
 mod lanes;
+mod rare;
 mod recorder;
 mod response;
 pub mod result;
@@ -16,7 +19,7 @@ pub mod runs;
 
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use file::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
-    StudyProblem, UncertainParameter, Where, study_schema,
+    Allowance, AllowedInput, Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod,
+    Reduction, Requirement, Sampling, Study, StudyProblem, UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};

@@ -126,8 +126,12 @@ pub fn worn_pin() -> StudyResult {
         }],
         settled_share: Some(0.874),
         requirements: requirements(&outers),
+        allowances: allowances(),
+        allocation: allocation(),
         bounds: bounds(&outers, &poses),
         cuts: Vec::new(),
+        rare: Vec::new(),
+        contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
         energy: Some(energy()),
         impacts: vec![JointImpacts {
@@ -421,4 +425,87 @@ pub fn runs_table() -> RunsTable {
             plain("steps", RunData::U64((0..RUNS as u64).map(|row| 3000 + row % 97).collect())),
         ],
     }
+}
+
+/// Contributors to the largest deviation; their numbers belong to no run.
+fn contributors() -> Vec<Contributors> {
+    let share = |centre: f64| ShareRange { centre, error: 0.012, lower: centre - 0.03, upper: centre + 0.04 };
+    let random = |path: &str, total: f64, band_share: f64| RandomContributor {
+        paths: vec![path.to_owned()],
+        first: share(total - 0.02),
+        total: share(total),
+        band_share,
+        quasi_static_share: Some(total + 0.01),
+    };
+    let epistemic = |path: &str, band_share: [f64; 2], quasi_static_share: Option<f64>| EpistemicContributor {
+        path: path.to_owned(),
+        band_share,
+        error: 0.015,
+        quasi_static_share,
+    };
+    vec![Contributors {
+        output: "slider".to_owned(),
+        of: DeviationKind::Total,
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        unit: SiUnit::LENGTH,
+        band_width_si: 4.7e-4,
+        band_width_error_si: 5e-6,
+        points: vec![Witness::new(); 5],
+        pairs: 256,
+        left_out: 0,
+        confidence: 0.95,
+        random: vec![random("parameter.rod_length", 0.67, 0.07), random("parameter.crank_length", 0.33, 0.03)],
+        epistemic: vec![
+            epistemic("joint.gudgeon.radial_clearance", [0.71, 0.84], Some(1.0)),
+            epistemic("contact.steel_pin.restitution", [0.01, 0.04], None),
+        ],
+    }]
+}
+
+/// How far the play may grow; its numbers belong to no run.
+fn allowances() -> Vec<AllowanceRecord> {
+    let check = |value_si: f64, is_confirmation: bool, share: f64, verdict: Verdict| AllowanceCheck {
+        value_si,
+        is_confirmation,
+        share,
+        required_share: 0.9973,
+        verdict,
+    };
+    vec![AllowanceRecord {
+        path: CLEARANCE.to_owned(),
+        what: Loosened::UpperEnd,
+        unit: SiUnit::LENGTH,
+        up_to_si: 5e-4,
+        allowed_si: Some(3.125e-4),
+        beyond_si: Some(3.1875e-4),
+        checks: vec![
+            check(5e-4, false, 0.31, Verdict::NotMet),
+            check(3.125e-4, true, 0.9991, Verdict::Met),
+            check(3.1875e-4, true, 0.9962, Verdict::Undecided),
+        ],
+        runs: 147_456,
+    }]
+}
+
+/// What is cheapest.
+fn allocation() -> Option<AllocationRecord> {
+    let input = |path: &str, what: Loosened, value_si: f64, cost: f64| AllocatedInput {
+        path: path.to_owned(),
+        what,
+        unit: SiUnit::LENGTH,
+        value_si,
+        cost,
+    };
+    Some(AllocationRecord {
+        choices: vec![
+            input(CLEARANCE, Loosened::UpperEnd, 3e-4, 12.0),
+            input("parameter.rod_length", Loosened::StandardDeviation, 5e-5, 3.5),
+        ],
+        cost: 15.5,
+        combinations: 9,
+        studies: 3,
+        excluded: 4,
+        is_cheapest: true,
+        runs: 49_152,
+    })
 }

@@ -1,6 +1,7 @@
 //! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
 
 mod bounds_table;
+mod contributors;
 mod curves;
 mod cuts;
 mod provenance;
@@ -9,8 +10,10 @@ mod treatments;
 use maud::{Markup, html};
 
 pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
+pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
-use super::answer::{Answer, answer, limits_words, output_unit};
+use super::answer::{Answer, answer, limits_words, output_unit, verdict_headline};
+use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
@@ -28,6 +31,14 @@ pub fn study_page(result: &StudyResult) -> String {
     if !result.requirements.is_empty() {
         sections.push(Section::new("requirements", "Requirements", requirements(result, &writer)));
     }
+    for (id, title, sentences) in [
+        ("allowed", "What the requirements allow", inverse_sentences(result, &writer)),
+        ("rare", "Small probabilities", rare_sentences(result, &writer)),
+    ] {
+        if !sentences.is_empty() {
+            sections.push(Section::new(id, title, html! { ul { @for sentence in &sentences { li { (sentence) } } } }));
+        }
+    }
     if !result.bounds.is_empty() {
         sections.push(Section::new("bounds", "The numbers", bounds_table::bounds_table(result, &writer)));
     }
@@ -39,6 +50,13 @@ pub fn study_page(result: &StudyResult) -> String {
     }
     if !result.boxes.is_empty() {
         sections.push(Section::new("boxes", "How likely is which size", curves::box_charts(result, &writer)));
+    }
+    if !result.contributors.is_empty() {
+        sections.push(Section::new(
+            "contributors",
+            "What would make it narrower",
+            contributors::contributors(result, &writer),
+        ));
     }
     if !result.treatments.is_empty() {
         sections.push(Section::new(
@@ -84,13 +102,10 @@ fn answer_markup(answer: &Answer) -> Markup {
     html! {
         @if let Some(verdict) = answer.verdict {
             p class={ "verdict " (verdict_class(verdict)) } {
-                @match verdict {
-                    Verdict::Met => "All requirements met",
-                    Verdict::NotMet => "Requirement not met",
-                    Verdict::Undecided => "Requirement undecided",
-                }
+                (verdict_headline(verdict))
             }
         }
+        @for requirement in &answer.requirements { p { (requirement) } }
         p.headline { (answer.headline) }
         ul.details { @for detail in &answer.details { li { (detail) } } }
     }

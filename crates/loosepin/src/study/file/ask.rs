@@ -1,8 +1,10 @@
 //! Questions and requirements.
 
 use super::StudyReader;
-use super::description::{Ask, Deviation, Reduction, Requirement, Where};
-use super::keys::{ASK_KEYS, DEVIATIONS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS};
+use super::description::{Ask, Deviation, Limit, RareMethod, Reduction, Requirement, Where};
+use super::keys::{
+    ASK_KEYS, DEVIATIONS, LIMITS, METHODS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS,
+};
 use super::problem::StudyProblem;
 use crate::bounds::Statistic;
 use crate::diagnostics::nearest_name;
@@ -20,7 +22,20 @@ const REDUCTION_MEANINGS: [Reduction; 6] = [
     Reduction::Mean,
     Reduction::Range,
 ];
-const STATISTIC_MEANINGS: [Statistic; 3] = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Cdf];
+const STATISTIC_MEANINGS: [Asked; 4] = [
+    Asked::Statistic(Statistic::Mean),
+    Asked::Statistic(Statistic::StandardDeviation),
+    Asked::Statistic(Statistic::Cdf),
+    Asked::Contributors,
+];
+
+/// An entry of the list of statistics.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Asked {
+    Statistic(Statistic),
+    Contributors,
+    Rare(Statistic, RareMethod),
+}
 
 /// Words with what they mean.
 fn choices<T: Copy, const N: usize>(words: [&'static str; N], meanings: [T; N]) -> Vec<(&'static str, T)> {
@@ -57,7 +72,27 @@ impl StudyReader {
         // Without the output the dimension of limits is not known.
         let output = output?;
         let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
-        Some(Ask { output, deviation: deviation?, location: location?, statistics: statistics? })
+        let asked = statistics?;
+        let location = location?;
+        let contributors = asked.contains(&Asked::Contributors);
+        let rare: Vec<(Statistic, RareMethod)> = asked
+            .iter()
+            .filter_map(|asked| match asked {
+                Asked::Rare(statistic, method) => Some((*statistic, *method)),
+                _ => None,
+            })
+            .collect();
+        if location == Where::Cycle && !rare.is_empty() {
+            if let Some(entry) = table.get("at") {
+                self.complain(&StudyProblem::RareCurve { entry: table.path.describe() }, &entry);
+            }
+            return None;
+        }
+        let statistics = asked.into_iter().filter_map(|asked| match asked {
+            Asked::Statistic(statistic) | Asked::Rare(statistic, _) => Some(statistic),
+            Asked::Contributors => None,
+        });
+        Some(Ask { output, deviation: deviation?, location, statistics: statistics.collect(), contributors, rare })
     }
 
     /// Reads the requirements.
@@ -78,15 +113,20 @@ impl StudyReader {
         let location = self.location(table, "over", None);
         let probability_at_least = self.reader.number(table, "probability_at_least");
         let output = output?;
-        let within = table.get("within").and_then(|entry| {
+        let limit = LIMITS.into_iter().find_map(|key| {
+            let entry = table.get(key)?;
             let dimension = self.model.outputs[output].kind.dimension();
-            let within = self.reader.measured(&entry, dimension, Rule::Finite)?;
-            self.limit(&entry, within, dimension, Rule::Positive)
+            let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
+            match key {
+                "below" => Some(Limit::Below(limit)),
+                "above" => Some(Limit::Above(limit)),
+                _ => self.limit(&entry, limit, dimension, Rule::Positive).map(Limit::Within),
+            }
         });
         Some(Requirement {
             output,
             deviation: deviation?,
-            within: within?,
+            limit: limit?,
             location: location?,
             probability_at_least: probability_at_least?,
         })
@@ -156,18 +196,18 @@ impl StudyReader {
         Some(Where::Poses { angles_rad })
     }
 
-    fn statistics(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<Statistic>> {
+    fn statistics(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<Asked>> {
         let entry = table.get("statistics")?;
         let entries = self.reader.list(&entry)?;
         if entries.is_empty() {
             self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, &entry);
             return None;
         }
-        let statistics: Vec<Option<Statistic>> = entries.iter().map(|entry| self.statistic(entry, dimension)).collect();
-        statistics.into_iter().collect()
+        let asked: Vec<Option<Asked>> = entries.iter().map(|entry| self.statistic(entry, dimension)).collect();
+        asked.into_iter().collect()
     }
 
-    fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Statistic> {
+    fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {
         if entry.is_text() {
             return self.reader.choice(entry, &choices(PLAIN_STATISTICS, STATISTIC_MEANINGS));
         }
@@ -176,16 +216,37 @@ impl StudyReader {
         }
         let table = self.reader.table(entry, &STATISTIC_KEYS)?;
         let key = STATISTICS.into_iter().find(|key| table.has(key))?;
+        let method = self.method(&table, key)?;
         if key == "quantile" {
-            return self.reader.number(&table, key).map(Statistic::Quantile);
+            return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
         }
         let entry = table.get(key)?;
         let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
-        match key {
+        let statistic = match key {
             "probability_above" => Some(Statistic::ProbabilityAbove(limit)),
             "probability_below" => Some(Statistic::ProbabilityBelow(limit)),
             _ => self.limit(&entry, limit, dimension, Rule::NonNegative).map(Statistic::ProbabilityBeyond),
+        };
+        statistic.map(|statistic| match method {
+            None => Asked::Statistic(statistic),
+            Some(method) => Asked::Rare(statistic, method),
+        })
+    }
+
+    /// How a probability is estimated; inside, nothing where it is only counted.
+    fn method(&mut self, table: &Table<'_>, key: &str) -> Option<Option<RareMethod>> {
+        let Some(entry) = table.get("method") else { return Some(None) };
+        if key == "quantile" {
+            self.complain(&StudyProblem::MethodOfQuantile { entry: table.path.describe() }, &entry);
+            return None;
         }
+        let meanings = [None, Some(RareMethod::Importance), Some(RareMethod::Subset), Some(RareMethod::Automatic)];
+        let method = self.reader.choice(&entry, &choices(METHODS, meanings))?;
+        if method.is_some() && self.random.is_empty() {
+            self.complain(&StudyProblem::NothingRandom { entry: table.path.describe() }, &entry);
+            return None;
+        }
+        Some(method)
     }
 
     /// A limit of a magnitude.

@@ -35,6 +35,8 @@ pub struct Study {
     pub asks: Vec<Ask>,
     /// What is required, in file order.
     pub requirements: Vec<Requirement>,
+    /// What may be loosened as far as the requirements allow, in file order.
+    pub allowances: Vec<Allowance>,
     /// What is allowed in model and study and yet looks like an oversight.
     pub warnings: Vec<Complaint>,
     pub(super) source: Arc<Source>,
@@ -265,21 +267,100 @@ pub struct Ask {
     pub deviation: Deviation,
     /// Where in the cycle.
     pub location: Where,
-    /// Which statistics; limits in the SI unit of the output. At least one.
+    /// Which statistics; limits in the SI unit of the output. At least one, or contributors.
     pub statistics: Vec<Statistic>,
+    /// Whether it is asked what contributes to the answer.
+    pub contributors: bool,
+    /// Probabilities among the statistics that are not only counted.
+    pub rare: Vec<(Statistic, RareMethod)>,
 }
 
-/// A requirement: P(|deviation| <= within) >= probability for every value of the epistemic inputs.
+/// How a small probability is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RareMethod {
+    /// By sampling around design points; by subset simulation where these cannot be relied on.
+    Importance,
+    /// By subset simulation.
+    Subset,
+    /// As by importance, where the double loop counts too few.
+    Automatic,
+}
+
+/// What a requirement allows, in the SI unit of the output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// A magnitude of at most this, > 0.
+    Within(f64),
+    /// A value of at most this.
+    Below(f64),
+    /// A value of at least this.
+    Above(f64),
+}
+
+impl Limit {
+    /// The probability of breaking it.
+    pub fn broken(self) -> Statistic {
+        match self {
+            Self::Within(limit) => Statistic::ProbabilityBeyond(limit),
+            Self::Below(limit) => Statistic::ProbabilityAbove(limit),
+            Self::Above(limit) => Statistic::ProbabilityBelow(limit),
+        }
+    }
+
+    /// The number of a whole curve that breaks it where any point of the curve does.
+    pub fn reduction(self) -> Reduction {
+        match self {
+            Self::Within(_) => Reduction::MaximumAbsolute,
+            Self::Below(_) => Reduction::Maximum,
+            Self::Above(_) => Reduction::Minimum,
+        }
+    }
+
+    /// The least and the largest value allowed.
+    pub fn ends(self) -> [f64; 2] {
+        match self {
+            Self::Within(limit) => [-limit, limit],
+            Self::Below(limit) => [f64::NEG_INFINITY, limit],
+            Self::Above(limit) => [limit, f64::INFINITY],
+        }
+    }
+}
+
+/// A requirement: P(the limit is kept) >= probability for every value of the epistemic inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
     /// Index in [`Model::outputs`].
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,
-    /// The limit, in the SI unit of the output, > 0.
-    pub within: f64,
+    /// What is allowed.
+    pub limit: Limit,
     /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
     pub location: Where,
     /// The least probability, in (0, 1].
     pub probability_at_least: f64,
+}
+
+/// What may be loosened as far as the requirements allow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Allowance {
+    /// Path of the input.
+    pub path: String,
+    /// What of it is loosened.
+    pub input: AllowedInput,
+    /// The least value, SI: the lower end of the interval, or 0.
+    pub least_si: f64,
+    /// The largest value that is asked about, SI.
+    pub up_to_si: f64,
+    /// Values that are offered, tightest first, each with its cost; empty where it is not priced.
+    pub costs: Vec<[f64; 2]>,
+}
+
+/// What of an input is loosened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AllowedInput {
+    /// The upper end of the interval of this epistemic input.
+    UpperEnd(usize),
+    /// The standard deviation of this random input.
+    StandardDeviation(usize),
 }

@@ -253,8 +253,11 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
 pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
 pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
-pub(super) const PLAIN_STATISTICS: [&str; 3] = ["mean", "standard_deviation", "cdf"];
+pub(super) const PLAIN_STATISTICS: [&str; 4] = ["mean", "standard_deviation", "cdf", "contributors"];
 pub(super) const STATISTICS: [&str; 4] = ["quantile", "probability_above", "probability_below", "probability_beyond"];
+
+/// Ways to estimate a probability.
+pub(super) const METHODS: [&str; 4] = ["count", "importance", "subset", "automatic"];
 
 pub(super) static STATISTIC_KEYS: Keys = Keys::new(
     "a statistic with a number",
@@ -268,6 +271,12 @@ pub(super) static STATISTIC_KEYS: Keys = Keys::new(
         optional(STATISTICS[1], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
         optional(STATISTICS[2], Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
         optional(STATISTICS[3], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
+        optional(
+            "method",
+            Kind::Choice(&METHODS),
+            "\"importance\"",
+            "of a probability: count (if left out), importance or subset for small ones, automatic where too few are counted",
+        ),
     ],
 )
 .with_exactly_one(&[&STATISTICS]);
@@ -290,18 +299,23 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
             "statistics",
             Kind::List(&Kind::AnyOf(&[Kind::Choice(&PLAIN_STATISTICS), Kind::Table(&STATISTIC_KEYS)])),
             "[\"mean\", { quantile = 0.975 }]",
-            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond",
+            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond; contributors",
         ),
     ],
 )
 .with_exactly_one(&[&["at", "poses", "reduce"]]);
+
+/// What a requirement can limit.
+pub(super) const LIMITS: [&str; 3] = ["within", "below", "above"];
 
 pub(super) static REQUIRE_KEYS: Keys = Keys::new(
     "a requirement that must hold for every value of the epistemic inputs",
     &[
         required("output", Kind::Reference("output"), "\"slider\"", "an output of the model"),
         required("of", Kind::Choice(&DEVIATIONS), "\"total\"", DEVIATION_DOC),
-        required("within", Kind::AnyQuantity, "\"0.6 mm\"", "limit of the magnitude"),
+        optional(LIMITS[0], Kind::AnyQuantity, "\"0.6 mm\"", "limit of the magnitude"),
+        optional(LIMITS[1], Kind::AnyQuantity, "\"2 kN\"", "the largest value that is allowed"),
+        optional(LIMITS[2], Kind::AnyQuantity, "\"-2 kN\"", "the least value that is allowed"),
         optional("over", Kind::Choice(&["cycle"]), "\"cycle\"", "nowhere in the cycle may the limit be exceeded"),
         optional("poses", POSES, POSES_EXAMPLE, POSES_DOC),
         required(
@@ -312,7 +326,20 @@ pub(super) static REQUIRE_KEYS: Keys = Keys::new(
         ),
     ],
 )
-.with_exactly_one(&[&["over", "poses"]]);
+.with_exactly_one(&[&LIMITS, &["over", "poses"]]);
+
+pub(super) static ALLOW_KEYS: Keys = Keys::new(
+    "what may be loosened as far as the requirements allow: the upper end of an interval, or a standard deviation",
+    &[
+        required("up_to", Kind::AnyQuantity, "\"0.5 mm\"", "the largest value that is asked about"),
+        optional(
+            "cost",
+            Kind::List(&Kind::List(&Kind::AnyQuantity)),
+            "[[\"0.01 mm\", 12.0], [\"0.05 mm\", 3.0]]",
+            "values that are offered, each with its cost; the cheapest combination over all inputs is chosen",
+        ),
+    ],
+);
 
 pub(super) static STUDY_KEYS: Keys = Keys::new(
     "what is uncertain in a model, and what is asked",
@@ -352,6 +379,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),
+        optional(
+            "allow",
+            Kind::Tables { keys: &ALLOW_KEYS, except: &[] },
+            "",
+            "uncertain inputs that may be loosened as far as the requirements allow, by their paths",
+        ),
     ],
 )
 .with_planned(&[("correlation", "leave it out; the random inputs are then independent")]);

@@ -225,6 +225,53 @@ pub enum StudyProblem {
         /// The drive of the cycle.
         due: String,
     },
+    /// A method for what is no probability.
+    #[error("{entry}: a quantile has no method")]
+    MethodOfQuantile {
+        /// The entry.
+        entry: String,
+    },
+    /// A small probability where nothing scatters.
+    #[error("{entry}: nothing is random, so that no probability is small")]
+    NothingRandom {
+        /// The entry.
+        entry: String,
+    },
+    /// A small probability at every pose of a curve.
+    #[error(
+        "{entry}: small probabilities are estimated at poses or of one number of the curve, not of the whole curve"
+    )]
+    RareCurve {
+        /// The entry.
+        entry: String,
+    },
+    /// Something to loosen that is no interval and has no standard deviation.
+    #[error(
+        "'{path}' under [allow] is no interval of [epistemic] and no normal, lognormal or truncated_normal of [random]"
+    )]
+    AllowedInput {
+        /// The path.
+        path: String,
+    },
+    /// A value that is no looser than the least.
+    #[error("{entry} {found}; must be above {least}")]
+    AllowedRange {
+        /// The entry.
+        entry: String,
+        /// The value with its unit.
+        found: String,
+        /// The lower end of the interval, or zero.
+        least: String,
+    },
+    /// Prices in which what is looser costs no less.
+    #[error("{entry}: every value must stand there once, with a price, and the looser of two must cost less")]
+    Costs {
+        /// The entry.
+        entry: String,
+    },
+    /// Something to loosen as far as nothing allows.
+    #[error("[allow] without a requirement: anything would be allowed")]
+    NothingRequired,
     /// An empty list.
     #[error("{entry} is empty; at least one is due")]
     Empty {
@@ -288,9 +335,17 @@ impl Problem for StudyProblem {
             Self::ImpossibleEnd { error, .. } | Self::ImpossibleTogether { error } => error.code(),
             Self::ImpossibleShare { .. } => Code::ImpossibleShare,
             Self::UnknownOutput { .. } => Code::UnknownReference,
-            Self::PathOutput { .. } | Self::WrongDrive { .. } | Self::Empty { .. } | Self::Limit { .. } => {
-                Code::AskNotPossible
-            }
+            Self::PathOutput { .. }
+            | Self::WrongDrive { .. }
+            | Self::Empty { .. }
+            | Self::Limit { .. }
+            | Self::MethodOfQuantile { .. }
+            | Self::NothingRandom { .. }
+            | Self::RareCurve { .. }
+            | Self::AllowedInput { .. }
+            | Self::AllowedRange { .. }
+            | Self::Costs { .. }
+            | Self::NothingRequired => Code::AskNotPossible,
             Self::NothingUncertain => Code::NothingUncertain,
             Self::NothingAsked => Code::NothingAsked,
         }
@@ -334,6 +389,14 @@ impl Problem for StudyProblem {
             Self::UnknownOutput { known, .. } => Some(format!("there is {}", listed(known, "and"))),
             Self::PathOutput { .. } => {
                 Some("give the model an output position_of the point along x or y, and ask for that".to_owned())
+            }
+            Self::AllowedInput { .. } => Some("name the input under [epistemic] or [random] first".to_owned()),
+            Self::NothingRequired => Some("add [[require]]".to_owned()),
+            Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
+            Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
+            Self::NothingRandom { .. } => Some("leave 'method' out".to_owned()),
+            Self::RareCurve { .. } => {
+                Some("write reduce = \"maximum_absolute\" for anywhere in the cycle, or name poses".to_owned())
             }
             Self::NothingUncertain => {
                 Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())

@@ -1,15 +1,20 @@
 //! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
 
+mod allowances;
 mod bound;
+mod contributors;
 mod figures;
 mod inputs;
+mod rare;
 
 use serde::{Deserialize, Serialize};
 
+pub use allowances::{AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened};
 pub use bound::{
     BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, Reduction, ResponsePoint,
     StatisticKind, TreatmentKind, Witness, WitnessValue,
 };
+pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
     TreatmentBand, TreatmentComparison,
@@ -18,6 +23,8 @@ pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
     InputDescription, InputKind, OutputDescription, RunCounts,
 };
+
+pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};
@@ -63,11 +70,23 @@ pub struct StudyResult {
     pub settled_share: Option<f64>,
     /// Requirements and whether they are met.
     pub requirements: Vec<RequirementOutcome>,
+    /// How far inputs may be loosened, one at a time.
+    #[serde(default)]
+    pub allowances: Vec<AllowanceRecord>,
+    /// The cheapest combination of offers; absent where none has a price.
+    #[serde(default)]
+    pub allocation: Option<AllocationRecord>,
     /// Every bound.
     pub bounds: Vec<BoundRecord>,
     /// The same bounds for what is possible to at least each degree, where an input is a fuzzy number.
     #[serde(default)]
     pub cuts: Vec<CutBounds>,
+    /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
+    #[serde(default)]
+    pub rare: Vec<RareRecord>,
+    /// What contributes to the answers that were asked so.
+    #[serde(default)]
+    pub contributors: Vec<Contributors>,
     /// The three treatments side by side.
     pub treatments: Vec<TreatmentComparison>,
     /// Energy residuals of the runs: their own check.

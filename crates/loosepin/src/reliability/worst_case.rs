@@ -1,0 +1,175 @@
+//! Where in a box of unknown inputs an event is likeliest and least likely: by the reliability index, which is not flat.
+
+use super::design_point::{DesignPoint, DesignSearch, descend, design_points};
+
+/// First and last step of the search, in shares of the box.
+const FIRST_STEP: f64 = 0.25;
+const LAST_STEP: f64 = 1.0 / 32.0;
+/// Steps from a design point that is known nearby.
+const FOLLOWING_ITERATIONS: usize = 6;
+
+/// How far the search goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BoxSearch {
+    /// The search for design points where nothing is known yet.
+    pub design: DesignSearch,
+    /// Moves of each of the two searches, at most. Default: 24.
+    pub moves: usize,
+}
+
+impl Default for BoxSearch {
+    fn default() -> Self {
+        Self { design: DesignSearch::default(), moves: 24 }
+    }
+}
+
+/// The end of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IndexExtreme {
+    /// Where in the unit box.
+    pub at: Vec<f64>,
+    /// The design points there, nearest first.
+    pub designs: Vec<DesignPoint>,
+    /// The largest change of the index to a neighbour at the last step, along axes on which the place is inside the box: what the
+    /// search does not resolve.
+    pub unresolved: f64,
+}
+
+/// Both ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IndexRange {
+    /// Where the index is smallest, so that the event is likeliest.
+    pub smallest: IndexExtreme,
+    /// Where it is largest.
+    pub largest: IndexExtreme,
+    /// Evaluations of the limit state.
+    pub runs: usize,
+}
+
+/// The extremes of the reliability index over the unit box, of the `candidates` (at least one) and then by a pattern search along
+/// the axes from the best of them. Nothing where a candidate has no design point.
+///
+/// The probability itself is flat at zero over most of a box and shows no way; the index is smooth. Where the event has several
+/// parts the index is that of the nearest, so that a probability of many equal parts may be largest elsewhere.
+///
+/// # Errors
+/// That of the limit state, which is given points and one place of the box.
+pub fn index_range<E>(
+    limit_state: &mut impl FnMut(&[Vec<f64>], &[f64]) -> Result<Vec<f64>, E>,
+    dimensions: usize,
+    candidates: &[Vec<f64>],
+    search: &BoxSearch,
+) -> Result<Option<IndexRange>, E> {
+    let mut runs = 0;
+    let mut found: Vec<(Vec<f64>, Vec<DesignPoint>)> = Vec::new();
+    for place in candidates {
+        let (designs, used) =
+            design_points(&mut |points: &[Vec<f64>]| limit_state(points, place), dimensions, &search.design)?;
+        runs += used;
+        if designs.is_empty() {
+            return Ok(None);
+        }
+        found.push((place.clone(), designs));
+    }
+    let index = |designs: &[DesignPoint]| designs.first().map_or(f64::NAN, |design| design.index);
+    let by_index =
+        |a: &&(Vec<f64>, Vec<DesignPoint>), b: &&(Vec<f64>, Vec<DesignPoint>)| index(&a.1).total_cmp(&index(&b.1));
+    let (Some(least), Some(most)) = (found.iter().min_by(by_index), found.iter().max_by(by_index)) else {
+        return Ok(None);
+    };
+    let mut ends = Vec::with_capacity(2);
+    for (start, sign) in [(least, 1.0), (most, -1.0)] {
+        let (mut at, mut designs) = start.clone();
+        let mut step = FIRST_STEP;
+        let (mut moves, mut unresolved) = (0, 0.0_f64);
+        while step >= LAST_STEP && moves < search.moves && !at.is_empty() {
+            let mut has_moved = false;
+            unresolved = 0.0;
+            for axis in 0..at.len() {
+                for signed in [step, -step] {
+                    let mut trial = at.clone();
+                    trial[axis] = (trial[axis] + signed).clamp(0.0, 1.0);
+                    if trial[axis] == at[axis] {
+                        continue;
+                    }
+                    let mut counted = |points: &[Vec<f64>]| {
+                        runs += points.len();
+                        limit_state(points, &trial)
+                    };
+                    let Some(nearby) = follow(&mut counted, &designs)? else { continue };
+                    let change = index(&nearby) - index(&designs);
+                    if sign * change < 0.0 {
+                        (at, designs, has_moved) = (trial, nearby, true);
+                        moves += 1;
+                        break;
+                    }
+                    // At a face of the box a worse neighbour shows that the extreme is the face itself.
+                    if at[axis] > 0.0 && at[axis] < 1.0 {
+                        unresolved = unresolved.max(change.abs());
+                    }
+                }
+            }
+            if !has_moved {
+                step *= 0.5;
+            }
+        }
+        // What has been followed may have left another part of the event behind.
+        if at != start.0 {
+            let (again, used) =
+                design_points(&mut |points: &[Vec<f64>]| limit_state(points, &at), dimensions, &search.design)?;
+            runs += used;
+            if index(&again).is_finite() {
+                designs = again;
+            }
+        }
+        ends.push(IndexExtreme { at, designs, unresolved });
+    }
+    let largest = ends.pop();
+    Ok(ends.pop().zip(largest).map(|(smallest, largest)| IndexRange { smallest, largest, runs }))
+}
+
+/// The design points at a place near one where they are `known`.
+fn follow<E>(
+    limit_state: &mut impl FnMut(&[Vec<f64>]) -> Result<Vec<f64>, E>,
+    known: &[DesignPoint],
+) -> Result<Option<Vec<DesignPoint>>, E> {
+    let mut found = Vec::with_capacity(known.len());
+    for design in known {
+        let sign = if design.index < 0.0 { -1.0 } else { 1.0 };
+        if let Some(next) = descend(limit_state, design.point.clone(), FOLLOWING_ITERATIONS)? {
+            found.push(DesignPoint { index: sign * next.index, ..next });
+        }
+    }
+    found.sort_by(|a, b| a.index.abs().total_cmp(&b.index.abs()));
+    Ok((!found.is_empty()).then_some(found))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use super::{BoxSearch, index_range};
+
+    /// Shares of the box: twice the last step.
+    const PLACE_TOLERANCE: f64 = 0.07;
+    /// Reliability index: what a place off by that much makes.
+    const INDEX_TOLERANCE: f64 = 0.01;
+
+    #[test]
+    fn analytic_extremes_inside_and_at_a_corner() {
+        // β(u) = 4 + 2 (u_0 - 0.3)² + 0.5 u_1: smallest at (0.3, 0), largest at (1, 1).
+        let mut limit_state = |points: &[Vec<f64>], at: &[f64]| -> Result<Vec<f64>, Infallible> {
+            let index = 4.0 + 2.0 * (at[0] - 0.3).powi(2) + 0.5 * at[1];
+            Ok(points.iter().map(|x| index - (x[0] + 2.0 * x[1]) / 5.0_f64.sqrt()).collect())
+        };
+        let corners = [[0.5, 0.5], [0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|at| at.to_vec());
+        let range = index_range(&mut limit_state, 2, &corners, &BoxSearch::default()).unwrap().unwrap();
+        for (found, expected) in range.smallest.at.iter().zip([0.3, 0.0]) {
+            assert!((found - expected).abs() < PLACE_TOLERANCE, "{range:?}");
+        }
+        assert!((range.smallest.designs[0].index - 4.0).abs() < INDEX_TOLERANCE, "{range:?}");
+        assert!(range.smallest.unresolved > range.smallest.designs[0].index - 4.0, "{range:?}");
+        assert_eq!((&range.largest.at[..], range.largest.unresolved), (&[1.0, 1.0][..], 0.0));
+        assert!((range.largest.designs[0].index - 5.48).abs() < INDEX_TOLERANCE, "{range:?}");
+    }
+}

@@ -1,0 +1,336 @@
+//! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
+
+use super::assemble::{Material, requirements};
+use super::conduct::{Runner, StudyError, problem};
+use super::file::{Allowance, AllowedInput, Study};
+use super::response::StudyResponse;
+use super::result::{
+    AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome, Verdict,
+};
+use crate::bounds::{DoubleLoop, SampleTable};
+use crate::uncertainty::{Distribution, EpistemicVariable, Interval, RandomVariable, hash};
+use crate::units::SiUnit;
+
+/// Times that the range is halved: to a 128th of it.
+const HALVINGS: usize = 7;
+/// Values that are tried again with other random numbers, going down from the first answer, at most.
+const MOST_CONFIRMATIONS: usize = 4;
+/// The least standard deviation that is tried, as a share of the largest.
+const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
+/// Studies in search of the cheapest combination, at most.
+const MOST_ALLOCATION_STUDIES: usize = 24;
+/// Separates the random numbers of confirmations.
+const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
+
+/// Studies that may be run at most, for the plan.
+pub(super) fn most_studies(study: &Study) -> usize {
+    let searches = study.allowances.len() * (2 + HALVINGS + 2 * MOST_CONFIRMATIONS);
+    let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
+    searches + if has_costs { MOST_ALLOCATION_STUDIES } else { 0 }
+}
+
+/// Runs of one such study at most: the double loop alone.
+pub(super) fn runs_of_a_study(study: &Study) -> usize {
+    let inner = if study.random.is_empty() { 1 } else { study.sampling.inner };
+    let outer = if study.epistemic.is_empty() { 1 } else { study.sampling.outer };
+    outer * inner
+}
+
+/// What a direct study says.
+struct Answer {
+    outcomes: Vec<RequirementOutcome>,
+    runs: usize,
+}
+
+impl Answer {
+    fn verdict(&self) -> Verdict {
+        let has = |verdict| self.outcomes.iter().any(|outcome| outcome.verdict == verdict);
+        match (has(Verdict::NotMet), has(Verdict::Undecided)) {
+            (true, _) => Verdict::NotMet,
+            (false, true) => Verdict::Undecided,
+            (false, false) => Verdict::Met,
+        }
+    }
+
+    fn check(&self, value_si: f64, is_confirmation: bool) -> AllowanceCheck {
+        let margin = |outcome: &&RequirementOutcome| outcome.probability[0] - outcome.probability_at_least;
+        let nearest = self.outcomes.iter().min_by(|a, b| margin(a).total_cmp(&margin(b)));
+        AllowanceCheck {
+            value_si,
+            is_confirmation,
+            share: nearest.map_or(f64::NAN, |outcome| outcome.probability[0]),
+            required_share: nearest.map_or(f64::NAN, |outcome| outcome.probability_at_least),
+            verdict: self.verdict(),
+        }
+    }
+}
+
+/// The loosest value of each input that may be loosened, one at a time.
+///
+/// The range is halved, every trial a direct study with the same random numbers: values met below, not met above. The answer is then
+/// run again with other random numbers, as is the value just beyond; where it is not met again, the next lower value that was
+/// met stands in its place. For the upper end of an interval a larger value can only be worse, since every u of the smaller box
+/// belongs to the larger one; for standard deviations this is taken for granted, and holds at the values that were run.
+///
+/// # Errors
+/// Those of the studies.
+pub(super) fn allowances(runner: &Runner<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
+    runner.study.allowances.iter().map(|allowance| loosest(runner, allowance)).collect()
+}
+
+fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
+    let mut checks: Vec<AllowanceCheck> = Vec::new();
+    let mut runs = 0;
+    let mut check = |value: f64, is_confirmation: bool| -> Result<bool, StudyError> {
+        let seed = if is_confirmation { hash(runner.study.seed, CONFIRMATION) } else { runner.study.seed };
+        let answer = run(runner, &[(allowance, value)], seed)?;
+        runs += answer.runs;
+        checks.push(answer.check(value, is_confirmation));
+        Ok(answer.verdict() == Verdict::Met)
+    };
+    let least = match allowance.input {
+        AllowedInput::UpperEnd(_) => allowance.least_si,
+        AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
+    };
+    // Values that are met, loosest last, and the tightest one that is not.
+    let mut met: Vec<f64> = Vec::new();
+    let mut beyond = None;
+    if check(allowance.up_to_si, false)? {
+        met.push(allowance.up_to_si);
+    } else {
+        beyond = Some(allowance.up_to_si);
+        if check(least, false)? {
+            met.push(least);
+            let (mut low, mut high) = (least, allowance.up_to_si);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if check(middle, false)? {
+                    low = middle;
+                    met.push(middle);
+                } else {
+                    high = middle;
+                }
+            }
+            beyond = Some(high);
+        } else {
+            beyond = Some(least).filter(|_| beyond.is_some());
+        }
+    }
+    let mut allowed = None;
+    for value in met.into_iter().rev().take(MOST_CONFIRMATIONS) {
+        if check(value, true)? {
+            allowed = Some(value);
+            break;
+        }
+        beyond = Some(value);
+    }
+    if let (Some(_), Some(beyond)) = (allowed, beyond) {
+        check(beyond, true)?;
+    }
+    let (what, unit) = described(runner.study, allowance);
+    Ok(AllowanceRecord {
+        path: allowance.path.clone(),
+        what,
+        unit,
+        up_to_si: allowance.up_to_si,
+        allowed_si: allowed,
+        beyond_si: beyond,
+        checks,
+        runs: runs as u64,
+    })
+}
+
+/// The cheapest combination of offers; nothing where no input has any.
+///
+/// Combinations are run in the order of their cost, each a direct study, until the requirements are met. One that does not meet them
+/// excludes every combination that is at least as loose in all inputs, since looser is never better. The first one that meets them
+/// is the cheapest; where the studies run out before, none is named.
+///
+/// # Errors
+/// Those of the studies.
+pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>, StudyError> {
+    let offered: Vec<&Allowance> = runner.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
+    if offered.is_empty() {
+        return Ok(None);
+    }
+    let seed = runner.study.seed;
+    let mut runs = 0;
+    let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
+    let search = cheapest(&costs, MOST_ALLOCATION_STUDIES, |values| {
+        let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
+        let answer = run(runner, &set, seed)?;
+        runs += answer.runs;
+        Ok::<bool, StudyError>(answer.verdict() == Verdict::Met)
+    })?;
+    let choices = search.chosen.as_ref().map_or_else(Vec::new, |chosen| {
+        let choice = |(allowance, &place): (&&Allowance, &usize)| {
+            let (what, unit) = described(runner.study, allowance);
+            let [value_si, cost] = allowance.costs[place];
+            AllocatedInput { path: allowance.path.clone(), what, unit, value_si, cost }
+        };
+        offered.iter().zip(chosen).map(choice).collect()
+    });
+    Ok(Some(AllocationRecord {
+        cost: if choices.is_empty() { f64::NAN } else { choices.iter().map(|choice| choice.cost).sum() },
+        is_cheapest: !choices.is_empty(),
+        choices,
+        combinations: search.combinations as u64,
+        studies: search.studies as u64,
+        excluded: search.excluded as u64,
+        runs: runs as u64,
+    }))
+}
+
+/// What the search for the cheapest combination found.
+struct Cheapest {
+    /// Place of the offer for each input.
+    chosen: Option<Vec<usize>>,
+    combinations: usize,
+    studies: usize,
+    excluded: usize,
+}
+
+/// With more combinations than this no search is made.
+const MOST_COMBINATIONS: usize = 100_000;
+
+/// The cheapest combination of `offers` (value and cost, tightest first) for which `is_met`, after at most `most_studies` of these.
+fn cheapest<E>(
+    offers: &[&[[f64; 2]]],
+    most_studies: usize,
+    mut is_met: impl FnMut(&[f64]) -> Result<bool, E>,
+) -> Result<Cheapest, E> {
+    let number = offers.iter().fold(1_usize, |product, of_input| product.saturating_mul(of_input.len()));
+    if number > MOST_COMBINATIONS {
+        return Ok(Cheapest { chosen: None, combinations: number, studies: 0, excluded: 0 });
+    }
+    let mut combinations: Vec<Vec<usize>> = vec![Vec::new()];
+    for of_input in offers {
+        let extended = combinations
+            .iter()
+            .flat_map(|known| (0..of_input.len()).map(move |place| known.iter().copied().chain([place]).collect()));
+        combinations = extended.collect();
+    }
+    let cost = |places: &[usize]| places.iter().zip(offers).map(|(&place, of)| of[place][1]).sum::<f64>();
+    combinations.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let mut refused: Vec<Vec<usize>> = Vec::new();
+    let mut found = Cheapest { chosen: None, combinations: combinations.len(), studies: 0, excluded: 0 };
+    for places in combinations {
+        let is_looser = |known: &Vec<usize>| places.iter().zip(known).all(|(place, tight)| place >= tight);
+        if refused.iter().any(is_looser) {
+            found.excluded += 1;
+            continue;
+        }
+        if found.studies == most_studies {
+            break;
+        }
+        found.studies += 1;
+        let values: Vec<f64> = places.iter().zip(offers).map(|(&place, of)| of[place][0]).collect();
+        if is_met(&values)? {
+            found.chosen = Some(places);
+            break;
+        }
+        found.excluded += 1;
+        refused.push(places);
+    }
+    Ok(found)
+}
+
+fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
+    let table = &study.model.quantities;
+    match allowance.input {
+        AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
+        AllowedInput::StandardDeviation(index) => {
+            let dimension = table[study.random[index].quantity].dimension;
+            (Loosened::StandardDeviation, SiUnit::of_dimension(dimension))
+        }
+    }
+}
+
+/// The requirements of the study with other values of some inputs.
+fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
+    let mut study = runner.study.clone();
+    study.seed = seed;
+    study.asks.clear();
+    for (allowance, value) in set {
+        loosen(&mut study, allowance, *value);
+    }
+    let response = StudyResponse::new(&study)?;
+    let plan = DoubleLoop::try_new(problem(&study, &response))?;
+    let mut table = SampleTable::new(response.row_length());
+    let own = Runner { study: &study, response: &response, ..*runner };
+    let mut round = plan.next_round(&table)?;
+    while !round.is_empty() {
+        own.run(&round, &mut table)?;
+        round = runner.pool.install(|| plan.next_round(&table))?;
+    }
+    let bounds = runner.pool.install(|| plan.results(&table))?;
+    let material = Material {
+        study: &study,
+        response: &response,
+        table: &table,
+        bounds: &bounds,
+        pairs: &bounds.pairs,
+        rare: &[],
+    };
+    runner.advance(table.len());
+    Ok(Answer { outcomes: requirements(&material), runs: table.len() })
+}
+
+fn loosen(study: &mut Study, allowance: &Allowance, value: f64) {
+    match allowance.input {
+        AllowedInput::UpperEnd(index) => {
+            if let Ok(interval) = Interval::try_new(allowance.least_si, value) {
+                study.epistemic[index].variable = EpistemicVariable::from(interval);
+            }
+        }
+        AllowedInput::StandardDeviation(index) => {
+            let input = &mut study.random[index];
+            let distribution = match *input.variable.distribution() {
+                Distribution::Normal { mean, .. } => Distribution::Normal { mean, standard_deviation: value },
+                Distribution::Lognormal { mean, .. } => Distribution::Lognormal { mean, standard_deviation: value },
+                Distribution::TruncatedNormal { mean, lower, upper, .. } => {
+                    Distribution::TruncatedNormal { mean, standard_deviation: value, lower, upper }
+                }
+                ref other => other.clone(),
+            };
+            if let Ok(variable) = RandomVariable::try_new(distribution) {
+                input.variable = variable;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use super::cheapest;
+
+    #[test]
+    fn analytic_the_cheapest_of_all_combinations() {
+        // A budget of variances: the cheapest by trying all 27 of them.
+        let offers: [&[[f64; 2]]; 3] = [
+            &[[0.01, 12.0], [0.02, 7.0], [0.05, 3.0]],
+            &[[0.015, 9.0], [0.03, 4.5], [0.04, 4.0]],
+            &[[0.008, 20.0], [0.02, 6.5], [0.06, 2.5]],
+        ];
+        let fits = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>() <= 0.042_f64.powi(2);
+        let mut best = f64::INFINITY;
+        for a in offers[0] {
+            for b in offers[1] {
+                for c in offers[2] {
+                    if fits(&[a[0], b[0], c[0]]) {
+                        best = best.min(a[1] + b[1] + c[1]);
+                    }
+                }
+            }
+        }
+        let found = cheapest(&offers, 27, |values| Ok::<bool, Infallible>(fits(values))).unwrap();
+        let chosen = found.chosen.unwrap();
+        let cost: f64 = chosen.iter().zip(offers).map(|(&place, of)| of[place][1]).sum();
+        assert_eq!(cost, best);
+        assert!(found.studies < 10, "{} of 27", found.studies);
+        let starved = cheapest(&offers, 1, |values| Ok::<bool, Infallible>(fits(values))).unwrap();
+        assert_eq!((starved.chosen, starved.studies), (None, 1));
+    }
+}

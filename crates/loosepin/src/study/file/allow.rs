@@ -1,0 +1,78 @@
+//! What may be loosened: the unknowns of the inverse question.
+
+use super::StudyReader;
+use super::description::{Allowance, AllowedInput, Requirement};
+use super::keys::ALLOW_KEYS;
+use super::problem::StudyProblem;
+use crate::document::{Entry, Table};
+use crate::uncertainty::Distribution;
+use crate::units::{Dimension, Rule, format_value};
+
+impl StudyReader {
+    /// Reads what may be loosened.
+    pub fn read_allowances(&mut self, root: &Table<'_>, requirements: &[Requirement]) -> Vec<Allowance> {
+        let Some(entry) = root.get("allow") else { return Vec::new() };
+        let allowances = self.reader.any_keys(&entry).iter().filter_map(|entry| self.allowance(entry)).collect();
+        if requirements.is_empty() && root.get("require").is_none() {
+            self.complain(&StudyProblem::NothingRequired, &entry.at_key());
+        }
+        allowances
+    }
+
+    fn allowance(&mut self, entry: &Entry<'_>) -> Option<Allowance> {
+        let path = entry.name.to_owned();
+        let Some((input, least, dimension)) = self.allowed_input(&path) else {
+            self.complain(&StudyProblem::AllowedInput { path }, &entry.at_key());
+            return None;
+        };
+        let table = self.reader.table(entry, &ALLOW_KEYS)?;
+        let written = table.get("up_to")?;
+        let up_to = self.reader.measured(&written, dimension, Rule::Finite)?;
+        if !(up_to > least) {
+            self.above(&written, up_to, least, dimension);
+            return None;
+        }
+        let mut costs: Vec<[f64; 2]> = Vec::new();
+        if let Some(list) = table.get("cost") {
+            for offer in self.reader.list(&list)? {
+                let pair = self.reader.pair(&offer)?;
+                let value = self.reader.measured(&pair[0], dimension, Rule::Finite)?;
+                let cost = self.reader.measured(&pair[1], Dimension::NUMBER, Rule::NonNegative)?;
+                if !(value > least) {
+                    self.above(&pair[0], value, least, dimension);
+                    return None;
+                }
+                costs.push([value, cost]);
+            }
+            costs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            // What is tighter costs more, or nobody would choose what is looser.
+            if costs.is_empty() || costs.windows(2).any(|pair| pair[0][0] == pair[1][0] || pair[0][1] <= pair[1][1]) {
+                self.complain(&StudyProblem::Costs { entry: list.path.describe() }, &list);
+                return None;
+            }
+        }
+        Some(Allowance { path, input, least_si: least, up_to_si: up_to, costs })
+    }
+
+    /// The input that `path` names, the least value of what is loosened, and its dimension.
+    fn allowed_input(&self, path: &str) -> Option<(AllowedInput, f64, Dimension)> {
+        if let Some(index) = self.epistemic.iter().position(|input| input.path == path) {
+            let input = &self.epistemic[index];
+            let dimension = self.model.quantities[input.quantity()?].dimension;
+            return Some((AllowedInput::UpperEnd(index), input.interval()?.lower(), dimension));
+        }
+        let index = self.random.iter().position(|input| input.path == path)?;
+        let input = &self.random[index];
+        let has_deviation = matches!(
+            input.variable.distribution(),
+            Distribution::Normal { .. } | Distribution::Lognormal { .. } | Distribution::TruncatedNormal { .. }
+        );
+        let dimension = self.model.quantities[input.quantity].dimension;
+        has_deviation.then_some((AllowedInput::StandardDeviation(index), 0.0, dimension))
+    }
+
+    fn above(&mut self, entry: &Entry<'_>, found: f64, least: f64, dimension: Dimension) {
+        let [found, least] = [found, least].map(|value| format_value(value, dimension));
+        self.complain(&StudyProblem::AllowedRange { entry: entry.path.describe(), found, least }, entry);
+    }
+}
