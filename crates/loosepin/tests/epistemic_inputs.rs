@@ -44,14 +44,15 @@ fn conducted(top: &str, inputs: &str) -> StudyResult {
     conduct(&study, "", 2, &Silent, &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}")).result
 }
 
-/// Deviation of the slider at 60° for these lengths of crank and rod, m.
-fn deviation_m(crank_m: f64, rod_m: f64) -> f64 {
+/// Deviation of the slider at 60° for these lengths of crank and rod, m; the ideal motion has unknown inputs in the middle of
+/// all that is possible.
+fn deviation_m(crank_m: f64, rod_m: f64, middle_m: f64) -> f64 {
     let position = |crank: f64, rod: f64| {
         let angle_rad = std::f64::consts::FRAC_PI_3;
         let height = crank * angle_rad.sin();
         crank * angle_rad.cos() + (rod * rod - height * height).sqrt()
     };
-    position(crank_m, rod_m) - position(50.0 * MM, 120.0 * MM)
+    position(crank_m, rod_m) - position(50.0 * MM, middle_m)
 }
 
 fn near(bound: &BoundRecord, exact_m: [f64; 2]) {
@@ -68,7 +69,7 @@ const CRANK_BOX: &str = "[random]\n\"parameter.crank_length\" = { normal = { mea
 #[test]
 fn analytic_a_probability_box_from_file_to_page() {
     let result = conducted("", CRANK_BOX);
-    near(&result.bounds[0], [deviation_m(49.99 * MM, 0.12), deviation_m(50.02 * MM, 0.12)]);
+    near(&result.bounds[0], [deviation_m(49.99 * MM, 0.12, 0.12), deviation_m(50.02 * MM, 0.12, 0.12)]);
     let witness = &result.bounds[0].upper.witness["parameter.crank_length mean"];
     assert_eq!(*witness, WitnessValue::Number(0.05002));
     assert_eq!(
@@ -84,15 +85,17 @@ fn analytic_evidence_beside_a_probability_box_from_file_to_page() {
     let evidence = "[epistemic]\n\"parameter.rod_length\" = { evidence = [{ interval = [\"119.98 mm\", \"120 mm\"], mass = \
                     0.3 }, { interval = [\"120 mm\", \"120.03 mm\"], mass = 0.7 }] }";
     let result = conducted("reading = \"unknown-distribution\"", &format!("{CRANK_BOX}\n{evidence}"));
+    const MIDDLE_M: f64 = 120.005 * MM;
     let added = |crank_mm: f64, rods_mm: [f64; 2]| {
-        0.3 * deviation_m(crank_mm * MM, rods_mm[0] * MM) + 0.7 * deviation_m(crank_mm * MM, rods_mm[1] * MM)
+        let [first, second] = rods_mm.map(|rod_mm| deviation_m(crank_mm * MM, rod_mm * MM, MIDDLE_M));
+        0.3 * first + 0.7 * second
     };
     near(&result.bounds[0], [added(49.99, [119.98, 120.0]), added(50.02, [120.0, 120.03])]);
     assert!(result.bounds[0].upper.witness.is_empty());
     assert_eq!(result.bounds[0].reading, IntervalReading::UnknownDistribution);
     // The median inverts the added distribution functions: between the ends of the element that holds it.
     let median = &result.bounds[3];
-    let ends = [deviation_m(49.99 * MM, 0.12), deviation_m(50.02 * MM, 120.03 * MM)];
+    let ends = [deviation_m(49.99 * MM, 0.12, MIDDLE_M), deviation_m(50.02 * MM, 120.03 * MM, MIDDLE_M)];
     let tolerance_m = 0.005 * MM; // two standard deviations of the scatter
     assert!((median.lower.value_si - ends[0]).abs() < tolerance_m, "{median:?}");
     assert!((median.upper.value_si - ends[1]).abs() < tolerance_m, "{median:?}");
@@ -111,7 +114,7 @@ fn analytic_a_fuzzy_number_from_file_to_page() {
     assert_eq!(degrees, [0.0, 0.25, 0.5, 0.75, 1.0]);
     for cut in &result.cuts {
         let rods_mm = [119.97 + 0.03 * cut.alpha, 120.05 - 0.05 * cut.alpha];
-        near(&cut.bounds[0], rods_mm.map(|rod_mm| deviation_m(0.05, rod_mm * MM)));
+        near(&cut.bounds[0], rods_mm.map(|rod_mm| deviation_m(0.05, rod_mm * MM, 120.01 * MM)));
     }
     assert_eq!(result.cuts[0].bounds, result.bounds);
     let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");

@@ -130,7 +130,8 @@ impl Sorted {
                     return f64::NEG_INFINITY;
                 }
                 let index = self.all.partition_point(|&y| below(y) < probability);
-                self.all[index - 1]
+                // Where more is conceded than the probability itself, the least value of all is tried.
+                self.all[index.saturating_sub(1)]
             }
         }
     }
