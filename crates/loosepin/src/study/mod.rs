@@ -4,6 +4,7 @@ mod assemble;
 mod columns;
 mod complaint;
 mod conduct;
+mod distribution_words;
 mod file;
 pub mod files;
 mod ideal_curve;
@@ -15,6 +16,7 @@ pub mod result;
 pub mod runs;
 
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
+pub use distribution_words::distribution_words;
 pub use file::{
     Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
     StudyProblem, Where, study_schema,

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{Study, StudyError, plan_runs, time_a_run_s};
+use loosepin::study::{Study, StudyError, distribution_words, plan_runs, time_a_run_s};
 use loosepin::uncertainty::Distribution;
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -65,7 +65,7 @@ fn push_inputs(text: &mut String, study: &Study) {
     let dimension = |id: QuantityId| study.model.quantities[id].dimension;
     let _ = writeln!(text, "\n{}", counted(study.random.len(), "random input", "random inputs"));
     for input in &study.random {
-        let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
+        let shown = shown_distribution(input.variable.distribution(), dimension(input.quantity));
         let _ = writeln!(text, "  {:width$}  {shown}", input.path);
     }
     let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
@@ -89,7 +89,7 @@ fn push_inputs(text: &mut String, study: &Study) {
     }
 }
 
-fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
+fn shown_distribution(distribution: &Distribution, dimension: Dimension) -> String {
     let value = |value_si: f64| format_value(value_si, dimension);
     match *distribution {
         Distribution::Normal { mean, standard_deviation } => {
@@ -116,5 +116,6 @@ fn distribution_words(distribution: &Distribution, dimension: Dimension) -> Stri
             format_number(alpha),
             format_number(beta)
         ),
+        _ => distribution_words(distribution, dimension),
     }
 }

@@ -3,10 +3,10 @@
 use super::Material;
 use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
+use crate::study::distribution_words::distribution_words;
 use crate::study::file::Study;
 use crate::study::result::{CycleDescription, InputDescription, InputKind, OutputDescription};
-use crate::uncertainty::Distribution;
-use crate::units::{Dimension, SiUnit, format_value};
+use crate::units::{Dimension, SiUnit};
 
 /// The uncertain inputs, random ones first, each kind in file order.
 pub fn inputs(study: &Study) -> Vec<InputDescription> {
@@ -42,30 +42,6 @@ fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
 /// The SI unit of a quantity, `1` for a pure number.
 pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
     SiUnit::of_dimension(table[id].dimension)
-}
-
-fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
-    let show = |value_si: f64| format_value(value_si, dimension);
-    let family = distribution.family();
-    match *distribution {
-        Distribution::Normal { mean, standard_deviation } | Distribution::Lognormal { mean, standard_deviation } => {
-            format!("{family}, mean {}, standard deviation {}", show(mean), show(standard_deviation))
-        }
-        Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => format!(
-            "{family}, mean {}, standard deviation {} before the cut to {} .. {}",
-            show(mean),
-            show(standard_deviation),
-            show(lower),
-            show(upper)
-        ),
-        Distribution::Uniform { lower, upper } => format!("{family}, {} .. {}", show(lower), show(upper)),
-        Distribution::Triangular { lower, mode, upper } => {
-            format!("{family}, {} .. {}, most likely {}", show(lower), show(upper), show(mode))
-        }
-        Distribution::Beta { alpha, beta, lower, upper } => {
-            format!("{family}, {} .. {}, shapes {alpha} and {beta}", show(lower), show(upper))
-        }
-    }
 }
 
 /// What every run ran through.
