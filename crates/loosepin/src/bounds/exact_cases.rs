@@ -22,6 +22,7 @@ pub(super) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
     let epistemic = epistemic.iter().map(|&(lower, upper)| Interval::try_new(lower, upper).unwrap().into()).collect();
     Problem {
         random,
+        copula: None,
         epistemic,
         columns: 1,
         requests: statistics.iter().map(|&statistic| Request { column: 0, statistic }).collect(),

@@ -48,6 +48,8 @@ pub use table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use treatment::{Band, TreatmentComparison};
 
 #[cfg(test)]
+mod correlated_cases;
+#[cfg(test)]
 mod discrete_cases;
 #[cfg(test)]
 mod exact_cases;

@@ -341,15 +341,12 @@ impl DoubleLoop {
         let replicates = 0..self.problem.sampling.replicates as u32;
         replicates.flat_map(move |replicate| {
             (0..per_replicate).map(move |index| {
-                let random = self.problem.random.iter().enumerate();
-                let random: Vec<f64> = random
-                    .map(|(input, variable)| variable.quantile(self.mixture.point(replicate, index, input)))
-                    .collect();
-                let epistemic = self.problem.epistemic.iter().enumerate();
-                let epistemic = epistemic.map(|(input, variable)| {
-                    variable.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
-                });
-                let epistemic = epistemic.collect();
+                let mut point = vec![0.0; self.mixture.dimensions()];
+                self.mixture.write_point(replicate, index, &mut point);
+                let (random, epistemic) = point.split_at(self.problem.random.len());
+                let random = self.problem.sample(random);
+                let epistemic = self.problem.epistemic.iter().zip(epistemic);
+                let epistemic = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
                 RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
             })
         })
@@ -393,12 +390,11 @@ fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError
     let replicates = problem.sampling.replicates;
     let per_replicate = (problem.sampling.inner / replicates) as u32;
     let mut runs = Vec::with_capacity(problem.sampling.inner);
+    let mut point = vec![0.0; problem.random.len()];
     for replicate in 0..replicates as u32 {
         for index in 0..per_replicate {
-            let quantile = |(input, variable): (usize, &crate::uncertainty::RandomVariable)| {
-                variable.quantile(sobol.point(replicate, index, input))
-            };
-            runs.push((replicate, index, problem.random.iter().enumerate().map(quantile).collect()));
+            sobol.write_point(replicate, index, &mut point);
+            runs.push((replicate, index, problem.sample(&point)));
         }
     }
     Ok(runs)

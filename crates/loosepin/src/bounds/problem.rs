@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::points::structural_point_count;
 use super::search_box::SearchBox;
 use super::statistic::Statistic;
-use crate::uncertainty::{EpistemicVariable, MAXIMUM_DIMENSIONS, RandomVariable};
+use crate::uncertainty::{EpistemicVariable, GaussianCopula, MAXIMUM_DIMENSIONS, RandomVariable};
 
 /// One statistic of one column of the response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,8 +46,11 @@ impl Default for Sampling {
 /// A response's inputs, and what is asked of it.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Distributions of the random inputs, taken as independent.
+    /// Distributions of the random inputs one by one.
     pub random: Vec<RandomVariable>,
+    /// How they depend on each other; nothing where they are independent. The interval-only treatment knows no correlation: its
+    /// box holds every combination of the cut inputs.
+    pub copula: Option<GaussianCopula>,
     /// What is known of the epistemic inputs.
     pub epistemic: Vec<EpistemicVariable>,
     /// Number of columns of the response.
@@ -184,6 +187,14 @@ pub enum ProblemError {
         /// Random and epistemic inputs together.
         inputs: usize,
     },
+    /// A copula of another number of inputs.
+    #[error("correlations of {found} random inputs; there are {expected}")]
+    OtherCopula {
+        /// Inputs of the copula.
+        found: usize,
+        /// Random inputs.
+        expected: usize,
+    },
 }
 
 /// The smoother factorises matrices of this order.
@@ -193,11 +204,22 @@ pub(super) const MOST_POINTS: usize = 512;
 const MOST_COMBINATIONS: usize = 64;
 
 impl Problem {
+    /// The random inputs at a point of the unit cube.
+    pub(super) fn sample(&self, point: &[f64]) -> Vec<f64> {
+        match &self.copula {
+            Some(copula) => copula.sample(&self.random, point),
+            None => self.random.iter().zip(point).map(|(variable, &at)| variable.quantile(at)).collect(),
+        }
+    }
+
     /// Checks everything that does not need a run.
     pub(super) fn check(&self) -> Result<(), ProblemError> {
         let inputs = self.random.len() + self.epistemic.len();
         if inputs > MAXIMUM_DIMENSIONS {
             return Err(ProblemError::TooManyInputs { inputs });
+        }
+        if let Some(copula) = self.copula.as_ref().filter(|copula| copula.inputs() != self.random.len()) {
+            return Err(ProblemError::OtherCopula { found: copula.inputs(), expected: self.random.len() });
         }
         self.check_requests()?;
         let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;

@@ -45,7 +45,7 @@ pub fn assemble(
         input_hash: input_hash.to_owned(),
         seed: study.seed,
         inputs: describe::inputs(study),
-        correlations: Vec::new(),
+        correlations: describe::correlations(study),
         cycle: describe::cycle(&material),
         outputs: describe::outputs(&material),
         counts: summary::counts(&material),

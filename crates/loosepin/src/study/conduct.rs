@@ -237,6 +237,7 @@ fn problem(study: &Study, response: &StudyResponse) -> Problem {
     let extreme = EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len()));
     Problem {
         random: study.random.iter().map(|input| input.variable.clone()).collect(),
+        copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
         epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
         columns: response.row_length(),
         requests: plan.requests(),

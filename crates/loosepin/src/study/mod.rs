@@ -9,6 +9,7 @@ mod file;
 pub mod files;
 mod ideal_curve;
 mod input_file;
+mod iso_286;
 mod lanes;
 mod recorder;
 mod response;
@@ -18,7 +19,8 @@ pub mod runs;
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use distribution_words::distribution_words;
 pub use file::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
-    StudyProblem, Where, study_schema,
+    Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, RandomInput, RandomProblem,
+    Reduction, Requirement, Sampling, StatedCorrelation, Study, StudyProblem, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};
+pub use iso_286::FitError;

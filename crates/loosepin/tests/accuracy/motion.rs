@@ -19,7 +19,7 @@ const DIFFERENCE: f64 = 1e-7;
 
 pub(crate) fn plan(built: &Built, positions: usize) -> MotionPlan {
     let span = built.mechanism.model.cycle.span;
-    MotionPlan { span, positions, scatter: Vec::new(), overrides: Vec::new() }
+    MotionPlan { span, positions, scatter: Vec::new(), correlations: Vec::new(), overrides: Vec::new() }
 }
 
 pub(crate) fn motion_of(built: &Built, positions: usize) -> MotionRecord {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{Study, StudyError, distribution_words, plan_runs, time_a_run_s};
+use loosepin::study::{CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
 use loosepin::uncertainty::Distribution;
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -66,7 +66,16 @@ fn push_inputs(text: &mut String, study: &Study) {
     let _ = writeln!(text, "\n{}", counted(study.random.len(), "random input", "random inputs"));
     for input in &study.random {
         let shown = shown_distribution(input.variable.distribution(), dimension(input.quantity));
-        let _ = writeln!(text, "  {:width$}  {shown}", input.path);
+        let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
+        let _ = writeln!(text, "  {:width$}  {shown}{origin}", input.path);
+    }
+    for each in study.correlation.iter().flat_map(|correlation| &correlation.stated) {
+        let [first, second] = [each.first, each.second].map(|input| &study.random[input].path);
+        let measure = match each.measure {
+            CorrelationMeasure::Rank => "rank",
+            CorrelationMeasure::Linear => "linear",
+        };
+        let _ = writeln!(text, "  {first} with {second}: {measure} correlation {}", format_number(each.value));
     }
     let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
     let has_lists = lists > 0;

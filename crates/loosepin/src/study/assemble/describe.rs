@@ -4,8 +4,9 @@ use super::Material;
 use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
 use crate::study::distribution_words::distribution_words;
-use crate::study::file::Study;
-use crate::study::result::{CycleDescription, InputDescription, InputKind, OutputDescription};
+use crate::study::file::{CorrelationMeasure, Study};
+use crate::study::result::{CorrelationDescription, CycleDescription, InputDescription, InputKind, OutputDescription};
+use crate::uncertainty::rank_of_normal;
 use crate::units::{Dimension, SiUnit};
 
 /// The uncertain inputs, random ones first, each kind in file order.
@@ -15,7 +16,10 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         path: input.path.clone(),
         kind: InputKind::Random,
         unit: unit(table, input.quantity),
-        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity)),
+        words: {
+            let words = distribution_words(input.variable.distribution(), dimension(table, input.quantity));
+            input.origin.as_ref().map_or(words.clone(), |origin| format!("{words}; {origin}"))
+        },
     });
     let epistemic = study.epistemic.iter().map(|input| {
         let [lower_si, upper_si] = input.variable.ends();
@@ -33,6 +37,22 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         InputDescription { path: input.path.clone(), kind, unit: input.unit(&study.model), words }
     });
     random.chain(epistemic).collect()
+}
+
+/// The correlations of random inputs, in file order.
+pub fn correlations(study: &Study) -> Vec<CorrelationDescription> {
+    let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
+    stated
+        .map(|each| {
+            let of = [each.first, each.second].map(|input| study.random[input].path.clone()).to_vec();
+            match each.measure {
+                CorrelationMeasure::Rank => CorrelationDescription { of, rank: each.value, linear: None },
+                CorrelationMeasure::Linear => {
+                    CorrelationDescription { of, rank: rank_of_normal(each.normal), linear: Some(each.value) }
+                }
+            }
+        })
+        .collect()
 }
 
 fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {

@@ -7,7 +7,7 @@ use crate::bounds::Statistic;
 use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
-use crate::uncertainty::{EpistemicVariable, Interval, RandomVariable};
+use crate::uncertainty::{EpistemicVariable, GaussianCopula, Interval, RandomVariable};
 use crate::units::{Dimension, SiUnit, format_value};
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -27,6 +27,8 @@ pub struct Study {
     pub sampling: Sampling,
     /// Random inputs in file order.
     pub random: Vec<RandomInput>,
+    /// How the random inputs go together; nothing where they are independent.
+    pub correlation: Option<Correlation>,
     /// Epistemic inputs in file order.
     pub epistemic: Vec<EpistemicInput>,
     /// What is asked, in file order.
@@ -36,6 +38,7 @@ pub struct Study {
     /// What is allowed in model and study and yet looks like an oversight.
     pub warnings: Vec<Complaint>,
     pub(super) source: Arc<Source>,
+    pub(super) tables: Vec<Arc<Source>>,
 }
 
 /// How many runs, and how accurate.
@@ -60,6 +63,41 @@ pub struct RandomInput {
     pub quantity: QuantityId,
     /// Its distribution, SI.
     pub variable: RandomVariable,
+    /// Where the distribution comes from, in words, where it is not stated itself: a tolerance, a fit, a sample.
+    pub origin: Option<String>,
+}
+
+/// How random inputs go together: a Gaussian copula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Correlation {
+    /// The correlations in file order.
+    pub stated: Vec<StatedCorrelation>,
+    /// All of them.
+    pub copula: GaussianCopula,
+}
+
+/// A correlation of two random inputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedCorrelation {
+    /// One input, by its place in [`Study::random`].
+    pub first: usize,
+    /// The other one.
+    pub second: usize,
+    /// What the value measures.
+    pub measure: CorrelationMeasure,
+    /// The value as stated.
+    pub value: f64,
+    /// The correlation of the normal variables behind the inputs.
+    pub normal: f64,
+}
+
+/// What a correlation measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CorrelationMeasure {
+    /// Ranks (Spearman).
+    Rank,
+    /// The values themselves (Pearson).
+    Linear,
 }
 
 /// What is known only to lie in an interval, or to be one of a list.

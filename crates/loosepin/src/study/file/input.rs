@@ -7,6 +7,7 @@ use super::keys::{
     TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
 };
 use super::problem::StudyProblem;
+use super::random::Stated;
 use crate::contact::NormalDescription;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
 use crate::model::{ContactId, QuantityId};
@@ -33,12 +34,12 @@ impl StudyReader {
             }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
             let dimension = self.model.quantities[quantity].dimension;
-            let distribution =
-                self.reader.table(&entry, &RANDOM_KEYS).and_then(|table| self.distribution(&table, dimension));
-            let Some(distribution) = distribution else { continue };
+            let table = self.reader.table(&entry, &RANDOM_KEYS);
+            let stated = table.and_then(|table| self.stated(&table, quantity, entry.name));
+            let Some(Stated { distribution, origin }) = stated else { continue };
             match RandomVariable::try_new(distribution) {
                 Ok(variable) => {
-                    self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable });
+                    self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, origin });
                 }
                 Err(error) => self
                     .complain(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, &entry),
@@ -61,10 +62,13 @@ impl StudyReader {
                 self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
             let Some(table) = self.reader.table(&entry, &EPISTEMIC_KEYS) else { continue };
+            self.refuse_stray(&table, &[("diameter", "fit")]);
             let variable = if let Some(written) = table.get("interval") {
                 self.interval(&written, quantity, entry.name).map(EpistemicVariable::from)
             } else if let Some(written) = table.get("any_of") {
                 self.numbers(&written, quantity, entry.name).map(EpistemicVariable::from)
+            } else if let Some(written) = table.get("fit") {
+                self.fit_interval(&table, &written, quantity, entry.name).map(EpistemicVariable::from)
             } else {
                 None
             };
@@ -124,8 +128,7 @@ impl StudyReader {
                 continue;
             };
             if values.contains(&value) {
-                let (entry, value) = (written.path.describe(), format_value(value, dimension));
-                self.complain(&StudyProblem::MemberTwice { entry, value }, member);
+                self.member_twice(written, value, dimension, member);
                 is_right = false;
             } else if !self.check_end(quantity, path, value, member, true) {
                 is_right = false;
@@ -136,7 +139,7 @@ impl StudyReader {
     }
 
     /// Whether a list leaves something to choose.
-    fn has_choice(&mut self, written: &Entry<'_>, entries: &[Entry<'_>]) -> bool {
+    pub(super) fn has_choice(&mut self, written: &Entry<'_>, entries: &[Entry<'_>]) -> bool {
         let entry = written.path.describe();
         match entries.len() {
             0 => self.complain(&StudyProblem::Empty { entry }, written),
@@ -144,6 +147,12 @@ impl StudyReader {
             _ => return true,
         }
         false
+    }
+
+    /// Complains about a member that is there already.
+    pub(super) fn member_twice(&mut self, list: &Entry<'_>, value: f64, dimension: Dimension, member: &Entry<'_>) {
+        let (entry, value) = (list.path.describe(), format_value(value, dimension));
+        self.complain(&StudyProblem::MemberTwice { entry, value }, member);
     }
 
     /// The quantity that a key names, where a table stands behind it.
@@ -195,7 +204,7 @@ impl StudyReader {
         Interval::try_new(lower, upper).ok()
     }
 
-    fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
+    pub(super) fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
         let family = FAMILIES.into_iter().find(|family| table.has(family))?;
         let entry = table.get(family)?;
         let keys: &'static Keys = match family {
@@ -204,7 +213,8 @@ impl StudyReader {
             "uniform" => &UNIFORM_KEYS,
             "lognormal" => &LOGNORMAL_KEYS,
             "triangular" => &TRIANGULAR_KEYS,
-            _ => &BETA_KEYS,
+            "beta" => &BETA_KEYS,
+            _ => return self.further_family(family, &entry, dimension),
         };
         let table = self.reader.table(&entry, keys)?;
         let positive_mean = family == "lognormal";
@@ -240,7 +250,7 @@ impl StudyReader {
                 Some(Distribution::Triangular { lower, mode, upper })
             }
             _ => {
-                let [alpha, beta] = ["alpha", "beta"].map(|key| self.shape(&table, key));
+                let [alpha, beta] = ["alpha", "beta"].map(|key| self.number_within(&table, key, SHAPES));
                 let (lower, upper) = self.ends(&table, dimension)?;
                 Some(Distribution::Beta { alpha: alpha?, beta: beta?, lower, upper })
             }
@@ -268,7 +278,7 @@ impl StudyReader {
     }
 
     /// A number of a distribution, in the dimension of its quantity.
-    fn value(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
+    pub(super) fn value(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
         let entry = table.get(key)?;
         if entry.is_table() {
             self.complain(&StudyProblem::UncertainParameter { entry: entry.path.describe() }, &entry);
@@ -277,7 +287,7 @@ impl StudyReader {
         self.reader.measured(&entry, dimension, Rule::Finite)
     }
 
-    fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
+    pub(super) fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
         if value > 0.0 {
             return true;
         }
@@ -285,18 +295,23 @@ impl StudyReader {
         false
     }
 
-    /// A shape of a beta distribution.
-    fn shape(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+    /// A shape of a distribution.
+    pub(super) fn number_within(
+        &mut self,
+        table: &Table<'_>,
+        key: &str,
+        shapes: std::ops::RangeInclusive<f64>,
+    ) -> Option<f64> {
         let shape = self.reader.number(table, key)?;
-        if SHAPES.contains(&shape) {
+        if shapes.contains(&shape) {
             return Some(shape);
         }
-        let rule = format!("from {} to {}", format_number(*SHAPES.start()), format_number(*SHAPES.end()));
+        let rule = format!("from {} to {}", format_number(*shapes.start()), format_number(*shapes.end()));
         self.refuse(table, key, shape, Dimension::NUMBER, rule);
         None
     }
 
-    fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
+    pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
         if let Some(entry) = table.get(key) {
             let found = format_value(value, dimension);
             self.complain(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, &entry);

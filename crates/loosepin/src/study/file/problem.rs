@@ -214,6 +214,14 @@ fn without_hint(error: &DistributionError, dimension: Dimension) -> String {
             text(lower),
             text(upper)
         ),
+        DistributionError::NothingLeft { family, lower, upper, .. } => {
+            let ends = match (lower.is_finite(), upper.is_finite()) {
+                (true, true) => format!("between {} and {}", text(lower), text(upper)),
+                (true, false) => format!("above {}", text(lower)),
+                _ => format!("below {}", text(upper)),
+            };
+            format!("next to nothing of the {family} distribution lies {ends}")
+        }
         _ => error.to_string(),
     }
 }
@@ -249,9 +257,10 @@ impl Problem for StudyProblem {
             Self::UnquotedPath { path } => Some(format!("write \"{path}\" = {{ ... }}")),
             Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
             Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
-            Self::Distribution { error: DistributionError::NothingKept { .. }, .. } => {
-                Some("cut nearer to the mean, or state a uniform distribution".to_owned())
-            }
+            Self::Distribution {
+                error: DistributionError::NothingKept { .. } | DistributionError::NothingLeft { .. },
+                ..
+            } => Some("cut nearer to the mean, or state a uniform distribution".to_owned()),
             Self::SingleMember { .. } => Some("write the value in the model file, or name the others".to_owned()),
             Self::MemberTwice { .. } => Some("keep one of the two".to_owned()),
             Self::Law { error, .. } => error.hint(),
