@@ -15,7 +15,7 @@ use super::search::{Direction, Search, Target};
 use super::search_box::{Place, SearchBox};
 use super::statistic::Statistic;
 use super::table::{Purpose, RunInputs, SampleTable};
-use crate::uncertainty::{EpistemicVariable, Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
+use crate::uncertainty::{EpistemicVariable, IntervalError, RandomVariable, ScrambledSobol, SobolError, hash};
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
@@ -37,8 +37,10 @@ const MIXTURE: u64 = 0x006d_6978_7475;
 pub struct DoubleLoop {
     problem: Problem,
     confidence: Confidence,
-    /// Replicate, index and values of the random inputs of every inner run.
-    inner: Vec<(u32, u32, Vec<f64>)>,
+    /// Every inner run.
+    inner: Vec<InnerRun>,
+    /// The random inputs whose values differ from one u to another, since parameters are among the epistemic inputs.
+    moving: Vec<usize>,
     epistemic_box: SearchBox,
     /// The joint box of the interval-only treatment: random inputs cut, then epistemic inputs.
     joint_box: SearchBox,
@@ -47,6 +49,17 @@ pub struct DoubleLoop {
     first_outer: Vec<Place>,
     first_extreme: Vec<Place>,
     mixture: ScrambledSobol,
+}
+
+/// A point of the random inputs, the same at every u.
+#[derive(Debug, Clone)]
+struct InnerRun {
+    replicate: u32,
+    index: u32,
+    /// Values of the random inputs; of those that move, at no particular u.
+    random: Vec<f64>,
+    /// Of those that move: the probability whose quantile is taken at each u.
+    probabilities: Vec<f64>,
 }
 
 /// Why there is no plan, or no next round.
@@ -103,14 +116,16 @@ impl DoubleLoop {
         problem.check()?;
         let sampling = problem.sampling;
         let mut joint_box: Vec<EpistemicVariable> = Vec::with_capacity(problem.random.len() + problem.epistemic.len());
-        for (input, variable) in problem.random.iter().enumerate() {
+        for input in 0..problem.random.len() {
             let standard_deviations = problem.cut_standard_deviations;
-            let end = |signed: f64| variable.quantile(normal_cdf(signed));
-            let interval = Interval::try_new(end(-standard_deviations), end(standard_deviations))
-                .map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
+            let interval =
+                problem.widest_cut(input).map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
             joint_box.push(interval.into());
         }
-        joint_box.extend_from_slice(&problem.epistemic);
+        // A parameter tells which values are likely; within the cut all of them are possible.
+        joint_box.extend(problem.epistemic.iter().enumerate().map(|(epistemic, variable)| {
+            if problem.is_parameter(epistemic) { variable.held() } else { variable.clone() }
+        }));
         let (epistemic_box, joint_box) = (SearchBox::new(problem.epistemic.clone()), SearchBox::new(joint_box));
         let (epistemic, joint) = (epistemic_box.dimensions(), joint_box.dimensions());
         let combinations = epistemic_box.combinations();
@@ -122,6 +137,7 @@ impl DoubleLoop {
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
             inner: inner_runs(&problem)?,
+            moving: problem.inputs_with_parameters(),
             candidates: candidates(epistemic)?,
             joint_candidates: candidates(joint)?,
             first_outer: first(epistemic, sampling.outer)?,
@@ -325,14 +341,22 @@ impl DoubleLoop {
 
     fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
         let epistemic = self.epistemic_box.values_at(place);
-        self.inner.iter().map(move |(replicate, index, random)| RunInputs {
-            round,
-            purpose: Purpose::DoubleLoop,
-            point,
-            replicate: *replicate,
-            index: *index,
-            random: random.clone(),
-            epistemic: epistemic.clone(),
+        let moved: Vec<(usize, Option<RandomVariable>)> =
+            self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();
+        self.inner.iter().map(move |run| {
+            let mut random = run.random.clone();
+            for ((input, variable), probability) in moved.iter().zip(&run.probabilities) {
+                random[*input] = variable.as_ref().map_or(f64::NAN, |variable| variable.quantile(*probability));
+            }
+            RunInputs {
+                round,
+                purpose: Purpose::DoubleLoop,
+                point,
+                replicate: run.replicate,
+                index: run.index,
+                random,
+                epistemic: epistemic.clone(),
+            }
         })
     }
 
@@ -341,15 +365,12 @@ impl DoubleLoop {
         let replicates = 0..self.problem.sampling.replicates as u32;
         replicates.flat_map(move |replicate| {
             (0..per_replicate).map(move |index| {
-                let random = self.problem.random.iter().enumerate();
-                let random: Vec<f64> = random
-                    .map(|(input, variable)| variable.quantile(self.mixture.point(replicate, index, input)))
-                    .collect();
                 let epistemic = self.problem.epistemic.iter().enumerate();
                 let epistemic = epistemic.map(|(input, variable)| {
                     variable.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
                 });
-                let epistemic = epistemic.collect();
+                let epistemic: Vec<f64> = epistemic.collect();
+                let random = self.problem.random_at(&epistemic, |input| self.mixture.point(replicate, index, input));
                 RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
             })
         })
@@ -385,20 +406,25 @@ fn first_count(dimensions: usize, budget: usize) -> usize {
 }
 
 /// Every inner run; a single one where nothing is random.
-fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError> {
+fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
     if problem.random.is_empty() {
-        return Ok(vec![(0, 0, Vec::new())]);
+        return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), probabilities: Vec::new() }]);
     }
+    let moving = problem.inputs_with_parameters();
     let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
     let replicates = problem.sampling.replicates;
     let per_replicate = (problem.sampling.inner / replicates) as u32;
     let mut runs = Vec::with_capacity(problem.sampling.inner);
     for replicate in 0..replicates as u32 {
         for index in 0..per_replicate {
-            let quantile = |(input, variable): (usize, &crate::uncertainty::RandomVariable)| {
-                variable.quantile(sobol.point(replicate, index, input))
-            };
-            runs.push((replicate, index, problem.random.iter().enumerate().map(quantile).collect()));
+            let quantile =
+                |(input, variable): (usize, &RandomVariable)| variable.quantile(sobol.point(replicate, index, input));
+            runs.push(InnerRun {
+                replicate,
+                index,
+                random: problem.random.iter().enumerate().map(quantile).collect(),
+                probabilities: moving.iter().map(|&input| sobol.point(replicate, index, input)).collect(),
+            });
         }
     }
     Ok(runs)

@@ -238,6 +238,7 @@ fn problem(study: &Study, response: &StudyResponse) -> Problem {
     Problem {
         random: study.random.iter().map(|input| input.variable.clone()).collect(),
         epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
+        parameters: study.epistemic_parameters(),
         columns: response.row_length(),
         requests: plan.requests(),
         compared_columns: plan.compared_columns(),

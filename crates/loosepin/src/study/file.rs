@@ -5,15 +5,18 @@ mod check;
 mod description;
 mod input;
 mod keys;
+mod parameter;
 mod problem;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use description::{
-    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study, Where,
+    Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
+    UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
+use parameter::Parameters;
 pub use problem::StudyProblem;
 
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
@@ -85,7 +88,8 @@ fn read(
     });
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
-    let mut file = StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new() };
+    let mut file =
+        StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new(), parameters: Parameters::default() };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
     let sampling = file.sampling(&root);
@@ -134,6 +138,8 @@ pub(super) struct StudyReader {
     pub model: Model,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
+    /// Of the distribution that is being read.
+    pub parameters: Parameters,
 }
 
 impl StudyReader {

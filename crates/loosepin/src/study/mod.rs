@@ -17,6 +17,6 @@ pub mod runs;
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use file::{
     Ask, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction, Requirement, Sampling, Study,
-    StudyProblem, Where, study_schema,
+    StudyProblem, UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};

@@ -3,7 +3,7 @@
 use super::Material;
 use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
-use crate::study::file::Study;
+use crate::study::file::{RandomInput, Study, UncertainParameter};
 use crate::study::result::{CycleDescription, InputDescription, InputKind, OutputDescription};
 use crate::uncertainty::Distribution;
 use crate::units::{Dimension, SiUnit, format_value};
@@ -15,7 +15,8 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         path: input.path.clone(),
         kind: InputKind::Random,
         unit: unit(table, input.quantity),
-        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity)),
+        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity))
+            + &uncertain_words(input, study),
     });
     let epistemic = study.epistemic.iter().map(|input| {
         let [lower_si, upper_si] = input.variable.ends();
@@ -33,6 +34,22 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         InputDescription { path: input.path.clone(), kind, unit: input.unit(&study.model), words }
     });
     random.chain(epistemic).collect()
+}
+
+/// Which parameters are uncertain; the words before have them in the middle.
+fn uncertain_words(input: &RandomInput, study: &Study) -> String {
+    let words = |uncertain: &UncertainParameter| {
+        let known = &study.epistemic[uncertain.epistemic];
+        let known_words = match known.members_written(&study.model) {
+            Some(of) => format!("any of {}", listed(&of, "and")),
+            None => {
+                let [lower, upper] = known.variable.ends().map(|end| known.written(&study.model, end));
+                format!("between {lower} and {upper}")
+            }
+        };
+        format!("; its {} unknown, {known_words}", uncertain.parameter.words())
+    };
+    input.parameters.iter().map(words).collect()
 }
 
 fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {

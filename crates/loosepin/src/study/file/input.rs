@@ -10,7 +10,7 @@ use super::problem::StudyProblem;
 use crate::contact::NormalDescription;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
 use crate::model::{ContactId, QuantityId};
-use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members, RandomVariable};
+use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members};
 use crate::units::{Dimension, Rule, format_number, format_value};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
@@ -33,15 +33,9 @@ impl StudyReader {
             }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
             let dimension = self.model.quantities[quantity].dimension;
-            let distribution =
-                self.reader.table(&entry, &RANDOM_KEYS).and_then(|table| self.distribution(&table, dimension));
-            let Some(distribution) = distribution else { continue };
-            match RandomVariable::try_new(distribution) {
-                Ok(variable) => {
-                    self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable });
-                }
-                Err(error) => self
-                    .complain(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, &entry),
+            let Some(table) = self.reader.table(&entry, &RANDOM_KEYS) else { continue };
+            if let Some((variable, parameters)) = self.uncertain_distribution(&entry, &table, entry.name, dimension) {
+                self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, parameters });
             }
         }
     }
@@ -136,7 +130,7 @@ impl StudyReader {
     }
 
     /// Whether a list leaves something to choose.
-    fn has_choice(&mut self, written: &Entry<'_>, entries: &[Entry<'_>]) -> bool {
+    pub(super) fn has_choice(&mut self, written: &Entry<'_>, entries: &[Entry<'_>]) -> bool {
         let entry = written.path.describe();
         match entries.len() {
             0 => self.complain(&StudyProblem::Empty { entry }, written),
@@ -171,7 +165,18 @@ impl StudyReader {
     }
 
     fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let (interval, [first, second]) = self.two_ends(entry, self.model.quantities[quantity].dimension)?;
+        let lower_is_possible = self.check_end(quantity, path, interval.lower(), &first, false);
+        let upper_is_possible = self.check_end(quantity, path, interval.upper(), &second, false);
+        (lower_is_possible && upper_is_possible).then_some(interval)
+    }
+
+    /// An interval wider than a point, and the entries of its ends.
+    pub(super) fn two_ends<'t>(
+        &mut self,
+        entry: &Entry<'t>,
+        dimension: Dimension,
+    ) -> Option<(Interval, [Entry<'t>; 2])> {
         let pair = self.reader.pair(entry)?;
         let [lower, upper] = [0, 1].map(|index: usize| self.reader.measured(&pair[index], dimension, Rule::Finite));
         let (lower, upper) = lower.zip(upper)?;
@@ -186,16 +191,10 @@ impl StudyReader {
             self.complain(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry);
             return None;
         }
-        let [first, second] = &pair;
-        let lower_is_possible = self.check_end(quantity, path, lower, first, false);
-        let upper_is_possible = self.check_end(quantity, path, upper, second, false);
-        if !lower_is_possible || !upper_is_possible {
-            return None;
-        }
-        Interval::try_new(lower, upper).ok()
+        Interval::try_new(lower, upper).ok().map(|interval| (interval, pair))
     }
 
-    fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
+    pub(super) fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
         let family = FAMILIES.into_iter().find(|family| table.has(family))?;
         let entry = table.get(family)?;
         let keys: &'static Keys = match family {
@@ -225,7 +224,7 @@ impl StudyReader {
             }
             "uniform" => self.ends(&table, dimension).map(|(lower, upper)| Distribution::Uniform { lower, upper }),
             "triangular" => {
-                let mode = self.value(&table, "mode", dimension);
+                let mode = self.parameter(&table, "mode", dimension);
                 let (lower, upper) = self.ends(&table, dimension)?;
                 let mode = mode?;
                 if mode < lower || mode > upper {
@@ -248,8 +247,8 @@ impl StudyReader {
     }
 
     fn moments(&mut self, table: &Table<'_>, dimension: Dimension, positive_mean: bool) -> Option<(f64, f64)> {
-        let mean = self.value(table, "mean", dimension);
-        let deviation = self.value(table, "standard_deviation", dimension);
+        let mean = self.parameter(table, "mean", dimension);
+        let deviation = self.parameter(table, "standard_deviation", dimension);
         let (mean, deviation) = (mean?, deviation?);
         let mean_is_possible = !positive_mean || self.positive(table, "mean", mean, dimension);
         (self.positive(table, "standard_deviation", deviation, dimension) && mean_is_possible)
@@ -257,7 +256,7 @@ impl StudyReader {
     }
 
     fn ends(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<(f64, f64)> {
-        let [lower, upper] = ["lower", "upper"].map(|key| self.value(table, key, dimension));
+        let [lower, upper] = ["lower", "upper"].map(|key| self.parameter(table, key, dimension));
         let (lower, upper) = lower.zip(upper)?;
         if lower < upper {
             return Some((lower, upper));
@@ -265,16 +264,6 @@ impl StudyReader {
         let rule = format!("below the upper end {}", format_value(upper, dimension));
         self.refuse(table, "lower", lower, dimension, rule);
         None
-    }
-
-    /// A number of a distribution, in the dimension of its quantity.
-    fn value(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-        let entry = table.get(key)?;
-        if entry.is_table() {
-            self.complain(&StudyProblem::UncertainParameter { entry: entry.path.describe() }, &entry);
-            return None;
-        }
-        self.reader.measured(&entry, dimension, Rule::Finite)
     }
 
     fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
@@ -287,7 +276,12 @@ impl StudyReader {
 
     /// A shape of a beta distribution.
     fn shape(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
-        let shape = self.reader.number(table, key)?;
+        let is_uncertain = table.get(key).is_some_and(|entry| entry.is_table());
+        let shape = if is_uncertain {
+            self.parameter(table, key, Dimension::NUMBER)?
+        } else {
+            self.reader.number(table, key)?
+        };
         if SHAPES.contains(&shape) {
             return Some(shape);
         }

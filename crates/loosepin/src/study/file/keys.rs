@@ -42,12 +42,37 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
 
+/// What is known of a parameter of a distribution.
+pub(super) static PARAMETER_KEYS: Keys = Keys::new(
+    "what is known of a parameter of a distribution; with it the distribution is a probability box",
+    &[
+        optional(
+            "interval",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"119.98 mm\", \"120.02 mm\"]",
+            "lower and upper end; every value between is possible, and nothing else is known",
+        ),
+        optional(
+            "any_of",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"119.98 mm\", \"120.02 mm\"]",
+            "all values that are possible, with their unit",
+        ),
+    ],
+)
+.with_exactly_one(&[&["interval", "any_of"]]);
+
+/// A parameter with a unit: a number, or what is known of it.
+const PARAMETER: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::Table(&PARAMETER_KEYS)]);
+/// The same, a pure number.
+const SHAPE: Kind = Kind::AnyOf(&[Kind::Number { rule: Rule::Finite }, Kind::Table(&PARAMETER_KEYS)]);
+
 /// The ends that most distributions have.
 macro_rules! ends {
     () => {
         [
-            required("lower", Kind::AnyQuantity, "\"49.9 mm\"", "lower end"),
-            required("upper", Kind::AnyQuantity, "\"50.1 mm\"", "upper end"),
+            required("lower", PARAMETER, "\"49.9 mm\"", "lower end"),
+            required("upper", PARAMETER, "\"50.1 mm\"", "upper end"),
         ]
     };
 }
@@ -55,8 +80,8 @@ macro_rules! ends {
 macro_rules! moments {
     () => {
         [
-            required("mean", Kind::AnyQuantity, "\"50 mm\"", "mean"),
-            required("standard_deviation", Kind::AnyQuantity, "\"0.02 mm\"", "standard deviation"),
+            required("mean", PARAMETER, "\"50 mm\"", "mean"),
+            required("standard_deviation", PARAMETER, "\"0.02 mm\"", "standard deviation"),
         ]
     };
 }
@@ -71,13 +96,13 @@ pub(super) static TRUNCATED_NORMAL_KEYS: Keys = Keys::new(
 pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!());
 pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
     "a triangular distribution",
-    &[ends!()[0], required("mode", Kind::AnyQuantity, "\"50 mm\"", "most likely value"), ends!()[1]],
+    &[ends!()[0], required("mode", PARAMETER, "\"50 mm\"", "most likely value"), ends!()[1]],
 );
 pub(super) static BETA_KEYS: Keys = Keys::new(
     "a beta distribution between two ends",
     &[
-        required("alpha", Kind::Number { rule: Rule::Finite }, "2", "first shape, from 0.001 to 1e6"),
-        required("beta", Kind::Number { rule: Rule::Finite }, "3", "second shape, from 0.001 to 1e6"),
+        required("alpha", SHAPE, "2", "first shape, from 0.001 to 1e6"),
+        required("beta", SHAPE, "3", "second shape, from 0.001 to 1e6"),
         ends!()[0],
         ends!()[1],
     ],
