@@ -109,13 +109,32 @@ fn analytic_tolerances_are_normal_distributions() {
         ("tolerance = \"50 ± 0.06 mm\"", 0.05, 2e-5, "limits taken as 3 standard deviations from a centred mean"),
         ("tolerance = \"50 ± 0.06 mm\", cpk = 1.25", 0.05, 1.6e-5, "Cpk 1.25, taken as centred"),
         ("tolerance = \"50 ± 0.06 mm\", cp = 1.25", 0.05, 1.6e-5, "Cp 1.25, taken as centred since no Cpk is given"),
-        ("tolerance = \"50 +0.09 -0.03 mm\", cp = 2, cpk = 2", 0.05003, 1e-5, "Cp and Cpk 2, centred"),
+        ("tolerance = \"50 +0.09 -0.03 mm\", cp = 2, cpk = 2", 0.05003, 1e-5, "Cp 2, Cpk 2, centred"),
     ] {
         let found = only_input(&format!("\"parameter.crank_length\" = {{ {written} }}"));
         assert!((found.0 / mean - 1.0).abs() < RELATIVE_TOLERANCE, "{written}: {found:?}");
         assert!((found.1 / deviation - 1.0).abs() < RELATIVE_TOLERANCE, "{written}: {found:?}");
         assert!(found.2.ends_with(words), "{written}: {found:?}");
     }
+}
+
+#[test]
+fn analytic_a_process_off_centre_has_an_interval_of_means() {
+    const ROUND_OFF_M: f64 = 1e-16;
+    let study = study_with(
+        "[random]\n\"parameter.crank_length\" = { tolerance = \"50 ± 0.06 mm\", cp = 1.6, cpk = 1.25, truncated = { lower = \"49.9 mm\" } }",
+    );
+    // Standard deviation 60 µm/(3 · 1.6) = 12.5 µm; shift 0.35 · 37.5 µm = 13.125 µm.
+    let mean = &study.epistemic[0];
+    assert_eq!(mean.path, "parameter.crank_length mean");
+    for (end, expected) in mean.variable.ends().into_iter().zip([0.049_986_875, 0.050_013_125]) {
+        assert!((end - expected).abs() < ROUND_OFF_M, "{end}");
+    }
+    let moved = study.random[0].variables(&study.epistemic, |known| known.ends().to_vec());
+    assert!((moved[1].mean() - moved[0].mean() - 26.25e-6).abs() < 1e-12, "{moved:?}");
+    assert!((study.random[0].variable.standard_deviation() - 12.5e-6).abs() < 1e-12);
+    let words = study.random[0].origin.clone().unwrap_or_default();
+    assert_eq!(words, "50 ± 0.06 mm, Cp 1.6, Cpk 1.25, the mean off centre by an unknown amount, to either side");
 }
 
 #[test]

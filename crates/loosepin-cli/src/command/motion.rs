@@ -93,7 +93,7 @@ fn scatter(file: &InputFile) -> Vec<Scatter> {
             .iter()
             .map(|input| Scatter {
                 quantity: input.quantity,
-                standard_deviation_si: input.variable.standard_deviation(),
+                standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
             })
             .collect(),
     }

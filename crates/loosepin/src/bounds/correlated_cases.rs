@@ -2,7 +2,7 @@
 
 use super::exact_cases::{Function, check, problem};
 use super::{Problem, Sampling, Statistic, TreatmentComparison, evaluate};
-use crate::uncertainty::{Distribution, GaussianCopula, Pair, normal_cdf};
+use crate::uncertainty::{Distribution, EpistemicParameter, GaussianCopula, Pair, Parameter, normal_cdf};
 
 /// Y = A X1 + B X2 + C X3 + u: X1 and X2 correlated, X3 by itself.
 const FACTORS: [f64; 3] = [0.7, -1.3, 0.4];
@@ -90,4 +90,25 @@ fn analytic_three_treatments_of_a_sum_of_correlated_variables() {
             probability_only.half_width
         );
     }
+}
+
+#[test]
+fn analytic_correlation_within_a_probability_box() {
+    // The deviation of X2 lies between 0.2 and 0.5: its share of the sum is negative, so that more of it first takes away.
+    let statistics = [Statistic::Mean, Statistic::StandardDeviation];
+    let mut problem = sum(&statistics, NORMAL_CORRELATION);
+    problem.epistemic.push(crate::uncertainty::Interval::try_new(0.2, 0.5).unwrap().into());
+    let parameter = Parameter::StandardDeviation;
+    problem.parameters = vec![EpistemicParameter { random: 1, parameter, epistemic: 1 }];
+    let bounds = evaluate(problem, &Function(response)).unwrap();
+    let deviation = |of_second: f64| {
+        let [a, b, c] = [FACTORS[0] * DEVIATIONS[0], FACTORS[1] * of_second, FACTORS[2] * DEVIATIONS[2]];
+        (a * a + b * b + c * c + 2.0 * NORMAL_CORRELATION * a * b).sqrt()
+    };
+    // Least where b = -r a, within the box.
+    let least = deviation(-NORMAL_CORRELATION * FACTORS[0] * DEVIATIONS[0] / FACTORS[1]);
+    let most = deviation(0.2).max(deviation(0.5));
+    let (mean, _) = exact_moments(0.0);
+    check(&bounds.pairs[0], (mean - 0.6, mean + 0.9), 0.01);
+    check(&bounds.pairs[1], (least, most), 0.04);
 }

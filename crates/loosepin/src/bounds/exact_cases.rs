@@ -24,6 +24,7 @@ pub(super) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
         random,
         copula: None,
         epistemic,
+        parameters: Vec::new(),
         columns: 1,
         requests: statistics.iter().map(|&statistic| Request { column: 0, statistic }).collect(),
         compared_columns: Vec::new(),

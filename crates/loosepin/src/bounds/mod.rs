@@ -28,6 +28,7 @@ mod probability;
 mod probability_box;
 mod problem;
 mod quantile;
+mod random_inputs;
 mod sample;
 mod search;
 mod search_box;
@@ -55,3 +56,5 @@ mod discrete_cases;
 mod exact_cases;
 #[cfg(test)]
 mod noisy_cases;
+#[cfg(test)]
+mod parameter_cases;

@@ -15,7 +15,7 @@ use super::search::{Direction, Search, Target};
 use super::search_box::{Place, SearchBox};
 use super::statistic::Statistic;
 use super::table::{Purpose, RunInputs, SampleTable};
-use crate::uncertainty::{EpistemicVariable, Interval, IntervalError, ScrambledSobol, SobolError, hash, normal_cdf};
+use crate::uncertainty::{EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash};
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
@@ -37,8 +37,10 @@ const MIXTURE: u64 = 0x006d_6978_7475;
 pub struct DoubleLoop {
     problem: Problem,
     confidence: Confidence,
-    /// Replicate, index and values of the random inputs of every inner run.
-    inner: Vec<(u32, u32, Vec<f64>)>,
+    /// Every inner run.
+    inner: Vec<InnerRun>,
+    /// The random inputs whose values differ from one u to another, since parameters are among the epistemic inputs.
+    moving: Vec<usize>,
     epistemic_box: SearchBox,
     /// The joint box of the interval-only treatment: random inputs cut, then epistemic inputs.
     joint_box: SearchBox,
@@ -47,6 +49,17 @@ pub struct DoubleLoop {
     first_outer: Vec<Place>,
     first_extreme: Vec<Place>,
     mixture: ScrambledSobol,
+}
+
+/// A point of the random inputs, the same at every u.
+#[derive(Debug, Clone)]
+struct InnerRun {
+    replicate: u32,
+    index: u32,
+    /// Values of the random inputs; of those that move, at no particular u.
+    random: Vec<f64>,
+    /// Of those that move: the part of the distribution that is taken at each u.
+    levels: Vec<Level>,
 }
 
 /// Why there is no plan, or no next round.
@@ -103,14 +116,16 @@ impl DoubleLoop {
         problem.check()?;
         let sampling = problem.sampling;
         let mut joint_box: Vec<EpistemicVariable> = Vec::with_capacity(problem.random.len() + problem.epistemic.len());
-        for (input, variable) in problem.random.iter().enumerate() {
+        for input in 0..problem.random.len() {
             let standard_deviations = problem.cut_standard_deviations;
-            let end = |signed: f64| variable.quantile(normal_cdf(signed));
-            let interval = Interval::try_new(end(-standard_deviations), end(standard_deviations))
-                .map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
+            let interval =
+                problem.widest_cut(input).map_err(|source| PlanError::Cut { input, standard_deviations, source })?;
             joint_box.push(interval.into());
         }
-        joint_box.extend_from_slice(&problem.epistemic);
+        // A parameter tells which values are likely; within the cut all of them are possible.
+        joint_box.extend(problem.epistemic.iter().enumerate().map(|(epistemic, variable)| {
+            if problem.is_parameter(epistemic) { variable.held() } else { variable.clone() }
+        }));
         let (epistemic_box, joint_box) = (SearchBox::new(problem.epistemic.clone()), SearchBox::new(joint_box));
         let (epistemic, joint) = (epistemic_box.dimensions(), joint_box.dimensions());
         let combinations = epistemic_box.combinations();
@@ -122,6 +137,7 @@ impl DoubleLoop {
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
             inner: inner_runs(&problem)?,
+            moving: problem.inputs_with_parameters(),
             candidates: candidates(epistemic)?,
             joint_candidates: candidates(joint)?,
             first_outer: first(epistemic, sampling.outer)?,
@@ -325,14 +341,22 @@ impl DoubleLoop {
 
     fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
         let epistemic = self.epistemic_box.values_at(place);
-        self.inner.iter().map(move |(replicate, index, random)| RunInputs {
-            round,
-            purpose: Purpose::DoubleLoop,
-            point,
-            replicate: *replicate,
-            index: *index,
-            random: random.clone(),
-            epistemic: epistemic.clone(),
+        let moved: Vec<(usize, Option<RandomVariable>)> =
+            self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();
+        self.inner.iter().map(move |run| {
+            let mut random = run.random.clone();
+            for ((input, variable), &level) in moved.iter().zip(&run.levels) {
+                random[*input] = variable.as_ref().map_or(f64::NAN, |variable| variable.at(level));
+            }
+            RunInputs {
+                round,
+                purpose: Purpose::DoubleLoop,
+                point,
+                replicate: run.replicate,
+                index: run.index,
+                random,
+                epistemic: epistemic.clone(),
+            }
         })
     }
 
@@ -344,9 +368,9 @@ impl DoubleLoop {
                 let mut point = vec![0.0; self.mixture.dimensions()];
                 self.mixture.write_point(replicate, index, &mut point);
                 let (random, epistemic) = point.split_at(self.problem.random.len());
-                let random = self.problem.sample(random);
                 let epistemic = self.problem.epistemic.iter().zip(epistemic);
-                let epistemic = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
+                let epistemic: Vec<f64> = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
+                let random = self.problem.random_at(&epistemic, &self.problem.levels(random));
                 RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
             })
         })
@@ -382,10 +406,11 @@ fn first_count(dimensions: usize, budget: usize) -> usize {
 }
 
 /// Every inner run; a single one where nothing is random.
-fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError> {
+fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
     if problem.random.is_empty() {
-        return Ok(vec![(0, 0, Vec::new())]);
+        return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), levels: Vec::new() }]);
     }
+    let moving = problem.inputs_with_parameters();
     let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
     let replicates = problem.sampling.replicates;
     let per_replicate = (problem.sampling.inner / replicates) as u32;
@@ -394,7 +419,13 @@ fn inner_runs(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError
     for replicate in 0..replicates as u32 {
         for index in 0..per_replicate {
             sobol.write_point(replicate, index, &mut point);
-            runs.push((replicate, index, problem.sample(&point)));
+            let levels = problem.levels(&point);
+            runs.push(InnerRun {
+                replicate,
+                index,
+                random: problem.random.iter().zip(&levels).map(|(variable, &level)| variable.at(level)).collect(),
+                levels: moving.iter().map(|&input| levels[input]).collect(),
+            });
         }
     }
     Ok(runs)

@@ -5,7 +5,9 @@ use thiserror::Error;
 use super::points::structural_point_count;
 use super::search_box::SearchBox;
 use super::statistic::Statistic;
-use crate::uncertainty::{EpistemicVariable, GaussianCopula, MAXIMUM_DIMENSIONS, RandomVariable};
+use crate::uncertainty::{
+    EpistemicParameter, EpistemicVariable, GaussianCopula, Level, MAXIMUM_DIMENSIONS, RandomVariable,
+};
 
 /// One statistic of one column of the response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,6 +55,8 @@ pub struct Problem {
     pub copula: Option<GaussianCopula>,
     /// What is known of the epistemic inputs.
     pub epistemic: Vec<EpistemicVariable>,
+    /// Parameters of distributions that are epistemic inputs. The response is given their values and need not look at them.
+    pub parameters: Vec<EpistemicParameter>,
     /// Number of columns of the response.
     pub columns: usize,
     /// Statistics whose bounds are asked for.
@@ -111,6 +115,23 @@ pub enum ProblemError {
     TooFewReplicates {
         /// Value given.
         replicates: usize,
+    },
+    /// A parameter of an input that does not exist.
+    #[error(
+        "parameter {parameter} belongs to random input {random} of {randoms} and is epistemic input {epistemic} of {epistemics}, \
+         counted from 0"
+    )]
+    NoSuchInput {
+        /// Position of the parameter.
+        parameter: usize,
+        /// The random input.
+        random: usize,
+        /// Random inputs there are.
+        randoms: usize,
+        /// The epistemic input.
+        epistemic: usize,
+        /// Epistemic inputs there are.
+        epistemics: usize,
     },
     /// A sample that cannot be split evenly.
     #[error(
@@ -204,11 +225,11 @@ pub(super) const MOST_POINTS: usize = 512;
 const MOST_COMBINATIONS: usize = 64;
 
 impl Problem {
-    /// The random inputs at a point of the unit cube.
-    pub(super) fn sample(&self, point: &[f64]) -> Vec<f64> {
+    /// Which part of its distribution each random input takes at a point of the unit cube.
+    pub(super) fn levels(&self, point: &[f64]) -> Vec<Level> {
         match &self.copula {
-            Some(copula) => copula.sample(&self.random, point),
-            None => self.random.iter().zip(point).map(|(variable, &at)| variable.quantile(at)).collect(),
+            Some(copula) => copula.levels(point),
+            None => point.iter().map(|&probability| Level::Probability(probability)).collect(),
         }
     }
 
@@ -222,6 +243,13 @@ impl Problem {
             return Err(ProblemError::OtherCopula { found: copula.inputs(), expected: self.random.len() });
         }
         self.check_requests()?;
+        for (parameter, of) in self.parameters.iter().enumerate() {
+            let (randoms, epistemics) = (self.random.len(), self.epistemic.len());
+            let EpistemicParameter { random, epistemic, .. } = *of;
+            if random >= randoms || epistemic >= epistemics {
+                return Err(ProblemError::NoSuchInput { parameter, random, randoms, epistemic, epistemics });
+            }
+        }
         let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;
         check_probability("confidence", confidence)?;
         check_probability("band probability", self.band_probability)?;
@@ -247,7 +275,12 @@ impl Problem {
                 check_multiple("mixture", mixture, replicates)?;
             }
             if !self.random.is_empty() {
-                check_points("extreme", extreme, self.random.len() + wide, combinations)?;
+                // Parameters of distributions are no dimensions of the joint box.
+                let epistemic = self.epistemic.iter().enumerate();
+                let is_searched = |(index, _): &(usize, _)| !self.is_parameter(*index);
+                let joint = SearchBox::new(epistemic.filter(is_searched).map(|(_, known)| known.clone()).collect());
+                let dimensions = self.random.len() + joint.dimensions();
+                check_points("extreme", extreme, dimensions, joint.combinations())?;
             }
         }
         Ok(())

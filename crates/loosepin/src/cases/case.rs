@@ -237,11 +237,14 @@ impl Case {
         let sample = Sample::new(&mechanism, &values).map_err(|error| error.complaint(&model))?;
         let study_path = folder.join("study.toml");
         let study = if study_path.is_file() { Some(Study::from_path(&study_path)?) } else { None };
-        let scatter = study.iter().flat_map(|study| &study.random).map(|input| Scatter {
-            quantity: input.quantity,
-            standard_deviation_si: input.variable.standard_deviation(),
-        });
-        let scatter = scatter.collect();
+        let of_study = |study: &Study| -> Vec<Scatter> {
+            let random = study.random.iter().map(|input| Scatter {
+                quantity: input.quantity,
+                standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
+            });
+            random.collect()
+        };
+        let scatter = study.iter().flat_map(of_study).collect();
         let correlations = study.iter().flat_map(Study::linear_correlations).collect();
         let name = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let mut case = Case { name, model, mechanism, values, sample, scatter, correlations, checks: Vec::new() };

@@ -106,6 +106,10 @@ impl<'t> Entry<'t> {
     pub(super) fn number_rule(&self) -> Option<Rule> {
         match self.key?.kind {
             Kind::Number { rule } => Some(rule),
+            Kind::AnyOf(kinds) => kinds.iter().find_map(|kind| match kind {
+                Kind::Number { rule } => Some(*rule),
+                _ => None,
+            }),
             _ => None,
         }
     }

@@ -239,6 +239,7 @@ fn problem(study: &Study, response: &StudyResponse) -> Problem {
         random: study.random.iter().map(|input| input.variable.clone()).collect(),
         copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
         epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
+        parameters: study.epistemic_parameters(),
         columns: response.row_length(),
         requests: plan.requests(),
         compared_columns: plan.compared_columns(),

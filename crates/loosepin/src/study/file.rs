@@ -7,6 +7,7 @@ mod description;
 mod fit;
 mod input;
 mod keys;
+mod parameter;
 mod problem;
 mod random;
 mod random_problem;
@@ -17,9 +18,10 @@ use std::sync::Arc;
 
 pub use description::{
     Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, RandomInput, Reduction,
-    Requirement, Sampling, StatedCorrelation, Study, Where,
+    Requirement, Sampling, StatedCorrelation, Study, UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
+use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 
@@ -116,7 +118,14 @@ fn read(
     });
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
-    let mut file = StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new(), tables: Vec::new() };
+    let mut file = StudyReader {
+        reader,
+        model,
+        random: Vec::new(),
+        epistemic: Vec::new(),
+        tables: Vec::new(),
+        parameters: Parameters::default(),
+    };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
     let sampling = file.sampling(&root);
@@ -169,6 +178,8 @@ pub(super) struct StudyReader {
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
     pub tables: Vec<Arc<Source>>,
+    /// Of the distribution that is being read.
+    pub parameters: Parameters,
 }
 
 impl StudyReader {

@@ -20,7 +20,7 @@ pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_ru
 pub use distribution_words::distribution_words;
 pub use file::{
     Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, RandomInput, RandomProblem,
-    Reduction, Requirement, Sampling, StatedCorrelation, Study, StudyProblem, Where, study_schema,
+    Reduction, Requirement, Sampling, StatedCorrelation, Study, StudyProblem, UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};
 pub use iso_286::FitError;

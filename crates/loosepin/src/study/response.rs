@@ -179,6 +179,8 @@ pub struct StudyResponse {
 enum Epistemic {
     /// To a number of the model.
     Quantity(QuantityId),
+    /// To the distribution of a random input: the mechanism does not see it.
+    Parameter,
     /// To the choice of a mechanism: number of laws in the list.
     Law(usize),
 }
@@ -240,6 +242,7 @@ impl StudyResponse {
                 .iter()
                 .map(|input| match &input.subject {
                     EpistemicSubject::Quantity(quantity) => Epistemic::Quantity(*quantity),
+                    EpistemicSubject::Parameter { .. } => Epistemic::Parameter,
                     EpistemicSubject::Law { laws, .. } => Epistemic::Law(laws.len()),
                 })
                 .collect(),
@@ -300,7 +303,7 @@ impl StudyResponse {
         let random = self.random.iter().copied().zip(random.iter().copied());
         let epistemic = self.epistemic.iter().zip(epistemic).filter_map(|(input, &value)| match *input {
             Epistemic::Quantity(quantity) => Some((quantity, value)),
-            Epistemic::Law(_) => None,
+            Epistemic::Parameter | Epistemic::Law(_) => None,
         });
         let set: Vec<(QuantityId, f64)> = random.chain(epistemic).collect();
         self.mechanism().model.quantities.evaluate(&set)
@@ -320,7 +323,7 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, LawError> {
         .epistemic
         .iter()
         .filter_map(|input| match &input.subject {
-            EpistemicSubject::Quantity(_) => None,
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
             EpistemicSubject::Law { contact, laws } => Some((*contact, &laws[..])),
         })
         .collect();
@@ -342,7 +345,13 @@ fn check_drive(study: &Study) -> Result<(), PrepareError> {
     let CycleSpan::Turns(drive) = study.cycle.span else { return Ok(()) };
     let DriveLaw::Constant { speed, start } = study.model.drives[drive.0].law else { return Ok(()) };
     let random = study.random.iter().map(|input| {
-        let range = [1e-9, 1.0 - 1e-9].map(|probability| input.variable.quantile(probability));
+        let corners = |known: &EpistemicVariable| known.ends().to_vec();
+        let range = input
+            .variables(&study.epistemic, corners)
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[lower, upper], variable| {
+                [lower.min(variable.quantile(1e-9)), upper.max(variable.quantile(1.0 - 1e-9))]
+            });
         (&input.path, input.quantity, range)
     });
     let epistemic =

@@ -4,7 +4,7 @@ use super::Material;
 use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
 use crate::study::distribution_words::distribution_words;
-use crate::study::file::{CorrelationMeasure, Study};
+use crate::study::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
 use crate::study::result::{CorrelationDescription, CycleDescription, InputDescription, InputKind, OutputDescription};
 use crate::uncertainty::rank_of_normal;
 use crate::units::{Dimension, SiUnit};
@@ -18,7 +18,8 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         unit: unit(table, input.quantity),
         words: {
             let words = distribution_words(input.variable.distribution(), dimension(table, input.quantity));
-            input.origin.as_ref().map_or(words.clone(), |origin| format!("{words}; {origin}"))
+            let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
+            words + &origin + &uncertain_words(input, study)
         },
     });
     let epistemic = study.epistemic.iter().map(|input| {
@@ -53,6 +54,22 @@ pub fn correlations(study: &Study) -> Vec<CorrelationDescription> {
             }
         })
         .collect()
+}
+
+/// Which parameters are uncertain; the words before have them in the middle.
+fn uncertain_words(input: &RandomInput, study: &Study) -> String {
+    let words = |uncertain: &UncertainParameter| {
+        let known = &study.epistemic[uncertain.epistemic];
+        let known_words = match known.members_written(&study.model) {
+            Some(of) => format!("any of {}", listed(&of, "and")),
+            None => {
+                let [lower, upper] = known.variable.ends().map(|end| known.written(&study.model, end));
+                format!("between {lower} and {upper}")
+            }
+        };
+        format!("; its {} unknown, {known_words}", uncertain.parameter.words())
+    };
+    input.parameters.iter().map(words).collect()
 }
 
 fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {

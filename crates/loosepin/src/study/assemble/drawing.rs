@@ -3,7 +3,7 @@
 use super::{Material, recorded_offset_rad};
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::simulate::{Plan, simulate, skeleton};
-use crate::study::file::EpistemicInput;
+use crate::study::file::{EpistemicInput, EpistemicSubject};
 
 /// Poses of the moving picture.
 const POSES: usize = 180;
@@ -57,7 +57,9 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         };
         add(label.to_owned(), central.record.orbits);
     }
-    let is_shown = |input: &EpistemicInput| input.path.ends_with("radial_clearance") || input.quantity().is_none();
+    let is_shown = |input: &EpistemicInput| {
+        input.path.ends_with("radial_clearance") || matches!(input.subject, EpistemicSubject::Law { .. })
+    };
     for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_shown(input)) {
         for value in input.variable.shown() {
             let mut epistemic = middle.clone();

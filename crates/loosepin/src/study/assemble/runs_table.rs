@@ -35,7 +35,9 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     }
     for (k, input) in study.epistemic.iter().enumerate() {
         let data = match &input.subject {
-            EpistemicSubject::Quantity(_) => number(&|run| inputs[run].epistemic[k]),
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => {
+                number(&|run| inputs[run].epistemic[k])
+            }
             EpistemicSubject::Law { .. } => text(&|run| input.written(&study.model, inputs[run].epistemic[k])),
         };
         push(input.path.clone(), input.unit(&study.model), data);

@@ -4,6 +4,7 @@ use super::Material;
 use super::describe::unit;
 use crate::bounds::Purpose;
 use crate::simulate::RunFailure;
+use crate::study::file::EpistemicSubject;
 use crate::study::response::RunExtras;
 use crate::study::result::{EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, RunCounts};
 use crate::units::SiUnit;
@@ -79,6 +80,10 @@ fn command(material: &Material<'_>, run: usize) -> String {
         words.push_str(&number(&input.path, &unit(&study.model.quantities, input.quantity), value));
     }
     for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {
+        // A parameter of a distribution has done its work: the value drawn from it is set above.
+        if matches!(input.subject, EpistemicSubject::Parameter { .. }) {
+            continue;
+        }
         words.push_str(&match input.law(value) {
             Some(law) => format!(" --set \"{}={}\"", input.path, law.name()),
             None => number(&input.path, &input.unit(&study.model), value),

@@ -1,11 +1,13 @@
 //! Checks of the inputs together with the rules of the model.
 
 use super::StudyReader;
+use super::description::RandomInput;
 use super::problem::StudyProblem;
 use crate::diagnostics::Complaint;
 use crate::diagnostics::Place;
 use crate::document::{Entry, Table};
 use crate::model::{QuantityError, QuantityId};
+use crate::uncertainty::{EpistemicVariable, RandomVariable};
 use crate::units::{format_number, format_value};
 
 /// Share of a distribution that may be impossible; what is drawn there is a failed run.
@@ -114,10 +116,16 @@ impl StudyReader {
         Ok(())
     }
 
-    /// The share of a random input that is impossible, where it is too large; the intervals stand at their lower ends,
+    /// The share of a random input that is impossible, where it is too large at a corner of its uncertain parameters; the intervals stand at their lower ends,
     /// middles and upper ends in turn, the lists at members from the first to the last.
     fn impossible_share(&self, index: usize) -> Option<StudyProblem> {
         let input = &self.random[index];
+        let corners = |known: &EpistemicVariable| known.ends().to_vec();
+        let variables = input.variables(&self.epistemic, corners);
+        variables.iter().find_map(|variable| self.impossible_share_of(input, variable))
+    }
+
+    fn impossible_share_of(&self, input: &RandomInput, variable: &RandomVariable) -> Option<StudyProblem> {
         let mut values = self.model.quantities.nominal();
         for fraction in [0.0, 0.5, 1.0] {
             let epistemic = self.epistemic.iter();
@@ -129,7 +137,7 @@ impl StudyReader {
             for quantile in 0..QUANTILES {
                 let probability = (quantile as f64 + 0.5) / QUANTILES as f64;
                 if let Some(last) = set.last_mut() {
-                    last.1 = input.variable.quantile(probability);
+                    last.1 = variable.quantile(probability);
                 }
                 if let Err(error) = self.model.quantities.evaluate_into(&set, &mut values) {
                     impossible += 1;

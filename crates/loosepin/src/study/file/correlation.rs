@@ -83,6 +83,11 @@ impl StudyReader {
             let normal = normal_of_rank(value);
             return Some(StatedCorrelation { first, second, measure: CorrelationMeasure::Rank, value, normal });
         }
+        if let Some(input) = [first, second].iter().find(|&&input| !self.random[input].parameters.is_empty()) {
+            let (entry, path) = (table.get(measure)?, self.random[*input].path.clone());
+            self.reader.complain(&RandomProblem::LinearOfBox { entry: entry.path.describe(), path }, entry.span);
+            return None;
+        }
         let series = CorrelationSeries::new(&self.random[first].variable, &self.random[second].variable);
         match series.normal(value) {
             Ok(normal) => Some(StatedCorrelation { first, second, measure: CorrelationMeasure::Linear, value, normal }),

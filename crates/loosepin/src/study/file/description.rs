@@ -7,7 +7,7 @@ use crate::bounds::Statistic;
 use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
-use crate::uncertainty::{EpistemicVariable, GaussianCopula, Interval, RandomVariable};
+use crate::uncertainty::{EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable};
 use crate::units::{Dimension, SiUnit, format_value};
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -41,6 +41,54 @@ pub struct Study {
     pub(super) tables: Vec<Arc<Source>>,
 }
 
+impl Study {
+    /// Parameters of distributions that are epistemic inputs.
+    pub fn epistemic_parameters(&self) -> Vec<EpistemicParameter> {
+        let of_input = |(random, input): (usize, &RandomInput)| {
+            let own = input.parameters.clone().into_iter();
+            own.map(move |UncertainParameter { parameter, epistemic }| EpistemicParameter {
+                random,
+                parameter,
+                epistemic,
+            })
+        };
+        self.random.iter().enumerate().flat_map(of_input).collect()
+    }
+}
+
+impl RandomInput {
+    /// The largest standard deviation of its distributions, uncertain parameters at the ends.
+    pub fn largest_standard_deviation(&self, epistemic: &[EpistemicInput]) -> f64 {
+        let deviations = self.variables(epistemic, |known| known.ends().to_vec()).into_iter();
+        deviations.map(|variable| variable.standard_deviation()).fold(0.0, f64::max)
+    }
+
+    /// Its distribution with every combination of the values that `shown` gives for an uncertain parameter.
+    pub fn variables(
+        &self,
+        epistemic: &[EpistemicInput],
+        shown: impl Fn(&EpistemicVariable) -> Vec<f64>,
+    ) -> Vec<RandomVariable> {
+        let values: Vec<(Parameter, Vec<f64>)> = self
+            .parameters
+            .iter()
+            .map(|uncertain| (uncertain.parameter, shown(&epistemic[uncertain.epistemic].variable)))
+            .collect();
+        let combinations = values.iter().fold(1, |product, (_, values)| product * values.len());
+        (0..combinations)
+            .filter_map(|combination| {
+                let mut rest = combination;
+                let parameters = values.iter().map(|(parameter, values)| {
+                    let value = values[rest % values.len()];
+                    rest /= values.len();
+                    (*parameter, value)
+                });
+                self.variable.with_parameters(parameters).ok()
+            })
+            .collect()
+    }
+}
+
 /// How many runs, and how accurate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
@@ -61,10 +109,21 @@ pub struct RandomInput {
     pub path: String,
     /// The quantity.
     pub quantity: QuantityId,
-    /// Its distribution, SI.
+    /// Its distribution, SI, uncertain parameters in the middle.
     pub variable: RandomVariable,
     /// Where the distribution comes from, in words, where it is not stated itself: a tolerance, a fit, a sample.
     pub origin: Option<String>,
+    /// Those of its parameters that are epistemic inputs.
+    pub parameters: Vec<UncertainParameter>,
+}
+
+/// A parameter of a distribution that is an epistemic input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UncertainParameter {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// Position among the epistemic inputs.
+    pub epistemic: usize,
 }
 
 /// How random inputs go together: a Gaussian copula.
@@ -116,6 +175,15 @@ pub struct EpistemicInput {
 pub enum EpistemicSubject {
     /// A number of the model.
     Quantity(QuantityId),
+    /// A parameter of the distribution of a random input.
+    Parameter {
+        /// Position of the random input.
+        random: usize,
+        /// The parameter.
+        parameter: Parameter,
+        /// What it measures.
+        dimension: Dimension,
+    },
     /// The normal force law of a contact.
     Law {
         /// The contact.
@@ -130,7 +198,16 @@ impl EpistemicInput {
     pub fn quantity(&self) -> Option<QuantityId> {
         match self.subject {
             EpistemicSubject::Quantity(quantity) => Some(quantity),
-            EpistemicSubject::Law { .. } => None,
+            EpistemicSubject::Parameter { .. } | EpistemicSubject::Law { .. } => None,
+        }
+    }
+
+    /// What its values measure; a pure number for a law.
+    fn dimension(&self, model: &Model) -> Dimension {
+        match self.subject {
+            EpistemicSubject::Quantity(quantity) => model.quantities[quantity].dimension,
+            EpistemicSubject::Parameter { dimension, .. } => dimension,
+            EpistemicSubject::Law { .. } => Dimension::NUMBER,
         }
     }
 
@@ -145,24 +222,21 @@ impl EpistemicInput {
     /// The law that `value` stands for, where the input is a law.
     pub fn law(&self, value: f64) -> Option<NormalDescription> {
         match &self.subject {
-            EpistemicSubject::Quantity(_) => None,
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
             EpistemicSubject::Law { laws, .. } => laws.get(value as usize).copied(),
         }
     }
 
     /// The unit of its values; that of a pure number for a law.
     pub fn unit(&self, model: &Model) -> SiUnit {
-        self.quantity().map_or(SiUnit::NONE, |id| SiUnit::of_dimension(model.quantities[id].dimension))
+        SiUnit::of_dimension(self.dimension(model))
     }
 
     /// `value` as it is written: with its unit, or the name of a law.
     pub fn written(&self, model: &Model, value: f64) -> String {
         match self.law(value) {
             Some(law) => law.name().to_owned(),
-            None => {
-                let dimension = self.quantity().map_or(Dimension::NUMBER, |id| model.quantities[id].dimension);
-                format_value(value, dimension)
-            }
+            None => format_value(value, self.dimension(model)),
         }
     }
 

@@ -31,7 +31,7 @@ impl StudyReader {
             standard_deviation: 0.5 * (hole * hole + shaft * shaft).sqrt(),
         };
         let origin = format!("{words}, limits of hole and shaft taken as 3 standard deviations from centred means");
-        Some(Stated { distribution, origin: Some(origin) })
+        Some(Stated { distribution, origin, mean: None })
     }
 
     /// The radial clearance of a fit as an interval, with the fit in words.

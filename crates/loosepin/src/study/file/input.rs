@@ -7,11 +7,10 @@ use super::keys::{
     TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
 };
 use super::problem::StudyProblem;
-use super::random::Stated;
 use crate::contact::NormalDescription;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
 use crate::model::{ContactId, QuantityId};
-use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members, RandomVariable};
+use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members};
 use crate::units::{Dimension, Rule, format_number, format_value};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
@@ -33,17 +32,9 @@ impl StudyReader {
                 continue;
             }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
-            let dimension = self.model.quantities[quantity].dimension;
-            let table = self.reader.table(&entry, &RANDOM_KEYS);
-            let stated = table.and_then(|table| self.stated(&table, quantity, entry.name));
-            let Some(Stated { distribution, origin }) = stated else { continue };
-            match RandomVariable::try_new(distribution) {
-                Ok(variable) => {
-                    self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, origin });
-                }
-                Err(error) => self
-                    .complain(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, &entry),
-            }
+            let Some(table) = self.reader.table(&entry, &RANDOM_KEYS) else { continue };
+            let Some((variable, parameters, origin)) = self.random_input(&entry, &table, quantity) else { continue };
+            self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, origin, parameters });
         }
     }
 
@@ -180,7 +171,18 @@ impl StudyReader {
     }
 
     fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
-        let dimension = self.model.quantities[quantity].dimension;
+        let (interval, [first, second]) = self.two_ends(entry, self.model.quantities[quantity].dimension)?;
+        let lower_is_possible = self.check_end(quantity, path, interval.lower(), &first, false);
+        let upper_is_possible = self.check_end(quantity, path, interval.upper(), &second, false);
+        (lower_is_possible && upper_is_possible).then_some(interval)
+    }
+
+    /// An interval wider than a point, and the entries of its ends.
+    pub(super) fn two_ends<'t>(
+        &mut self,
+        entry: &Entry<'t>,
+        dimension: Dimension,
+    ) -> Option<(Interval, [Entry<'t>; 2])> {
         let pair = self.reader.pair(entry)?;
         let [lower, upper] = [0, 1].map(|index: usize| self.reader.measured(&pair[index], dimension, Rule::Finite));
         let (lower, upper) = lower.zip(upper)?;
@@ -195,13 +197,7 @@ impl StudyReader {
             self.complain(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry);
             return None;
         }
-        let [first, second] = &pair;
-        let lower_is_possible = self.check_end(quantity, path, lower, first, false);
-        let upper_is_possible = self.check_end(quantity, path, upper, second, false);
-        if !lower_is_possible || !upper_is_possible {
-            return None;
-        }
-        Interval::try_new(lower, upper).ok()
+        Interval::try_new(lower, upper).ok().map(|interval| (interval, pair))
     }
 
     pub(super) fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
@@ -235,7 +231,7 @@ impl StudyReader {
             }
             "uniform" => self.ends(&table, dimension).map(|(lower, upper)| Distribution::Uniform { lower, upper }),
             "triangular" => {
-                let mode = self.value(&table, "mode", dimension);
+                let mode = self.parameter(&table, "mode", dimension);
                 let (lower, upper) = self.ends(&table, dimension)?;
                 let mode = mode?;
                 if mode < lower || mode > upper {
@@ -258,8 +254,8 @@ impl StudyReader {
     }
 
     fn moments(&mut self, table: &Table<'_>, dimension: Dimension, positive_mean: bool) -> Option<(f64, f64)> {
-        let mean = self.value(table, "mean", dimension);
-        let deviation = self.value(table, "standard_deviation", dimension);
+        let mean = self.parameter(table, "mean", dimension);
+        let deviation = self.parameter(table, "standard_deviation", dimension);
         let (mean, deviation) = (mean?, deviation?);
         let mean_is_possible = !positive_mean || self.positive(table, "mean", mean, dimension);
         (self.positive(table, "standard_deviation", deviation, dimension) && mean_is_possible)
@@ -267,7 +263,7 @@ impl StudyReader {
     }
 
     fn ends(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<(f64, f64)> {
-        let [lower, upper] = ["lower", "upper"].map(|key| self.value(table, key, dimension));
+        let [lower, upper] = ["lower", "upper"].map(|key| self.parameter(table, key, dimension));
         let (lower, upper) = lower.zip(upper)?;
         if lower < upper {
             return Some((lower, upper));
@@ -275,16 +271,6 @@ impl StudyReader {
         let rule = format!("below the upper end {}", format_value(upper, dimension));
         self.refuse(table, "lower", lower, dimension, rule);
         None
-    }
-
-    /// A number of a distribution, in the dimension of its quantity.
-    pub(super) fn value(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-        let entry = table.get(key)?;
-        if entry.is_table() {
-            self.complain(&StudyProblem::UncertainParameter { entry: entry.path.describe() }, &entry);
-            return None;
-        }
-        self.reader.measured(&entry, dimension, Rule::Finite)
     }
 
     pub(super) fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
@@ -302,7 +288,12 @@ impl StudyReader {
         key: &str,
         shapes: std::ops::RangeInclusive<f64>,
     ) -> Option<f64> {
-        let shape = self.reader.number(table, key)?;
+        let is_uncertain = table.get(key).is_some_and(|entry| entry.is_table());
+        let shape = if is_uncertain {
+            self.parameter(table, key, Dimension::NUMBER)?
+        } else {
+            self.reader.number(table, key)?
+        };
         if shapes.contains(&shape) {
             return Some(shape);
         }

@@ -42,12 +42,37 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
 
+/// What is known of a parameter of a distribution.
+pub(super) static PARAMETER_KEYS: Keys = Keys::new(
+    "what is known of a parameter of a distribution; with it the distribution is a probability box",
+    &[
+        optional(
+            "interval",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"119.98 mm\", \"120.02 mm\"]",
+            "lower and upper end; every value between is possible, and nothing else is known",
+        ),
+        optional(
+            "any_of",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"119.98 mm\", \"120.02 mm\"]",
+            "all values that are possible, with their unit",
+        ),
+    ],
+)
+.with_exactly_one(&[&["interval", "any_of"]]);
+
+/// A parameter with a unit: a number, or what is known of it.
+const PARAMETER: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::Table(&PARAMETER_KEYS)]);
+/// The same, a pure number.
+const SHAPE: Kind = Kind::AnyOf(&[Kind::Number { rule: Rule::Finite }, Kind::Table(&PARAMETER_KEYS)]);
+
 /// The ends that most distributions have.
 macro_rules! ends {
     () => {
         [
-            required("lower", Kind::AnyQuantity, "\"49.9 mm\"", "lower end"),
-            required("upper", Kind::AnyQuantity, "\"50.1 mm\"", "upper end"),
+            required("lower", PARAMETER, "\"49.9 mm\"", "lower end"),
+            required("upper", PARAMETER, "\"50.1 mm\"", "upper end"),
         ]
     };
 }
@@ -55,8 +80,8 @@ macro_rules! ends {
 macro_rules! moments {
     () => {
         [
-            required("mean", Kind::AnyQuantity, "\"50 mm\"", "mean"),
-            required("standard_deviation", Kind::AnyQuantity, "\"0.02 mm\"", "standard deviation"),
+            required("mean", PARAMETER, "\"50 mm\"", "mean"),
+            required("standard_deviation", PARAMETER, "\"0.02 mm\"", "standard deviation"),
         ]
     };
 }
@@ -71,44 +96,44 @@ pub(super) static TRUNCATED_NORMAL_KEYS: Keys = Keys::new(
 pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!());
 pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
     "a triangular distribution",
-    &[ends!()[0], required("mode", Kind::AnyQuantity, "\"50 mm\"", "most likely value"), ends!()[1]],
+    &[ends!()[0], required("mode", PARAMETER, "\"50 mm\"", "most likely value"), ends!()[1]],
 );
 pub(super) static BETA_KEYS: Keys = Keys::new(
     "a beta distribution between two ends",
     &[
-        required("alpha", Kind::Number { rule: Rule::Finite }, "2", "first shape, from 0.001 to 1e6"),
-        required("beta", Kind::Number { rule: Rule::Finite }, "3", "second shape, from 0.001 to 1e6"),
+        required("alpha", SHAPE, "2", "first shape, from 0.001 to 1e6"),
+        required("beta", SHAPE, "3", "second shape, from 0.001 to 1e6"),
         ends!()[0],
         ends!()[1],
     ],
 );
 
 /// The lower end of a distribution that goes on without end above it.
-const FROM: Key = optional("lower", Kind::AnyQuantity, "\"0 mm\"", "lower end; 0 if left out");
-const SHAPE: Key = required("shape", Kind::Number { rule: Rule::Finite }, "2", "shape, from 0.05 to 1e6");
+const FROM: Key = optional("lower", PARAMETER, "\"0 mm\"", "lower end; 0 if left out");
+const SHAPE_KEY: Key = required("shape", SHAPE, "2", "shape, from 0.05 to 1e6");
 
 pub(super) static WEIBULL_KEYS: Keys = Keys::new(
     "a Weibull distribution: a share of exp(-((x - lower)/scale)^shape) lies above x",
-    &[SHAPE, required("scale", Kind::AnyQuantity, "\"0.3 mm\"", "63.2 % lie less than this above the lower end"), FROM],
+    &[SHAPE_KEY, required("scale", PARAMETER, "\"0.3 mm\"", "63.2 % lie less than this above the lower end"), FROM],
 );
 pub(super) static GAMMA_KEYS: Keys = Keys::new(
     "a gamma distribution",
     &[
-        SHAPE,
-        required("scale", Kind::AnyQuantity, "\"0.1 mm\"", "the mean lies shape times scale above the lower end"),
+        SHAPE_KEY,
+        required("scale", PARAMETER, "\"0.1 mm\"", "the mean lies shape times scale above the lower end"),
         FROM,
     ],
 );
 pub(super) static GUMBEL_KEYS: Keys = Keys::new(
     "a Gumbel distribution of largest values: a share of exp(-exp(-(x - mode)/scale)) lies below x",
     &[
-        required("mode", Kind::AnyQuantity, "\"0.3 mm\"", "most likely value"),
-        required("scale", Kind::AnyQuantity, "\"0.02 mm\"", "scale; the standard deviation is 1.2825 times as large"),
+        required("mode", PARAMETER, "\"0.3 mm\"", "most likely value"),
+        required("scale", PARAMETER, "\"0.02 mm\"", "scale; the standard deviation is 1.2825 times as large"),
     ],
 );
 pub(super) static EXPONENTIAL_KEYS: Keys = Keys::new(
     "an exponential distribution",
-    &[required("mean", Kind::AnyQuantity, "\"0.1 mm\"", "mean of the variable itself, above the lower end"), FROM],
+    &[required("mean", PARAMETER, "\"0.1 mm\"", "mean of the variable itself, above the lower end"), FROM],
 );
 pub(super) static DISCRETE_KEYS: Keys = Keys::new(
     "a few values with their probabilities",
@@ -229,7 +254,12 @@ pub(super) static RANDOM_KEYS: Keys = Keys::new(
             "\"50 ± 0.05 mm\"",
             "normal, limits 3 standard deviations from the mean, times cpk; also 50 +0.02 -0.01 mm",
         ),
-        optional("cpk", Kind::Number { rule: Rule::Finite }, "1.33", "capability of the process; alone: centred"),
+        optional(
+            "cpk",
+            Kind::Number { rule: Rule::Finite },
+            "1.33",
+            "capability of the process; alone: centred; below cp: off centre by an unknown amount",
+        ),
         optional("cp", Kind::Number { rule: Rule::Finite }, "1.67", "capability of the process if it were centred"),
         FIT,
         DIAMETER,

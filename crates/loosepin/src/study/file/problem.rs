@@ -32,6 +32,16 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// More uncertain parameters of one distribution than are checked together.
+    #[error("{entry} has {found} uncertain parameters; at most {most} are accepted")]
+    TooManyParameters {
+        /// The entry.
+        entry: String,
+        /// How many there are.
+        found: usize,
+        /// The most that are accepted.
+        most: usize,
+    },
     /// A number of a distribution that breaks its rule.
     #[error("{entry} {found}; must be {rule}")]
     DistributionRule {
@@ -233,7 +243,9 @@ impl Problem for StudyProblem {
             Self::UnquotedPath { .. } => Code::UnknownPath,
             Self::InputTwice { .. } => Code::InputTwice,
             Self::UncertainParameter { .. } => Code::NotYetSupported,
-            Self::DistributionRule { .. } | Self::Distribution { .. } => Code::BadDistribution,
+            Self::DistributionRule { .. } | Self::Distribution { .. } | Self::TooManyParameters { .. } => {
+                Code::BadDistribution
+            }
             Self::SingleMember { .. } | Self::MemberTwice { .. } => Code::BadList,
             Self::Law { error, .. } => error.code(),
             Self::RandomLaw { .. } | Self::IntervalOfLaws { .. } => Code::BadList,
@@ -256,6 +268,7 @@ impl Problem for StudyProblem {
             Self::Path(error) => error.hint(),
             Self::UnquotedPath { path } => Some(format!("write \"{path}\" = {{ ... }}")),
             Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
+            Self::TooManyParameters { .. } => Some("write one number for those that matter least".to_owned()),
             Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
             Self::Distribution {
                 error: DistributionError::NothingKept { .. } | DistributionError::NothingLeft { .. },

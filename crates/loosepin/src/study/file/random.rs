@@ -3,14 +3,16 @@
 use std::path::Path;
 
 use super::StudyReader;
+use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
 use super::keys::{DISCRETE_KEYS, EXPONENTIAL_KEYS, FITTED, GAMMA_KEYS, GUMBEL_KEYS, TRUNCATED_KEYS, WEIBULL_KEYS};
+use super::problem::StudyProblem;
 use super::random_problem::{RandomProblem, short_number};
 use super::tolerance::parse_tolerance;
 use crate::diagnostics::{Complaint, Complaints};
-use crate::document::{DocumentProblem, Entry, Table};
+use crate::document::{Entry, Table};
 use crate::measured::SampleColumn;
 use crate::model::QuantityId;
-use crate::uncertainty::{Distribution, FittedFamily, Goodness};
+use crate::uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
 use crate::units::{Dimension, Rule, format_number, format_value};
 
 /// Shapes of gamma and Weibull distributions that are accepted: beyond, they are one value or next to two.
@@ -23,16 +25,25 @@ const BELONGS_TO: [(&str, &str); 5] =
 /// The limits of a drawing lie this many standard deviations from the mean, times Cp.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;
 
-/// A distribution, and in words where it comes from, where it was not stated as it is.
+/// A distribution that was not stated as such.
 pub(super) struct Stated {
     pub distribution: Distribution,
-    pub origin: Option<String>,
+    /// Where it comes from, in words.
+    pub origin: String,
+    /// What is known of its mean, where that is off centre by an unknown amount.
+    pub mean: Option<Interval>,
 }
 
 impl StudyReader {
-    /// Reads the table of a random input.
-    pub(super) fn stated(&mut self, table: &Table<'_>, quantity: QuantityId, path: &str) -> Option<Stated> {
-        let dimension = self.model.quantities[quantity].dimension;
+    /// Reads the table of a random input: its distribution, those of its parameters that are uncertain, and in words where it
+    /// comes from, where it was not stated as it is.
+    pub(super) fn random_input(
+        &mut self,
+        entry: &Entry<'_>,
+        table: &Table<'_>,
+        quantity: QuantityId,
+    ) -> Option<(RandomVariable, Vec<UncertainParameter>, Option<String>)> {
+        let (path, dimension) = (entry.name, self.model.quantities[quantity].dimension);
         self.refuse_stray(table, &BELONGS_TO);
         let stated = if let Some(entry) = table.get("samples") {
             self.samples(table, &entry, dimension)
@@ -41,18 +52,33 @@ impl StudyReader {
         } else if let Some(entry) = table.get("fit") {
             self.fit_scatter(table, &entry, quantity, path)
         } else {
-            self.distribution(table, dimension).map(|distribution| Stated { distribution, origin: None })
+            let (variable, parameters) = self.uncertain_distribution(entry, table, path, dimension)?;
+            return Some((variable, parameters, None));
         };
-        let cut = table.get("truncated").map(|entry| self.cut(&entry, dimension));
-        let Stated { distribution, origin } = stated?;
-        let distribution = match cut {
-            None => distribution,
-            Some(cut) => {
-                let [lower, upper] = cut?;
-                Distribution::Truncated { of: Box::new(distribution), lower, upper }
+        let Stated { distribution, origin, mean } = stated?;
+        let distribution = self.cut(table, distribution, dimension)?;
+        let checked = RandomVariable::try_new(distribution).and_then(|variable| {
+            let ends = mean.iter().flat_map(|mean| [mean.lower(), mean.upper()]);
+            ends.map(|end| variable.with_parameters([(Parameter::Mean, end)])).collect::<Result<Vec<_>, _>>()?;
+            Ok(variable)
+        });
+        let variable = match checked {
+            Ok(variable) => variable,
+            Err(error) => {
+                let entry_words = entry.path.describe();
+                self.complain(&StudyProblem::Distribution { entry: entry_words, error, dimension }, entry);
+                return None;
             }
         };
-        Some(Stated { distribution, origin })
+        let mut parameters = Vec::new();
+        if let Some(mean) = mean {
+            let parameter = Parameter::Mean;
+            parameters.push(UncertainParameter { parameter, epistemic: self.epistemic.len() });
+            let subject = EpistemicSubject::Parameter { random: self.random.len(), parameter, dimension };
+            let path = format!("{path} {}", parameter.words());
+            self.epistemic.push(EpistemicInput { path, subject, variable: mean.into() });
+        }
+        Some((variable, parameters, Some(origin)))
     }
 
     /// Complains about keys that say more about another one that is not there.
@@ -82,7 +108,7 @@ impl StudyReader {
         match family {
             "weibull" | "gamma" => {
                 let shape = self.number_within(&table, "shape", SHAPES);
-                let scale = self.value(&table, "scale", dimension);
+                let scale = self.parameter(&table, "scale", dimension);
                 let lower = self.value_or_zero(&table, "lower", dimension)?;
                 let (shape, scale) = (shape?, scale?);
                 self.positive(&table, "scale", scale, dimension).then_some(if family == "gamma" {
@@ -92,13 +118,13 @@ impl StudyReader {
                 })
             }
             "gumbel" => {
-                let mode = self.value(&table, "mode", dimension);
-                let scale = self.value(&table, "scale", dimension)?;
+                let mode = self.parameter(&table, "mode", dimension);
+                let scale = self.parameter(&table, "scale", dimension)?;
                 let mode = mode?;
                 self.positive(&table, "scale", scale, dimension).then_some(Distribution::Gumbel { mode, scale })
             }
             "exponential" => {
-                let mean = self.value(&table, "mean", dimension);
+                let mean = self.parameter(&table, "mean", dimension);
                 let lower = self.value_or_zero(&table, "lower", dimension)?;
                 let mean = mean?;
                 if mean > lower {
@@ -145,21 +171,27 @@ impl StudyReader {
         is_right.then_some(Distribution::Discrete { values, probabilities })
     }
 
-    /// Reads `truncated = { lower, upper }`.
-    fn cut(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<[f64; 2]> {
-        let table = self.reader.table(entry, &TRUNCATED_KEYS)?;
+    /// The distribution within `truncated = { lower, upper }`, where that is written.
+    pub(super) fn cut(
+        &mut self,
+        table: &Table<'_>,
+        distribution: Distribution,
+        dimension: Dimension,
+    ) -> Option<Distribution> {
+        let Some(entry) = table.get("truncated") else { return Some(distribution) };
+        let table = self.reader.table(&entry, &TRUNCATED_KEYS)?;
         if !table.has("lower") && !table.has("upper") {
             self.reader.complain(&RandomProblem::NoCut { entry: entry.path.describe() }, entry.span);
             return None;
         }
         let mut end = |key: &str, open: f64| match table.get(key) {
-            Some(_) => self.value(&table, key, dimension),
+            Some(written) => self.reader.measured(&written, dimension, Rule::Finite),
             None => Some(open),
         };
         let (lower, upper) = (end("lower", f64::NEG_INFINITY), end("upper", f64::INFINITY));
         let (lower, upper) = (lower?, upper?);
         if lower < upper {
-            return Some([lower, upper]);
+            return Some(Distribution::Truncated { of: Box::new(distribution), lower, upper });
         }
         let rule = format!("below the upper end {}", format_value(upper, dimension));
         self.refuse(&table, "lower", lower, dimension, rule);
@@ -195,10 +227,10 @@ impl StudyReader {
         let mut values = column.values_si;
         values.sort_by(f64::total_cmp);
         let count = values.len();
-        let origin = |how: &str| Some(format!("{how} of '{}' in {file}", column.name));
+        let origin = |how: &str| format!("{how} of '{}' in {file}", column.name);
         let Some((family, written)) = fitted else {
             let distribution = Distribution::Empirical { values: values.into() };
-            return Some(Stated { distribution, origin: origin("values") });
+            return Some(Stated { distribution, origin: origin("values"), mean: None });
         };
         let (family, words) = (family?, written.path.describe());
         let name = FittedFamily::ALL.iter().find(|known| known.1 == family).map_or("", |known| known.0);
@@ -212,7 +244,7 @@ impl StudyReader {
                     short_number(kolmogorov_smirnov),
                     short_number(anderson_darling)
                 );
-                Some(Stated { distribution: fit.distribution, origin: origin(&how) })
+                Some(Stated { distribution: fit.distribution, origin: origin(&how), mean: None })
             }
             Err(error) => {
                 let column = column.name.clone();
@@ -263,6 +295,7 @@ impl StudyReader {
             self.reader.complain(&RandomProblem::NoRoom { entry: entry.path.describe(), lower, upper }, entry.span);
             return None;
         }
+        let [cp_value, cpk_value] = [&cp, &cpk].map(|read| read.as_ref().and_then(|(value, _)| *value));
         let (capability, words) = match (cp, cpk) {
             (None, None) => (1.0, "limits taken as 3 standard deviations from a centred mean".to_owned()),
             (Some((cp, _)), None) => {
@@ -282,21 +315,24 @@ impl StudyReader {
                     self.reader.complain(&problem, written.span);
                     return None;
                 }
-                if cpk < cp {
-                    let instead =
-                        "the mean is then off centre by an unknown amount up to (Cp - Cpk) 3 standard deviations to \
-                                   either side; give cpk alone for a centred process"
-                            .to_owned();
-                    let entry = format!("{words} beside a greater cp");
-                    self.reader.complain(&DocumentProblem::NotYetSupported { entry, instead }, written.span);
-                    return None;
-                }
-                (cp, format!("Cp and Cpk {}, centred", format_number(cp)))
+                let words = if cpk < cp {
+                    "the mean off centre by an unknown amount, to either side".to_owned()
+                } else {
+                    "centred".to_owned()
+                };
+                (cp, format!("Cp {}, Cpk {}, {words}", format_number(cp), format_number(cpk)))
             }
         };
         let standard_deviation = (upper - lower) / (2.0 * DEVIATIONS_TO_LIMIT * capability);
-        let distribution = Distribution::Normal { mean: 0.5 * (lower + upper), standard_deviation };
-        Some(Stated { distribution, origin: Some(format!("{text}, {words}")) })
+        let middle = 0.5 * (lower + upper);
+        // Cpk is what is left of Cp on the side to which the mean is off centre.
+        let shift = match (cp_value, cpk_value) {
+            (Some(cp), Some(cpk)) => (cp - cpk) * DEVIATIONS_TO_LIMIT * standard_deviation,
+            _ => 0.0,
+        };
+        let mean = if shift > 0.0 { Interval::try_new(middle - shift, middle + shift).ok() } else { None };
+        let distribution = Distribution::Normal { mean: middle, standard_deviation };
+        Some(Stated { distribution, origin: format!("{text}, {words}"), mean })
     }
 
     /// A Cp or Cpk.
@@ -313,6 +349,6 @@ impl StudyReader {
 
     /// A number that may be left out where it is 0.
     fn value_or_zero(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-        if table.has(key) { self.value(table, key, dimension) } else { Some(0.0) }
+        if table.has(key) { self.parameter(table, key, dimension) } else { Some(0.0) }
     }
 }

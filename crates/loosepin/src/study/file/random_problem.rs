@@ -202,6 +202,14 @@ pub enum RandomProblem {
         /// Greatest linear correlation.
         most: String,
     },
+    /// A linear correlation with a probability box.
+    #[error("{entry}: '{path}' has an uncertain parameter, and with it its linear correlations")]
+    LinearOfBox {
+        /// The entry.
+        entry: String,
+        /// The path.
+        path: String,
+    },
     /// Correlations that contradict each other.
     #[error(
         "the correlations of {} contradict each other: the least eigenvalue of their matrix is {least_eigenvalue}; must be > 0",
@@ -243,6 +251,7 @@ impl Problem for RandomProblem {
             | Self::PairTwice { .. }
             | Self::Range { .. }
             | Self::Unattainable { .. }
+            | Self::LinearOfBox { .. }
             | Self::NotPositiveDefinite { .. } => Code::BadCorrelation,
         }
     }
@@ -285,6 +294,9 @@ impl Problem for RandomProblem {
             Self::PairTwice { .. } => Some("keep one of the two".to_owned()),
             Self::Range { .. } => {
                 Some("quantities that always go together follow from one parameter of the model".to_owned())
+            }
+            Self::LinearOfBox { .. } => {
+                Some("write it as a rank correlation, which holds for every value of the parameter".to_owned())
             }
             Self::NotPositiveDefinite { factor, .. } => {
                 Some(format!("no quantities can be correlated so; multiplied by less than {factor} they could be"))
