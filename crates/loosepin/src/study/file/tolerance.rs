@@ -69,8 +69,8 @@ fn signed_parts(text: &str) -> Option<[&str; 3]> {
 fn number_and_unit(part: &str) -> Option<(&str, &str)> {
     let part = part.trim();
     let unsigned = part.strip_prefix('+').unwrap_or(part).trim_start();
-    let ends = unsigned.char_indices().map(|(place, letter)| place + letter.len_utf8());
-    let end = ends.filter(|&end| unsigned[..end].parse::<f64>().is_ok_and(f64::is_finite)).last()?;
+    let mut ends = unsigned.char_indices().map(|(place, letter)| place + letter.len_utf8());
+    let end = ends.rfind(|&end| unsigned[..end].parse::<f64>().is_ok_and(f64::is_finite))?;
     Some((&unsigned[..end], unsigned[end..].trim()))
 }
 
