@@ -42,14 +42,16 @@ fn ln_front(a: f64, x: f64) -> f64 {
     let inverse = 1.0 / a;
     let square = inverse * inverse;
     let correction = inverse * (1.0 / 12.0 - square * (1.0 / 360.0 - square / 1260.0));
-    -a * less_ln_1p((x - a) / a) - 0.5 * libm::log(2.0 * core::f64::consts::PI * a) - correction
+    -a * excess_over_logarithm(x, a) - 0.5 * libm::log(2.0 * core::f64::consts::PI * a) - correction
 }
 
-/// u - ln(1 + u), by its series where the difference would lose digits.
-fn less_ln_1p(u: f64) -> f64 {
+/// u - ln(1 + u) with u = (x - a)/a, by its series where the difference would lose digits; 1 + u = x/a keeps them where x is
+/// small.
+fn excess_over_logarithm(x: f64, a: f64) -> f64 {
     const SERIES_BELOW: f64 = 0.1;
+    let u = (x - a) / a;
     if u.abs() > SERIES_BELOW {
-        return u - libm::log1p(u);
+        return u - libm::log(x / a);
     }
     let (mut power, mut sum, mut order) = (u * u, 0.0, 2.0);
     while power.abs() > f64::EPSILON * 1e-3 * u * u {
