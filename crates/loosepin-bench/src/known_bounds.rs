@@ -1,6 +1,6 @@
 //! Responses whose bounds are known: closed forms, or quadrature and a search that share nothing with [`loosepin::bounds`].
 
-use loosepin::bounds::{Failure, Problem, Request, Response, Sampling, Statistic};
+use loosepin::bounds::{Failure, Problem, Reading, Request, Response, Sampling, Statistic};
 use loosepin::uncertainty::{Distribution, Interval, RandomVariable, normal_cdf};
 use std::f64::consts::{E, FRAC_PI_3, TAU};
 
@@ -43,8 +43,9 @@ impl KnownCase {
         Problem {
             random: random.collect(),
             copula: None,
-            parameters: Vec::new(),
             epistemic: epistemic.collect(),
+            parameters: Vec::new(),
+            reading: Reading::FixedButUnknown,
             columns: 1,
             requests: self.statistics.iter().map(request).collect(),
             compared_columns: Vec::new(),

@@ -2,15 +2,19 @@
 
 use rayon::prelude::*;
 
-use super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, Reading};
+use super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading};
+use super::combine::{Parts, QuantileJob};
 use super::measure::{Event, Measure, MeasureKind};
 use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
 use super::probability_box::ProbabilityBox;
+use super::problem::Request;
+use super::random_set::RandomSet;
 use super::sample::Sample;
 use super::search::{Branch, Direction, SEARCH_RESOLUTION, Search, extreme_among, smoothed};
-use super::search_box::Place;
+use super::search_box::{Place, Region};
 use super::statistic::Statistic;
+use super::structure::{Element, Level};
 use super::table::{Purpose, SampleTable};
 use super::treatment::TreatmentComparison;
 
@@ -39,10 +43,16 @@ impl DoubleLoop {
             return Err(PlanError::NoRuns);
         }
         self.check_points(&pool)?;
-        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool };
+        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table };
+        let mut levels = evidence.levels();
+        let pairs = levels.first().map(|level| level.pairs.clone()).unwrap_or_default();
+        if levels.len() == 1 {
+            levels.clear();
+        }
         Ok(Bounds {
-            reading: Reading::FixedButUnknown,
-            pairs: evidence.pairs(),
+            reading: problem.reading,
+            pairs,
+            levels,
             boxes: problem
                 .requests
                 .iter()
@@ -63,39 +73,143 @@ impl DoubleLoop {
 pub(super) struct Evidence<'a> {
     pub plan: &'a DoubleLoop,
     pub pool: &'a Pool,
+    pub table: &'a SampleTable,
     /// Outer points in the search box.
     pub places: Vec<Place>,
 }
 
+/// A part of the epistemic box, and the outer points in it.
+pub(super) struct Part<'a> {
+    pub region: &'a Region,
+    pub members: Vec<usize>,
+}
+
 impl Evidence<'_> {
-    fn pairs(&self) -> Vec<BoundPair> {
-        let requests: Vec<_> =
-            self.plan.problem().requests.iter().filter(|request| request.statistic != Statistic::Cdf).collect();
+    /// The bounds at every degree, what is possible at all first; those at a lower degree hold those at higher ones.
+    fn levels(&self) -> Vec<LevelBounds> {
+        let requests: Vec<Request> = self.plan.problem().requests.clone();
+        let requests: Vec<Request> =
+            requests.into_iter().filter(|request| request.statistic != Statistic::Cdf).collect();
         let measures: Vec<Option<Measure>> = requests
             .par_iter()
             .map(|request| Measure::new(&self.pool.samples(request.column), request.statistic, self.plan.confidence()))
             .collect();
         let search = self.search(measures.iter().flatten());
+        let structure = self.plan.structure();
+        let mut levels: Vec<LevelBounds> = structure
+            .levels
+            .iter()
+            .map(|level| {
+                let parts = self.parts(level);
+                LevelBounds { alpha: level.alpha, pairs: self.pairs(&requests, &measures, &search, &parts) }
+            })
+            .collect();
+        for level in (1..levels.len()).rev() {
+            let (outer, inner) = levels.split_at_mut(level);
+            for (outer, inner) in outer[level - 1].pairs.iter_mut().zip(&inner[0].pairs) {
+                outer.lower.widen_to(inner.lower.widened, Direction::Minimum);
+                outer.upper.widen_to(inner.upper.widened, Direction::Maximum);
+            }
+        }
+        levels
+    }
+
+    /// The parts of `level` with the outer points in each.
+    pub fn parts<'l>(&self, level: &'l Level) -> Parts<'l> {
+        let part = |element: &'l Element| {
+            (element.mass, Part { region: &element.region, members: element.region.members(&self.places) })
+        };
+        Parts { parts: level.elements.iter().map(part).collect() }
+    }
+
+    /// Whether values may differ from sample to sample within an element.
+    pub fn is_scattering(&self) -> bool {
+        self.plan.structure().is_scattering
+    }
+
+    fn pairs(
+        &self,
+        requests: &[Request],
+        measures: &[Option<Measure>],
+        search: &Search<'_>,
+        parts: &Parts<'_>,
+    ) -> Vec<BoundPair> {
+        let reading = self.plan.problem().reading;
+        if reading == Reading::RandomSet {
+            return self.random_set_pairs(requests, parts);
+        }
+        let is_one = parts.parts.len() == 1;
+        let jobs: Vec<QuantileJob> = requests
+            .iter()
+            .filter_map(|request| match request.statistic {
+                Statistic::Quantile(probability) if !is_one => Some((request.column, probability)),
+                _ => None,
+            })
+            .flat_map(|(column, probability)| {
+                Direction::BOTH.map(|direction| QuantileJob { column, probability, direction })
+            })
+            .collect();
+        let quantiles: Vec<Bound> = self.quantiles(&jobs, parts);
         requests
             .par_iter()
-            .zip(&measures)
+            .zip(measures)
             .filter_map(|(request, measure)| {
                 let samples = self.pool.samples(request.column);
-                let measure = Modelled::new(&search, measure.as_ref()?);
-                let bound = |direction| self.bound(&search, &samples, &measure, direction);
+                let measure = Modelled::new(search, measure.as_ref()?);
                 let failed_runs = samples.iter().map(|sample| sample.failed()).sum();
                 let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
+                let is_mixed = reading == Reading::UnknownDistribution || self.is_scattering();
+                let [lower, upper] = match request.statistic {
+                    Statistic::Quantile(probability) if !is_one => {
+                        let found = |direction| {
+                            let job = QuantileJob { column: request.column, probability, direction };
+                            let place = jobs.iter().position(|known| *known == job);
+                            place.map_or_else(|| self.nothing(direction), |place| quantiles[place].clone())
+                        };
+                        Direction::BOTH.map(found)
+                    }
+                    Statistic::StandardDeviation if !is_one || is_mixed => {
+                        self.deviations(request.column, parts, reading)
+                    }
+                    _ => Direction::BOTH.map(|direction| self.added(search, &samples, &measure, parts, direction)),
+                };
+                let estimates = measure.measure.low.iter().map(|estimate| estimate.value).collect();
                 Some(BoundPair {
                     column: request.column,
                     statistic: request.statistic,
-                    lower: bound(Direction::Minimum),
-                    upper: bound(Direction::Maximum),
-                    estimates: measure.measure.low.iter().map(|estimate| estimate.value).collect(),
+                    // Of several elements the sum has been attained, at no single point.
+                    estimates: if is_one { estimates } else { vec![lower.value, upper.value] },
+                    lower,
+                    upper,
                     failed_runs,
                     unbounded_by_failures: has_no_bound && failed_runs > 0,
                 })
             })
             .collect()
+    }
+
+    /// Belief and plausibility, and what else the random set says.
+    fn random_set_pairs(&self, requests: &[Request], parts: &Parts<'_>) -> Vec<BoundPair> {
+        let mut columns: Vec<usize> = requests.iter().map(|request| request.column).collect();
+        columns.sort_unstable();
+        columns.dedup();
+        let of_column = |column: usize| {
+            let set = RandomSet::new(self, parts, column);
+            let failed_runs = self.pool.samples(column).iter().map(|sample| sample.failed()).sum();
+            let own = requests.iter().enumerate().filter(move |(_, request)| request.column == column);
+            let pair = |(place, request): (usize, &Request)| {
+                let [lower, upper] = set.bounds(self, request.statistic);
+                let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
+                let estimates = vec![lower.value, upper.value];
+                let unbounded_by_failures = has_no_bound && failed_runs > 0;
+                let Request { column, statistic } = *request;
+                (place, BoundPair { column, statistic, lower, upper, estimates, failed_runs, unbounded_by_failures })
+            };
+            own.map(pair).collect::<Vec<_>>()
+        };
+        let mut pairs: Vec<(usize, BoundPair)> = columns.into_par_iter().flat_map_iter(of_column).collect();
+        pairs.sort_by_key(|(place, _)| *place);
+        pairs.into_iter().map(|(_, pair)| pair).collect()
     }
 
     /// Models for everything that `measures` search.
@@ -116,13 +230,14 @@ impl Evidence<'_> {
         }
     }
 
-    /// The extreme of `measure` in `direction`: attained, with what was not resolved.
+    /// The extreme of `measure` in `direction` over a part of the box: attained, with what was not resolved.
     pub fn bound(
         &self,
         search: &Search<'_>,
         samples: &[&Sample],
         modelled: &Modelled<'_>,
         direction: Direction,
+        part: &Part<'_>,
     ) -> Bound {
         let measure = modelled.measure;
         let estimates = match direction {
@@ -130,7 +245,7 @@ impl Evidence<'_> {
             Direction::Maximum => &measure.high,
         };
         let guarantee = self.guarantee();
-        let Some(witness) = modelled.witness(direction) else {
+        let Some(witness) = modelled.witness(direction, part) else {
             let error = BoundError { sampling: f64::INFINITY, ..BoundError::default() };
             let widened = measure.kind.limited(direction.sign() * f64::INFINITY);
             return Bound { value: f64::NAN, widened, witness: None, error, guarantee };
@@ -144,7 +259,7 @@ impl Evidence<'_> {
         let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
         } else {
-            let further = modelled.furthest(search, samples, direction, (witness, estimate.value));
+            let further = modelled.furthest(search, samples, direction, (witness, estimate.value), part);
             (sign * (further - estimate.value)).max(0.0)
         };
         // What is conceded ends where no response goes; of the two parts the sampling error keeps what it needs.
@@ -167,7 +282,7 @@ impl MeasureKind {
     /// margin: means and quantiles stay within the range of the responses, deviations within half of it. Infinite where
     /// the runs at a point are too few to show that range. Where the motion is chaotic the statistic is so uneven over u
     /// that a model of it alone would concede what no mechanism does.
-    fn possible(self, samples: &[&Sample], direction: Direction) -> f64 {
+    pub fn possible(self, samples: &[&Sample], direction: Direction) -> f64 {
         let unlimited = direction.sign() * f64::INFINITY;
         let Some((low, high)) = responses(samples) else { return unlimited };
         let margin = RESPONSE_MARGIN * (high - low);
@@ -222,15 +337,15 @@ impl<'a> Modelled<'a> {
         Self { measure, branches: search.branches(&measure.target), margin_branches }
     }
 
-    /// The outer point at which the statistic, smoothed where its differences are partly noise, goes furthest.
-    fn witness(&self, direction: Direction) -> Option<usize> {
+    /// The outer point in `part` at which the statistic, smoothed where its differences are partly noise, goes furthest.
+    fn witness(&self, direction: Direction, part: &Part<'_>) -> Option<usize> {
         let measure = self.measure;
         let estimates = match direction {
             Direction::Minimum => &measure.low,
             Direction::Maximum => &measure.high,
         };
         let outward = direction.sign() * f64::INFINITY;
-        if let Some(point) = estimates.iter().position(|estimate| estimate.value == outward) {
+        if let Some(&point) = part.members.iter().find(|&&point| estimates[point].value == outward) {
             return Some(point);
         }
         let mut scores = smoothed(&measure.target, &self.branches, |point| measure.target_errors[point]);
@@ -243,7 +358,7 @@ impl<'a> Modelled<'a> {
         }
         let margin = |point: usize| measure.margin.as_ref().map_or(0.0, |margin| margin.target.values[point]);
         let mut best: Option<usize> = None;
-        for (point, score) in scores.iter().enumerate() {
+        for (point, score) in part.members.iter().map(|&point| (point, &scores[point])) {
             if !score.is_finite() || !estimates[point].value.is_finite() {
                 continue;
             }
@@ -265,12 +380,14 @@ impl<'a> Modelled<'a> {
         samples: &[&Sample],
         direction: Direction,
         (witness, attained): (usize, f64),
+        part: &Part<'_>,
     ) -> f64 {
         let target = &self.measure.target;
         let at_witness = target.values[witness];
         let beyond = |a: f64, b: f64| if direction.is_beyond(a, b) { a } else { b };
         let conceded = direction.sign() * SEARCH_RESOLUTION * target.range();
-        let most = || beyond(search.furthest_reach(target, &self.branches, direction), at_witness + conceded);
+        let most =
+            || beyond(search.furthest_reach(target, &self.branches, direction, part.region), at_witness + conceded);
         match self.measure.kind {
             MeasureKind::Plain => beyond(most(), attained),
             MeasureKind::Deviation => beyond(most().max(0.0).sqrt(), attained),
@@ -283,16 +400,19 @@ impl<'a> Modelled<'a> {
                     let shares = branch.points.iter().map(|&point| target.values[point]);
                     let between = shares.filter(|&share| share > 0.0 && share < 1.0).count() as f64;
                     if between >= LEAST_SHARE_BETWEEN * branch.points.len() as f64 {
-                        let most = beyond(search.reach(target, branch, direction), at_witness + conceded);
+                        let most = beyond(search.reach(target, branch, direction, part.region), at_witness + conceded);
                         furthest = beyond(furthest, most);
                     }
                 }
+                let inside = |branch: &Branch<'_>| -> Vec<usize> {
+                    branch.points.iter().copied().filter(|point| part.members.contains(point)).collect()
+                };
                 for branch in &self.margin_branches {
                     if let Some(margin) = &self.measure.margin
                         && let Some(nearest) =
-                            extreme_among(&margin.target.values, branch.points.iter().copied(), direction)
+                            extreme_among(&margin.target.values, inside(branch).into_iter(), direction)
                     {
-                        let most = search.reach(&margin.target, branch, direction);
+                        let most = search.reach(&margin.target, branch, direction, part.region);
                         let shifted = shifted_share(samples[nearest], event, margin.shift(nearest, most), direction);
                         furthest = beyond(furthest, shifted);
                     }

@@ -1,6 +1,7 @@
 //! Bounds and what stands behind them. The shape of a result never depends on its value.
 
 use super::probability_box::ProbabilityBox;
+use super::search::Direction;
 use super::statistic::Statistic;
 use super::table::Purpose;
 use super::treatment::TreatmentComparison;
@@ -100,13 +101,32 @@ pub struct BoundPair {
     /// Its greatest value over the epistemic box.
     pub upper: Bound,
     /// The estimate at every outer point, in the order of the outer index, failed runs taken as low as possible; not a
-    /// number where no run finished.
+    /// number where no run finished. Where several focal elements are added, both sums.
     pub estimates: Vec<f64>,
     /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
     /// quantiles in `value` already.
     pub failed_runs: usize,
     /// Whether failed runs leave the statistic without any bound: a mean or deviation is then one over finished runs.
     pub unbounded_by_failures: bool,
+}
+
+/// Bounds over what is possible to at least some degree.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LevelBounds {
+    /// The degree; nothing where no input is a fuzzy number.
+    pub alpha: Option<f64>,
+    /// One entry for each request but those for a whole distribution function, in their order.
+    pub pairs: Vec<BoundPair>,
+}
+
+impl Bound {
+    /// Moves the widened end outwards to `widened` where it lies further in; the difference is an error of the search.
+    pub(super) fn widen_to(&mut self, widened: f64, direction: Direction) {
+        if direction.is_beyond(widened, self.widened) {
+            self.error.optimisation += (widened - self.widened).abs();
+            self.widened = widened;
+        }
+    }
 }
 
 /// Everything that the runs of a problem say.
@@ -116,6 +136,8 @@ pub struct Bounds {
     pub reading: Reading,
     /// One entry for each request but those for a whole distribution function, in their order.
     pub pairs: Vec<BoundPair>,
+    /// Where an input is a fuzzy number: the same for every degree, increasing; else nothing.
+    pub levels: Vec<LevelBounds>,
     /// One entry for each request for a whole distribution function, in their order.
     pub boxes: Vec<ProbabilityBox>,
     /// One entry for each compared column, in their order.

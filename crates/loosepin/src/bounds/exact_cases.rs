@@ -1,8 +1,8 @@
 //! Cases with known bounds: the exact value must lie within the stated error, and the error must be small.
 
 use super::{
-    BoundPair, Bounds, Failure, Guarantee, Problem, Request, Response, Sampling, Statistic, TreatmentComparison,
-    evaluate,
+    BoundPair, Bounds, Failure, Guarantee, Problem, Reading, Request, Response, Sampling, Statistic,
+    TreatmentComparison, evaluate,
 };
 use crate::uncertainty::{Distribution, Interval, RandomVariable, normal_cdf};
 
@@ -25,6 +25,7 @@ pub(super) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
         copula: None,
         epistemic,
         parameters: Vec::new(),
+        reading: Reading::FixedButUnknown,
         columns: 1,
         requests: statistics.iter().map(|&statistic| Request { column: 0, statistic }).collect(),
         compared_columns: Vec::new(),

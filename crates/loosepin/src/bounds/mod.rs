@@ -9,12 +9,17 @@
 //! S_low = min over u in U of S(u),   S_up = max over u in U of S(u),   S(u) = statistic of g(X, u) over X.
 //! ```
 //!
+//! Where an input has evidence or is a fuzzy number the box has parts (`structure.rs`): every statistic has its extremes in each of
+//! them from the same runs, and masses add (`combine.rs`, `spread.rs`). Where an interval may hold another value for each sample the
+//! extremes are taken sample by sample (`random_set.rs`).
+//!
 //! Planning and running are separate: [`DoubleLoop::next_round`] says which runs come next, given the [`SampleTable`] of
 //! all rounds before; whoever calls it runs them in any order and on any machine, and adds them in the order given.
 //! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate()`] does all of it in one call.
 
 mod assemble;
 mod bound;
+mod combine;
 mod coverage;
 mod dense;
 mod evaluate;
@@ -29,16 +34,19 @@ mod probability_box;
 mod problem;
 mod quantile;
 mod random_inputs;
+mod random_set;
 mod sample;
 mod search;
 mod search_box;
 mod smoother;
+mod spread;
 mod statistic;
+mod structure;
 mod table;
 mod treatment;
 mod trend;
 
-pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, Reading, Treatment, Witness};
+pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading, Treatment, Witness};
 pub use coverage::{Coverage, CoveragePoint};
 pub use evaluate::{EvaluateError, Response, evaluate, execute};
 pub use plan::{DoubleLoop, PlanError};
@@ -52,6 +60,8 @@ pub use treatment::{Band, TreatmentComparison};
 mod correlated_cases;
 #[cfg(test)]
 mod discrete_cases;
+#[cfg(test)]
+mod evidence_cases;
 #[cfg(test)]
 mod exact_cases;
 #[cfg(test)]

@@ -5,15 +5,18 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 use thiserror::Error;
 
+use super::bound::Reading;
 use super::measure::{Measure, target};
 use super::moments::mean;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
 use super::problem::{MOST_POINTS, Problem, ProblemError, Request};
+use super::random_set::{run_target, values_by_run};
 use super::sample::{Confidence, Estimate};
 use super::search::{Direction, Search, Target};
-use super::search_box::{Place, SearchBox};
+use super::search_box::{Place, Region, SearchBox};
 use super::statistic::Statistic;
+use super::structure::{Element, Structure};
 use super::table::{Purpose, RunInputs, SampleTable};
 use crate::uncertainty::{EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash};
 
@@ -22,6 +25,10 @@ const REFINING_ROUNDS: usize = 6;
 
 /// The whole distribution function is searched by these quantiles.
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Of every column so many inner runs are searched where each may have its own u, to this share of their range.
+const SINGLE_RUNS: usize = 8;
+const SINGLE_RUN_RESOLUTION: f64 = 1e-4;
 
 /// Separates the streams of random numbers.
 const INNER: u64 = 0x0069_6e6e_6572;
@@ -44,6 +51,11 @@ pub struct DoubleLoop {
     epistemic_box: SearchBox,
     /// The joint box of the interval-only treatment: random inputs cut, then epistemic inputs.
     joint_box: SearchBox,
+    /// The parts of the epistemic box.
+    structure: Structure,
+    /// Those of all levels.
+    searched_elements: Vec<Element>,
+    whole_joint_box: [Element; 1],
     candidates: Vec<Vec<f64>>,
     joint_candidates: Vec<Vec<f64>>,
     first_outer: Vec<Place>,
@@ -129,6 +141,11 @@ impl DoubleLoop {
         let (epistemic_box, joint_box) = (SearchBox::new(problem.epistemic.clone()), SearchBox::new(joint_box));
         let (epistemic, joint) = (epistemic_box.dimensions(), joint_box.dimensions());
         let combinations = epistemic_box.combinations();
+        let structure = Structure::new(&problem, &epistemic_box);
+        let mut epistemic_candidates = candidates(epistemic)?;
+        if structure.is_divided() {
+            epistemic_candidates.extend(structure.candidates(epistemic)?);
+        }
         let first = |dimensions: usize, count: usize| -> Result<Vec<Place>, SobolError> {
             let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
             let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
@@ -138,9 +155,18 @@ impl DoubleLoop {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
             inner: inner_runs(&problem)?,
             moving: problem.inputs_with_parameters(),
-            candidates: candidates(epistemic)?,
+            candidates: epistemic_candidates,
             joint_candidates: candidates(joint)?,
-            first_outer: first(epistemic, sampling.outer)?,
+            first_outer: if structure.is_divided() {
+                let points = first_divided(sampling.seed, epistemic, sampling.outer / combinations, &structure)?;
+                let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
+                (0..combinations).flat_map(places).collect()
+            } else {
+                first(epistemic, sampling.outer)?
+            },
+            whole_joint_box: [Element { mass: 1.0, region: Region::whole(joint) }],
+            searched_elements: structure.levels.iter().flat_map(|level| level.elements.iter().cloned()).collect(),
+            structure,
             first_extreme: first(joint, sampling.extreme)?,
             mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.inputs().len())?,
             epistemic_box,
@@ -186,7 +212,7 @@ impl DoubleLoop {
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
-            for place in self.next_outer(&outer, count) {
+            for place in self.next_outer(table, &outer, count) {
                 let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
                 runs.extend(self.runs_at(round, point, &place));
             }
@@ -221,9 +247,9 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
-        let targets: Vec<(Target, Vec<Direction>)> = self
+        let mut targets: Vec<(Target, Vec<Direction>)> = self
             .searched()
             .par_iter()
             .flat_map_iter(|(request, directions)| {
@@ -235,8 +261,27 @@ impl DoubleLoop {
                     .map(|target| (target, directions.clone()))
             })
             .collect();
+        if self.problem.reading == Reading::RandomSet {
+            targets.extend(self.single_runs(table));
+        }
         let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count, MOST_POINTS)
+        search.next_points(&targets, &self.searched_elements, count, MOST_POINTS)
+    }
+
+    /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
+    fn single_runs(&self, table: &SampleTable) -> Vec<(Target, Vec<Direction>)> {
+        let of_column = |column: usize| {
+            let (replicates, points) = values_by_run(table, column);
+            let step = replicates.len().div_ceil(SINGLE_RUNS).max(1);
+            let runs = (0..replicates.len()).step_by(step);
+            let targets = runs.map(move |run| {
+                let target = run_target(&points, run, f64::MIN_POSITIVE);
+                let resolution = (SINGLE_RUN_RESOLUTION * target.range()).max(f64::MIN_POSITIVE);
+                (run_target(&points, run, resolution), Direction::BOTH.to_vec())
+            });
+            targets.collect::<Vec<_>>()
+        };
+        self.needed_columns().into_iter().flat_map(of_column).collect()
     }
 
     fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {
@@ -248,7 +293,7 @@ impl DoubleLoop {
             .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
         let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count, MOST_POINTS)
+        search.next_points(&targets, &self.whole_joint_box, count, MOST_POINTS)
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -303,6 +348,11 @@ impl DoubleLoop {
     pub(super) fn extreme_places(&self, pool: &Pool) -> Vec<Place> {
         let values = |point: &PoolPoint| [&point.random[..], &point.epistemic].concat();
         pool.points.iter().map(|point| self.joint_box.place_of(&values(point))).collect()
+    }
+
+    /// The parts of the epistemic box.
+    pub(super) fn structure(&self) -> &Structure {
+        &self.structure
     }
 
     pub(super) fn confidence(&self) -> &Confidence {
@@ -403,6 +453,20 @@ impl DoubleLoop {
 /// How many of `budget` points the first round takes: the corners, the centre, and about half of the budget.
 fn first_count(dimensions: usize, budget: usize) -> usize {
     if dimensions == 0 { 1 } else { budget.min((budget / 2).max(structural_point_count(dimensions) + 2 * dimensions)) }
+}
+
+/// The first points of a box with parts: corners and centres of all of them, then low-discrepancy points up to half of the budget.
+fn first_divided(
+    seed: u64,
+    dimensions: usize,
+    budget: usize,
+    structure: &Structure,
+) -> Result<Vec<Vec<f64>>, SobolError> {
+    let structural = structure.points(dimensions);
+    let count = first_count(dimensions, budget).max(structural.len() + 2 * dimensions).min(budget);
+    let interior = first_points(seed, dimensions, structural_point_count(dimensions) + count - structural.len())?;
+    let interior = interior.into_iter().skip(structural_point_count(dimensions));
+    Ok(structural.into_iter().chain(interior).collect())
 }
 
 /// Every inner run; a single one where nothing is random.

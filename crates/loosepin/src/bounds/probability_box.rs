@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::assemble::{Evidence, Modelled};
-use super::bound::Bound;
+use super::bound::{Bound, Reading};
 use super::measure::{Event, Measure};
 use super::pool::Pool;
+use super::random_set::RandomSet;
 use super::search::Direction;
 use super::table::{Purpose, SampleTable};
 
@@ -48,11 +49,20 @@ impl ProbabilityBox {
             .map(|&value| Measure::probability(&samples, Event::UpTo(value), evidence.plan.confidence()))
             .collect();
         let search = evidence.search(measures.iter());
+        let parts = evidence.parts(evidence.plan.structure().widest());
+        let set =
+            (evidence.plan.problem().reading == Reading::RandomSet).then(|| RandomSet::new(evidence, &parts, column));
         let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = measures
             .par_iter()
-            .map(|measure| {
+            .zip(&values)
+            .map(|(measure, &value)| {
+                if let Some(set) = &set {
+                    let [low, high] =
+                        Direction::BOTH.map(|direction| set.probability(evidence, Event::UpTo(value), direction));
+                    return (low, high);
+                }
                 let modelled = Modelled::new(&search, measure);
-                let bound = |direction| evidence.bound(&search, &samples, &modelled, direction);
+                let bound = |direction| evidence.added(&search, &samples, &modelled, &parts, direction);
                 (bound(Direction::Minimum), bound(Direction::Maximum))
             })
             .unzip();

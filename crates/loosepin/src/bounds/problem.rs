@@ -2,9 +2,11 @@
 
 use thiserror::Error;
 
+use super::bound::Reading;
 use super::points::structural_point_count;
 use super::search_box::SearchBox;
 use super::statistic::Statistic;
+use super::structure::{Structure, element_count};
 use crate::uncertainty::{
     EpistemicParameter, EpistemicVariable, GaussianCopula, Level, MAXIMUM_DIMENSIONS, RandomVariable,
 };
@@ -57,6 +59,8 @@ pub struct Problem {
     pub epistemic: Vec<EpistemicVariable>,
     /// Parameters of distributions that are epistemic inputs. The response is given their values and need not look at them.
     pub parameters: Vec<EpistemicParameter>,
+    /// How an epistemic interval is read.
+    pub reading: Reading,
     /// Number of columns of the response.
     pub columns: usize,
     /// Statistics whose bounds are asked for.
@@ -192,6 +196,30 @@ pub enum ProblemError {
         /// How many there are.
         combinations: usize,
     },
+    /// Too few points for the corners and centres of focal elements and cuts.
+    #[error(
+        "{name} {count}; the corners and centres of all focal elements and cuts need at least {least}\n\
+         hint: {recommended} is a good start, and elements that share ends need fewer"
+    )]
+    TooFewForElements {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// More focal elements than are put together.
+    #[error(
+        "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
+         hint: join elements of the inputs that matter least"
+    )]
+    TooManyElements {
+        /// How many there are.
+        elements: usize,
+    },
     /// More points than the search can model.
     #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
     TooManyPoints {
@@ -220,6 +248,9 @@ pub enum ProblemError {
 
 /// The smoother factorises matrices of this order.
 pub(super) const MOST_POINTS: usize = 512;
+
+/// Every combination of focal elements has bounds of its own.
+const MOST_ELEMENTS: usize = 256;
 
 /// Every combination of members is run, and searched by itself.
 const MOST_COMBINATIONS: usize = 64;
@@ -269,6 +300,18 @@ impl Problem {
         }
         if !search_box.is_a_point() {
             check_points("outer", outer, wide, combinations)?;
+        }
+        let elements = element_count(self);
+        if elements > MOST_ELEMENTS {
+            return Err(ProblemError::TooManyElements { elements });
+        }
+        let structure = Structure::new(self, &search_box);
+        if structure.is_divided() {
+            let least = combinations * structure.points(wide).len();
+            if outer < least {
+                let recommended = (2 * least).max(64);
+                return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
+            }
         }
         if !self.compared_columns.is_empty() {
             if !search_box.is_a_point() {

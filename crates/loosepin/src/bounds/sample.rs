@@ -28,6 +28,17 @@ impl Sample {
         Self { values, replicate_ends, failed }
     }
 
+    /// The same runs with another value each; finished ones stay finished where `change` is finite.
+    pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
+        Self { values: self.values.iter().map(|&value| change(value)).collect(), ..self.clone() }
+    }
+
+    /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
+    pub fn joined(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        let pairs = self.values.iter().zip(&other.values);
+        Self { values: pairs.map(|(&a, &b)| of(a, b)).collect(), ..self.clone() }
+    }
+
     /// Finished values.
     pub fn values(&self) -> &[f64] {
         &self.values

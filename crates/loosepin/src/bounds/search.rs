@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::search_box::Place;
+use super::search_box::{Place, Region};
 use super::smoother::{Fit, Smoother};
+use super::structure::Element;
 
 /// The model's error bar in an optimistic prediction, in standard deviations.
 const OPTIMISM: f64 = 2.5;
@@ -167,28 +168,45 @@ impl<'a> Search<'a> {
         Some(self.smoothers.get(defined)?.as_ref()?.fit(&values, target.noise_variance))
     }
 
-    /// The most that the model of `target` in one combination, `branch`, allows in `direction`, anywhere in the box; infinite
+    /// The most that the model of `target` in one combination, `branch`, allows in `direction`, anywhere in `region`; infinite
     /// without one.
-    pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction) -> f64 {
+    pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
         let Some(fit) = &branch.fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
-        let most = if is_located { located_reach(fit, direction) } else { reach(fit, direction).optimistic };
+        let most =
+            if is_located { located_reach(fit, direction, region) } else { reach(fit, direction, region).optimistic };
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
-    /// The furthest that any of the models of `target` allows in `direction`.
-    pub fn furthest_reach(&self, target: &Target, branches: &[Branch<'_>], direction: Direction) -> f64 {
-        let reaches = branches.iter().map(|branch| self.reach(target, branch, direction));
+    /// The furthest that any of the models of `target` allows in `direction`, anywhere in `region`.
+    pub fn furthest_reach(
+        &self,
+        target: &Target,
+        branches: &[Branch<'_>],
+        direction: Direction,
+        region: &Region,
+    ) -> f64 {
+        let reaches = branches.iter().map(|branch| self.reach(target, branch, direction, region));
         reaches.reduce(|a, b| if direction.is_beyond(b, a) { b } else { a }).unwrap_or(direction.sign() * f64::INFINITY)
     }
 
-    /// At most `count` new points for the ends of `targets` that are sought, most promising first; none where no gain
-    /// exceeds the resolution, and none in a combination that has `most_points` already.
-    pub fn next_points(&self, targets: &[(Target, Vec<Direction>)], count: usize, most_points: usize) -> Vec<Place> {
+    /// At most `count` new points for the ends of `targets` that are sought in each of `elements`, most promising first; none
+    /// where no gain, times the mass of its element, exceeds the resolution, and none in a combination that has `most_points`
+    /// already.
+    pub fn next_points(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+        most_points: usize,
+    ) -> Vec<Place> {
+        let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
         let mut promises: Vec<Promise> = targets
             .par_iter()
             .enumerate()
-            .flat_map_iter(|(index, (target, directions))| self.promises(index, target, directions, most_points))
+            .flat_map_iter(|(index, (target, directions))| {
+                self.promises(index, target, directions, (elements, &members), most_points)
+            })
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
         // What a model expects and what it merely allows take turns: every target allows more than it expects.
@@ -204,7 +222,11 @@ impl<'a> Search<'a> {
                 let target = &targets[promise.target].0;
                 let combination = promise.place.combination;
                 let fit = self.fit(target, &defined(target, &self.groups[combination]))?;
-                Some(Place { combination, at: locate(&fit, promise.direction, promise.optimism, promise.place.at) })
+                let region = &elements[promise.element].region;
+                Some(Place {
+                    combination,
+                    at: locate(&fit, promise.direction, promise.optimism, promise.place.at, region),
+                })
             })
             .collect();
         let mut chosen: Vec<Place> = Vec::new();
@@ -218,23 +240,34 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    /// Where the models of a target promise more than has been attained in any combination.
-    fn promises(&self, index: usize, target: &Target, directions: &[Direction], most_points: usize) -> Vec<Promise> {
+    /// Where the models of a target promise more than has been attained in any combination, element by element.
+    fn promises(
+        &self,
+        index: usize,
+        target: &Target,
+        directions: &[Direction],
+        (elements, members): (&[Element], &[Vec<usize>]),
+        most_points: usize,
+    ) -> Vec<Promise> {
         let mut promises = Vec::new();
         for (combination, branch) in self.branches(target).iter().enumerate() {
             let Some(fit) = branch.fit.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
-            for &direction in directions {
-                let reach = reach(fit, direction);
-                let attained = extreme(&target.values, direction);
-                let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
-                    let merit = direction.sign() * (value - attained) / target.resolutions[direction.index()];
-                    if merit > 1.0 {
-                        let place = Place { combination, at };
-                        promises.push(Promise { target: index, direction, optimism, merit, place });
-                    }
-                };
-                promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
-                promise(reach.expected, 0.0, reach.expected_at);
+            for (element, (part, members)) in elements.iter().zip(members).enumerate() {
+                for &direction in directions {
+                    let reach = reach(fit, direction, &part.region);
+                    let attained = extreme_among(&target.values, members.iter().copied(), direction)
+                        .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
+                    let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
+                        let gain = part.mass * direction.sign() * (value - attained);
+                        let merit = gain / target.resolutions[direction.index()];
+                        if merit > 1.0 {
+                            let place = Place { combination, at };
+                            promises.push(Promise { target: index, element, direction, optimism, merit, place });
+                        }
+                    };
+                    promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
+                    promise(reach.expected, 0.0, reach.expected_at);
+                }
             }
         }
         promises
@@ -243,6 +276,7 @@ impl<'a> Search<'a> {
 
 struct Promise {
     target: usize,
+    element: usize,
     direction: Direction,
     optimism: f64,
     merit: f64,
@@ -263,11 +297,14 @@ fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
     kept
 }
 
-/// How far the model lets its target go in `direction`, over all candidates and points.
-fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
+/// How far the model lets its target go in `direction`, over all candidates and points in `region`.
+fn reach(fit: &Fit<'_>, direction: Direction, region: &Region) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
     for (place, (mean, deviation)) in fit.at_places().enumerate() {
+        if !region.holds(&fit.places()[place]) {
+            continue;
+        }
         let most = sign * mean + OPTIMISM * deviation;
         // A model that overflows allows anything.
         let most = if most.is_nan() { f64::INFINITY } else { most };
@@ -278,6 +315,13 @@ fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
             expected = (sign * mean, place);
         }
     }
+    if optimistic.0 == f64::NEG_INFINITY {
+        // No place of the region is known: the model says nothing there.
+        let centre = region.at(&vec![0.5; region.lower.len()]);
+        let unlimited = sign * f64::INFINITY;
+        let (optimistic_at, expected_at) = (centre.clone(), centre);
+        return Reach { optimistic: unlimited, optimistic_at, expected: f64::NAN, expected_at };
+    }
     Reach {
         optimistic: sign * optimistic.0,
         optimistic_at: fit.places()[optimistic.1].clone(),
@@ -286,10 +330,10 @@ fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
     }
 }
 
-/// The same over the whole box: the most that the model allows, located from the best of the places.
-fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
-    let coarse = reach(fit, direction);
-    let place = locate(fit, direction, OPTIMISM, coarse.optimistic_at);
+/// The same over the whole region: the most that the model allows, located from the best of the places.
+fn located_reach(fit: &Fit<'_>, direction: Direction, region: &Region) -> f64 {
+    let coarse = reach(fit, direction, region);
+    let place = locate(fit, direction, OPTIMISM, coarse.optimistic_at, region);
     let (mean, deviation) = fit.at(&place);
     let located = mean + direction.sign() * OPTIMISM * deviation;
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
@@ -350,7 +394,8 @@ fn neighbours(point: &[f64]) -> impl Iterator<Item = Vec<f64>> {
 
 /// Moves `place` to the nearest local extreme of mean + optimism x deviation: pattern search along the axes and the last
 /// successful move, step halved down to 1e-7 of the box.
-fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64>) -> Vec<f64> {
+fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64>, region: &Region) -> Vec<f64> {
+    let inside = |axis: usize, value: f64| value.max(region.lower[axis]).min(region.upper[axis]);
     const FIRST_STEP: f64 = 0.1;
     const LAST_STEP: f64 = 1e-7;
     const MOST_MOVES: usize = 400;
@@ -368,7 +413,7 @@ fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64
         for axis in 0..place.len() {
             for signed in [step, -step] {
                 let mut trial = place.clone();
-                trial[axis] = (trial[axis] + signed).clamp(0.0, 1.0);
+                trial[axis] = inside(axis, trial[axis] + signed);
                 if trial[axis] != place[axis] && value(&trial) > best {
                     best = value(&trial);
                     place = trial;
@@ -379,7 +424,8 @@ fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64
         }
         if has_moved {
             moves += 1;
-            let trial: Vec<f64> = place.iter().zip(&before).map(|(x, y)| (2.0 * x - y).clamp(0.0, 1.0)).collect();
+            let ahead = place.iter().zip(&before).enumerate();
+            let trial: Vec<f64> = ahead.map(|(axis, (x, y))| inside(axis, 2.0 * x - y)).collect();
             if value(&trial) > best {
                 best = value(&trial);
                 place = trial;
@@ -389,11 +435,11 @@ fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64
         }
     }
     // What the model cannot tell from a face is a face: corners and edges are then met exactly.
-    for coordinate in &mut place {
-        if *coordinate < FACE_THICKNESS {
-            *coordinate = 0.0;
-        } else if *coordinate > 1.0 - FACE_THICKNESS {
-            *coordinate = 1.0;
+    for (coordinate, (lower, upper)) in place.iter_mut().zip(region.lower.iter().zip(&region.upper)) {
+        if *coordinate < lower + FACE_THICKNESS {
+            *coordinate = *lower;
+        } else if *coordinate > upper - FACE_THICKNESS {
+            *coordinate = *upper;
         }
     }
     place
@@ -408,7 +454,8 @@ fn defined(target: &Target, group: &[usize]) -> Vec<usize> {
 mod tests {
     use super::{Direction, Search, Target, extreme};
     use crate::bounds::points::{candidates, first_points};
-    use crate::bounds::search_box::Place;
+    use crate::bounds::search_box::{Place, Region};
+    use crate::bounds::structure::Element;
 
     /// Searches both ends of `function` with `count` points in rounds of five.
     fn ends(dimensions: usize, count: usize, function: impl Fn(&[f64]) -> f64) -> (f64, f64) {
@@ -420,7 +467,9 @@ mod tests {
             let resolutions = [1e-9; 2];
             let target = Target { values: values.clone(), noise_variance: 0.0, resolutions };
             let search = Search::new(&points, &candidates, [&target]);
-            let next = search.next_points(&[(target, Direction::BOTH.to_vec())], 5.min(count - points.len()), 512);
+            let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];
+            let targets = [(target, Direction::BOTH.to_vec())];
+            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), 512);
             if next.is_empty() {
                 return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
             }

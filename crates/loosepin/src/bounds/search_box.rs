@@ -1,6 +1,6 @@
 //! What is searched: a unit box without the inputs that are single numbers, once for every combination of the discrete inputs.
 
-use crate::uncertainty::EpistemicVariable;
+use crate::uncertainty::{EpistemicVariable, Interval};
 
 /// A box of intervals; those of no width are held and do not count as dimensions. Inputs that are one of a list do not either:
 /// every combination of their members has a box of its own.
@@ -29,13 +29,54 @@ impl Place {
     }
 }
 
+/// A part of the unit box of the intervals, the same in every combination of the discrete inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Region {
+    /// Lower ends.
+    pub lower: Vec<f64>,
+    /// Upper ends.
+    pub upper: Vec<f64>,
+}
+
+/// A place as near to a region as this counts as inside: values and fractions are not exact inverses.
+const REGION_TOLERANCE: f64 = 1e-9;
+
+impl Region {
+    /// The whole box.
+    pub fn whole(dimensions: usize) -> Self {
+        Self { lower: vec![0.0; dimensions], upper: vec![1.0; dimensions] }
+    }
+
+    /// Whether a point of the unit box lies in it.
+    pub fn holds(&self, at: &[f64]) -> bool {
+        let ends = self.lower.iter().zip(&self.upper);
+        at.iter().zip(ends).all(|(x, (low, high))| *x >= low - REGION_TOLERANCE && *x <= high + REGION_TOLERANCE)
+    }
+
+    /// The point of the region that lies as `fractions` do in the unit box.
+    pub fn at(&self, fractions: &[f64]) -> Vec<f64> {
+        let ends = self.lower.iter().zip(&self.upper);
+        let place = |(x, (low, high)): (&f64, (&f64, &f64))| if *x >= 1.0 { *high } else { low + x * (high - low) };
+        fractions.iter().zip(ends).map(place).collect()
+    }
+}
+
 impl SearchBox {
+    /// The part of the unit box in which the inputs lie in `ranges`, one for each; nothing restricts a list.
+    pub fn region(&self, ranges: &[Option<Interval>]) -> Region {
+        let mut region = Region::whole(self.wide.len());
+        for (axis, &input) in self.wide.iter().enumerate() {
+            if let (Some(range), Some(own)) = (self.inputs[input].range(), ranges[input]) {
+                region.lower[axis] = range.fraction_of(own.lower());
+                region.upper[axis] = range.fraction_of(own.upper());
+            }
+        }
+        region
+    }
+
     /// The box of these inputs.
     pub fn new(inputs: Vec<EpistemicVariable>) -> Self {
-        let is_wide = |input: &EpistemicVariable| match input {
-            EpistemicVariable::Interval(interval) => interval.lower() < interval.upper(),
-            EpistemicVariable::OneOf(_) => false,
-        };
+        let is_wide = |input: &EpistemicVariable| input.range().is_some_and(|range| range.lower() < range.upper());
         let wide = (0..inputs.len()).filter(|&i| is_wide(&inputs[i])).collect();
         Self { inputs, wide }
     }
@@ -67,16 +108,18 @@ impl SearchBox {
             .inputs
             .iter()
             .map(|input| match input {
-                EpistemicVariable::Interval(interval) => interval.lower(),
                 EpistemicVariable::OneOf(members) => {
                     let value = members.values()[rest % members.values().len()];
                     rest /= members.values().len();
                     value
                 }
+                other => other.ends()[0],
             })
             .collect();
         for (&input, &fraction) in self.wide.iter().zip(&place.at) {
-            values[input] = self.inputs[input].at(fraction);
+            if let Some(range) = self.inputs[input].range() {
+                values[input] = range.at(fraction);
+            }
         }
         values
     }
@@ -87,14 +130,14 @@ impl SearchBox {
         let mut at = Vec::with_capacity(self.wide.len());
         for (index, (input, &value)) in self.inputs.iter().zip(values).enumerate() {
             match input {
-                EpistemicVariable::Interval(interval) => {
-                    if self.wide.contains(&index) {
-                        at.push(interval.fraction_of(value));
-                    }
-                }
                 EpistemicVariable::OneOf(members) => {
                     combination += weight * members.index_of(value);
                     weight *= members.values().len();
+                }
+                other => {
+                    if let (true, Some(range)) = (self.wide.contains(&index), other.range()) {
+                        at.push(range.fraction_of(value));
+                    }
                 }
             }
         }

@@ -3,12 +3,16 @@
 use rayon::prelude::*;
 
 use super::assemble::{Evidence, Modelled};
-use super::bound::{Bound, BoundError, Guarantee, Treatment, Witness};
+use super::bound::{Bound, BoundError, Guarantee, Reading, Treatment, Witness};
+use super::combine::QuantileJob;
 use super::coverage::Coverage;
 use super::measure::Measure;
 use super::pool::Pool;
 use super::quantile::quantile;
+use super::random_set::RandomSet;
 use super::search::{Direction, SEARCH_RESOLUTION, Search, extreme};
+use super::search_box::Region;
+use super::statistic::Statistic;
 use super::table::{Purpose, SampleTable};
 
 /// A band for a column, by one treatment.
@@ -84,6 +88,26 @@ fn gather(table: &SampleTable, has_own: bool, own: Purpose, columns: &[usize]) -
 
 fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
     let statistics = evidence.plan.band_statistics();
+    let parts = evidence.parts(evidence.plan.structure().widest());
+    if evidence.plan.problem().reading == Reading::RandomSet {
+        return columns
+            .par_iter()
+            .map(|&column| {
+                let set = RandomSet::new(evidence, &parts, column);
+                [0, 1].map(|end| set.bounds(evidence, statistics[end].0)[end].clone())
+            })
+            .collect();
+    }
+    if parts.parts.len() > 1 {
+        let job = |column, (statistic, direction)| match statistic {
+            Statistic::Quantile(probability) => Some(QuantileJob { column, probability, direction }),
+            _ => None,
+        };
+        let jobs: Vec<QuantileJob> =
+            columns.iter().flat_map(|&column| statistics.map(|wanted| job(column, wanted))).flatten().collect();
+        let bounds = evidence.quantiles(&jobs, &parts);
+        return bounds.chunks(2).map(|pair| [pair[0].clone(), pair[1].clone()]).collect();
+    }
     let measures: Vec<[Measure; 2]> = columns
         .par_iter()
         .filter_map(|&column| {
@@ -100,7 +124,7 @@ fn mixed_ends(evidence: &Evidence<'_>, columns: &[usize]) -> Vec<[Bound; 2]> {
             let samples = evidence.pool.samples(column);
             [0, 1].map(|end| {
                 let modelled = Modelled::new(&search, &measures[end]);
-                evidence.bound(&search, &samples, &modelled, statistics[end].1)
+                evidence.added(&search, &samples, &modelled, &parts, statistics[end].1)
             })
         })
         .collect()
@@ -142,6 +166,7 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
     let places = plan.extreme_places(pool);
     let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(pool, column)).collect();
     let search = Search::new(&places, plan.joint_candidates(), &targets);
+    let whole = Region::whole(plan.joint_box().dimensions());
     columns
         .par_iter()
         .zip(&targets)
@@ -151,7 +176,7 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
                 let sign = direction.sign();
                 let (value, witness) = furthest_run(evidence, table, column, direction);
                 let searched = extreme(&target.values, direction);
-                let further = search.furthest_reach(target, &branches, direction);
+                let further = search.furthest_reach(target, &branches, direction, &whole);
                 let conceded = SEARCH_RESOLUTION * target.range();
                 let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
                 let has_box = plan.joint_box().dimensions() > 0;

@@ -69,6 +69,10 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
                     writer.shortest(*lower_si, &input.unit),
                     writer.value_shortest(*upper_si, &input.unit)
                 )),
+                InputKind::Evidence { elements, .. } => {
+                    Some(format!("what is known of the {name} in {} intervals", elements.len()))
+                }
+                InputKind::Fuzzy { .. } => Some(format!("the {name} wherever it is possible")),
                 InputKind::Choice { of } => Some(format!("the {name} any of {}", listed(of))),
             }
         })

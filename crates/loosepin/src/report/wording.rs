@@ -92,7 +92,16 @@ pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
 
 /// What the epistemic inputs are called: by what is known of them.
 pub(super) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
-    if has_lists(inputs) { "unknown inputs" } else { "interval inputs" }
+    if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
+}
+
+/// What stands beside bounds that are put together from several intervals.
+pub(super) const MASSES_ADD: &str = "Masses of evidence add: such a bound is attained by one value in each of the intervals, so that no single value stands beside it. \
+     Read as probability, each interval is taken by its mass and evenly within; of fuzzy numbers each cut by the difference of the degrees.";
+
+/// Whether an input is made of several intervals.
+pub(super) fn has_parts(inputs: &[InputDescription]) -> bool {
+    inputs.iter().any(|input| matches!(input.kind, InputKind::Evidence { .. } | InputKind::Fuzzy { .. }))
 }
 
 /// What the treatments take lists for.

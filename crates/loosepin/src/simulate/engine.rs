@@ -1,6 +1,6 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run};
+use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run, Seated, Seats};
 use super::column::{Arms, Reading};
 use super::failure::RunFailure;
 use super::gap::GapJet;
@@ -64,8 +64,18 @@ pub fn conduct<O: Observer>(
         }
         return;
     }
+    on_vectors(mechanism, readings, settings, vectors, &mut Seats::new(queue));
+}
+
+fn on_vectors(
+    mechanism: &Mechanism,
+    readings: &[Reading],
+    settings: &Settings,
+    vectors: Vectors,
+    queue: &mut dyn Seated,
+) {
     match vectors {
-        Vectors::None => Batch::<f64, O>::conduct(mechanism, readings, settings, None, queue),
+        Vectors::None => Batch::<f64>::conduct(mechanism, readings, settings, None, queue),
         #[cfg(target_arch = "x86_64")]
         Vectors::Avx512(token) => on_lanes(token, Some(Level::Avx512), mechanism, readings, settings, queue),
         #[cfg(target_arch = "x86_64")]
@@ -76,16 +86,16 @@ pub fn conduct<O: Observer>(
 }
 
 /// The one place that names lane groups: the token proves that this processor has their instructions.
-fn on_lanes<S: InstructionSet, O: Observer>(
+fn on_lanes<S: InstructionSet>(
     _token: S,
     level: Option<Level>,
     mechanism: &Mechanism,
     readings: &[Reading],
     settings: &Settings,
-    queue: &mut dyn Queue<Observer = O>,
+    queue: &mut dyn Seated,
 ) {
     let level = level.filter(|_| settings.machine_code);
-    Batch::<LaneGroup<S>, O>::conduct(mechanism, readings, settings, level, queue);
+    Batch::<LaneGroup<S>>::conduct(mechanism, readings, settings, level, queue);
 }
 
 /// A queue of one run.

@@ -1,6 +1,6 @@
 //! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
 
-use super::batch::DepthLimit;
+use super::batch::{DepthLimit, Seat};
 use super::column::Arms;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
@@ -57,7 +57,7 @@ pub enum Phase {
 }
 
 /// The run of a lane.
-pub struct LaneRun<O> {
+pub struct LaneRun {
     /// Runs of a batch are numbered as they start, from 1.
     pub number: u64,
     /// All numbers of the run.
@@ -65,7 +65,7 @@ pub struct LaneRun<O> {
     /// What is recorded.
     pub window: Window,
     /// Who looks at it.
-    pub observer: O,
+    pub observer: Seat,
     /// Longest step in time, s.
     pub longest_s: f64,
     /// Smallest step in time apart from steps onto events, s.
@@ -129,7 +129,7 @@ pub enum Decision {
     SwitchAtStart(Event),
 }
 
-impl<O> LaneRun<O> {
+impl LaneRun {
     /// |δ| below which a contact counts as at its beginning or end turned into the size of its gap function.
     fn gap_tolerance(&self, contact: usize, is_root: bool, event_tolerance_m: f64) -> f64 {
         match is_root {

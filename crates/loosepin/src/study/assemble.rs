@@ -12,9 +12,9 @@ use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
 use super::response::StudyResponse;
 use super::result::{
-    BoundEnd, BoundRecord, CoveragePoint, DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError,
-    ProbabilityBox, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison,
-    TreatmentKind, Verdict, Witness, WitnessValue,
+    BoundEnd, BoundRecord, CoveragePoint, CutBounds, DeviationKind, FORMAT, GuaranteeKind, IntervalReading,
+    NumericalError, ProbabilityBox, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand,
+    TreatmentComparison, TreatmentKind, Verdict, Witness, WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
@@ -25,6 +25,8 @@ pub(super) struct Material<'m> {
     pub response: &'m StudyResponse,
     pub table: &'m SampleTable,
     pub bounds: &'m Bounds,
+    /// Those that are looked at: what is possible at all, or to some degree.
+    pub pairs: &'m [BoundPair],
 }
 
 /// Puts the result together.
@@ -35,7 +37,7 @@ pub fn assemble(
     table: &SampleTable,
     bounds: &Bounds,
 ) -> StudyResult {
-    let material = Material { study, response, table, bounds };
+    let material = Material { study, response, table, bounds, pairs: &bounds.pairs };
     let pictures = drawing::pictures(&material);
     StudyResult {
         format: FORMAT,
@@ -53,6 +55,7 @@ pub fn assemble(
         settled_share: summary::settled_share(&material),
         requirements: requirements(&material),
         bounds: asked_bounds(&material),
+        cuts: cuts(&material),
         treatments: treatments(&material),
         energy: summary::energy(&material),
         impacts: summary::impacts(&material),
@@ -94,7 +97,7 @@ impl Material<'_> {
 
     /// The bounds of `statistic` of `column`.
     fn pair(&self, column: usize, statistic: Statistic) -> Option<&BoundPair> {
-        self.bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic)
+        self.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic)
     }
 
     /// Both ends of the bounds of `statistic` of `column`, narrowed by what is known of the largest deviation of the whole
@@ -216,6 +219,16 @@ fn statistic_kind(statistic: Statistic) -> Option<StatisticKind> {
         Statistic::ProbabilityBelow(limit_si) => StatisticKind::ProbabilityBelow { limit_si },
         Statistic::ProbabilityBeyond(limit_si) => StatisticKind::ProbabilityBeyond { limit_si },
     })
+}
+
+/// The bounds at every degree of possibility.
+fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
+    let of_level = |level: &crate::bounds::LevelBounds| {
+        let &Material { study, response, table, bounds, .. } = material;
+        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs });
+        Some(CutBounds { alpha: level.alpha?, bounds })
+    };
+    material.bounds.levels.iter().filter_map(of_level).collect()
 }
 
 /// Every bound that was asked for, in the order of the asks; within a curve pose by pose.

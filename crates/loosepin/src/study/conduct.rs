@@ -240,6 +240,7 @@ fn problem(study: &Study, response: &StudyResponse) -> Problem {
         copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
         epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
         parameters: study.epistemic_parameters(),
+        reading: study.reading,
         columns: response.row_length(),
         requests: plan.requests(),
         compared_columns: plan.compared_columns(),

@@ -4,6 +4,7 @@ mod ask;
 mod check;
 mod correlation;
 mod description;
+mod evidence;
 mod fit;
 mod input;
 mod keys;
@@ -26,6 +27,7 @@ pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 
 use crate::accuracy::ScatterCorrelation;
+use crate::bounds::Reading;
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
 use crate::model::{Cycle, Model};
@@ -136,6 +138,13 @@ fn read(
         file.read_epistemic(&entry);
     }
     let correlation = file.read_correlations(&root);
+    let readings = [
+        ("fixed", Reading::FixedButUnknown),
+        ("unknown-distribution", Reading::UnknownDistribution),
+        ("random-set", Reading::RandomSet),
+    ];
+    let reading = root.get("reading").and_then(|entry| file.reader.choice(&entry, &readings));
+    let reading = reading.unwrap_or(Reading::FixedButUnknown);
     let asks = file.read_asks(&root);
     let requirements = file.read_requirements(&root);
     file.check_whole(&root);
@@ -151,6 +160,7 @@ fn read(
         seed,
         cycle,
         sampling,
+        reading,
         random: file.random,
         correlation,
         epistemic: file.epistemic,

@@ -195,9 +195,9 @@ impl StudyResponse {
             .epistemic
             .iter()
             .filter_map(|input| {
-                let value = match &input.variable {
-                    EpistemicVariable::Interval(interval) => 0.5 * (interval.lower() + interval.upper()),
-                    EpistemicVariable::OneOf(members) => members.values()[0],
+                let value = match input.variable.range() {
+                    Some(range) => 0.5 * (range.lower() + range.upper()),
+                    None => input.variable.middle(),
                 };
                 Some((input.quantity()?, value))
             })

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use super::evidence::Evidence;
+use super::fuzzy::FuzzyNumber;
 use super::interval::Interval;
 
 /// Two or more different numbers, in the order in which they were given.
@@ -80,42 +82,59 @@ pub enum EpistemicVariable {
     Interval(Interval),
     /// It is one of a few numbers.
     OneOf(Members),
+    /// It lies in one of a few intervals, each with a mass.
+    Evidence(Evidence),
+    /// It lies in nested intervals, each with a degree of possibility.
+    Fuzzy(FuzzyNumber),
 }
 
 impl EpistemicVariable {
-    /// The value at `fraction` in \[0, 1\]: of the way along an interval, or the member whose equal share it falls on. A uniform
+    /// The value at `fraction` in \[0, 1\] where what is known is taken as probability: along an interval, or the member
+    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees. A uniform
     /// fraction therefore takes every interval as uniform and every member as equally probable.
     pub fn at(&self, fraction: f64) -> f64 {
         match self {
             Self::Interval(interval) => interval.at(fraction),
             Self::OneOf(members) => members.at(fraction),
+            Self::Evidence(evidence) => evidence.at(fraction),
+            Self::Fuzzy(fuzzy) => fuzzy.at(fraction),
+        }
+    }
+
+    /// The interval that holds all possible values; nothing where it is one of a list.
+    pub fn range(&self) -> Option<Interval> {
+        match self {
+            Self::Interval(interval) => Some(*interval),
+            Self::OneOf(_) => None,
+            Self::Evidence(evidence) => Some(evidence.hull()),
+            Self::Fuzzy(fuzzy) => Some(fuzzy.support()),
         }
     }
 
     /// From how many the true one is chosen: the members of a list, 1 for an interval.
     pub fn choices(&self) -> usize {
         match self {
-            Self::Interval(_) => 1,
             Self::OneOf(members) => members.values.len(),
+            _ => 1,
         }
     }
 
     /// The least and the greatest value.
     pub fn ends(&self) -> [f64; 2] {
-        match self {
-            Self::Interval(interval) => [interval.lower(), interval.upper()],
-            Self::OneOf(members) => members
+        match (self, self.range()) {
+            (Self::OneOf(members), _) => members
                 .values
                 .iter()
                 .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| [low.min(value), high.max(value)]),
+            (_, range) => range.map_or([f64::NAN; 2], |range| [range.lower(), range.upper()]),
         }
     }
 
     /// Where one value has to stand for all: the middle of an interval, the first of a list.
     pub fn middle(&self) -> f64 {
         match self {
-            Self::Interval(interval) => interval.at(0.5),
             Self::OneOf(members) => members.values[0],
+            _ => self.range().map_or(f64::NAN, |range| range.at(0.5)),
         }
     }
 
@@ -129,9 +148,26 @@ impl EpistemicVariable {
     /// Values that show its range: the ends of an interval, every member of a list.
     pub fn shown(&self) -> Vec<f64> {
         match self {
-            Self::Interval(interval) => vec![interval.lower(), interval.upper()],
             Self::OneOf(members) => members.values.clone(),
+            _ => self.ends().to_vec(),
         }
+    }
+
+    /// Whether it is made of several intervals, with masses or degrees.
+    pub fn is_structured(&self) -> bool {
+        matches!(self, Self::Evidence(_) | Self::Fuzzy(_))
+    }
+}
+
+impl From<Evidence> for EpistemicVariable {
+    fn from(evidence: Evidence) -> Self {
+        Self::Evidence(evidence)
+    }
+}
+
+impl From<FuzzyNumber> for EpistemicVariable {
+    fn from(fuzzy: FuzzyNumber) -> Self {
+        Self::Fuzzy(fuzzy)
     }
 }
 

@@ -46,6 +46,12 @@ impl Interval {
         Ok(Self { lower, upper })
     }
 
+    /// The least interval that holds both.
+    #[must_use]
+    pub fn hull(self, other: Self) -> Self {
+        Self { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
+    }
+
     /// The lower end.
     pub fn lower(&self) -> f64 {
         self.lower

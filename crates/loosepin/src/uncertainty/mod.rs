@@ -8,7 +8,9 @@ mod counter;
 mod direction_numbers;
 mod distribution;
 mod epistemic;
+mod evidence;
 mod family;
+mod fuzzy;
 mod incomplete_beta;
 mod incomplete_gamma;
 mod interval;
@@ -24,6 +26,8 @@ pub use correlation::{CopulaError, GaussianCopula, Pair, normal_of_rank, rank_of
 pub use counter::hash;
 pub use distribution::{Distribution, DistributionError};
 pub use epistemic::{EpistemicVariable, Members, MembersError};
+pub use evidence::{Evidence, EvidenceError, FocalElement, MASS_TOLERANCE};
+pub use fuzzy::{FuzzyError, FuzzyNumber, USUAL_CUTS};
 pub use interval::{Interval, IntervalError};
 pub use linear_correlation::{CorrelationSeries, UnattainableCorrelation};
 pub use normal::{normal_cdf, normal_quantile};

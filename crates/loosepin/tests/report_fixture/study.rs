@@ -128,6 +128,7 @@ pub fn worn_pin() -> StudyResult {
         settled_share: Some(0.874),
         requirements: requirements(&outers),
         bounds: bounds(&outers, &poses),
+        cuts: Vec::new(),
         treatments: vec![treatments(&outers, &pooled_largest)],
         energy: Some(energy()),
         impacts: vec![JointImpacts {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
 use loosepin::study::{CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
-use loosepin::uncertainty::Distribution;
+use loosepin::uncertainty::{Distribution, EpistemicVariable};
 use loosepin::units::{Dimension, format_number, format_value};
 
 use super::trial::Trial;
@@ -91,7 +91,17 @@ fn push_inputs(text: &mut String, study: &Study) {
             Some(of) => format!("any of {}", of.join(", ")),
             None => {
                 let [lower, upper] = input.variable.ends().map(|end| input.written(&study.model, end));
-                format!("between {lower} and {upper}")
+                let how = match &input.variable {
+                    EpistemicVariable::Evidence(evidence) if evidence.is_scattering() => {
+                        "scattering somehow ".to_owned()
+                    }
+                    EpistemicVariable::Evidence(evidence) => {
+                        format!("in {} with masses, ", counted(evidence.elements().len(), "interval", "intervals"))
+                    }
+                    EpistemicVariable::Fuzzy(_) => "fuzzy, ".to_owned(),
+                    _ => String::new(),
+                };
+                format!("{how}between {lower} and {upper}")
             }
         };
         let _ = writeln!(text, "  {:width$}  {known}", input.path);

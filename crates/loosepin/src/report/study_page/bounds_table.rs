@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::wording::{
-    deviation_words, guarantee_words, output_words, place_words, statistic_words, unknown_words,
+    MASSES_ADD, deviation_words, guarantee_words, has_parts, output_words, place_words, statistic_words, unknown_words,
 };
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
@@ -22,6 +22,9 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
         p {
             "Each statistic lies between its two bounds, wherever in their ranges the " (unknown_words(&result.inputs)) " are. The bounds are \
              rounded and widened outwards by their numerical error, which stands beside them."
+        }
+        @if has_parts(&result.inputs) {
+            p { (MASSES_ADD) }
         }
         table.cards {
             thead {

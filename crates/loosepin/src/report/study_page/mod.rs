@@ -2,6 +2,7 @@
 
 mod bounds_table;
 mod curves;
+mod cuts;
 mod provenance;
 mod treatments;
 
@@ -29,6 +30,9 @@ pub fn study_page(result: &StudyResult) -> String {
     }
     if !result.bounds.is_empty() {
         sections.push(Section::new("bounds", "The numbers", bounds_table::bounds_table(result, &writer)));
+    }
+    if !result.cuts.is_empty() {
+        sections.push(Section::new("degrees", "By degree of possibility", cuts::cuts(result, &writer)));
     }
     if !result.curves.is_empty() {
         sections.push(Section::new("curves", "Deviation over the cycle", curves::deviation_charts(result, &writer)));

@@ -161,6 +161,9 @@ fn kind_words(kind: &InputKind) -> &'static str {
     match kind {
         InputKind::Random => "random",
         InputKind::Interval { .. } => "interval",
+        InputKind::Evidence { is_scattering: false, .. } => "evidence",
+        InputKind::Evidence { is_scattering: true, .. } => "probability box",
+        InputKind::Fuzzy { .. } => "fuzzy number",
         InputKind::Choice { .. } => "one of a list",
     }
 }

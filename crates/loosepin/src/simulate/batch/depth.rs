@@ -8,7 +8,6 @@ use crate::model::JointKind;
 use crate::simulate::failure::RunFailure;
 use crate::simulate::gap::ContactStep;
 use crate::simulate::lane::LaneRun;
-use crate::simulate::observer::Observer;
 use crate::simulate::reads::ReadLayout;
 
 /// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
@@ -41,7 +40,7 @@ impl DepthLimit {
     }
 }
 
-impl<T: Lanes, O: Observer> Batch<'_, T, O> {
+impl<T: Lanes> Batch<'_, T> {
     /// No contact may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
     pub(super) fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
@@ -110,7 +109,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
         &self.mechanism.model.joints[joint.0].name
     }
 
-    fn too_deep(&self, run: &LaneRun<O>, contact: usize, penetration_m: f64, time_s: f64) -> RunFailure {
+    fn too_deep(&self, run: &LaneRun, contact: usize, penetration_m: f64, time_s: f64) -> RunFailure {
         let model = &self.mechanism.model;
         let joint = &model.joints[self.mechanism.plays[self.mechanism.contacts[contact].play].0];
         let limit = run.depth_limits[contact];

@@ -4,9 +4,11 @@
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
 mod depth;
+mod seats;
 mod switch;
 
 pub use depth::{DepthLimit, LARGEST_RESIDUAL};
+pub(super) use seats::{Seat, Seated, Seats};
 
 use crate::dynamics::PlayState;
 use crate::integrate::Stepper;
@@ -64,10 +66,10 @@ pub trait Queue {
 }
 
 /// The passes over all lanes.
-pub(super) struct Batch<'a, T, O> {
+pub(super) struct Batch<'a, T> {
     mechanism: &'a Mechanism,
     core: Core<'a, T>,
-    runs: Vec<Option<LaneRun<O>>>,
+    runs: Vec<Option<LaneRun>>,
     /// Equations on one lane at a time, for whoever looks inside a step.
     view: Motion<'a, f64>,
     view_projection: Option<Projection<f64>>,
@@ -85,14 +87,14 @@ pub(super) struct Batch<'a, T, O> {
     is_root: Vec<bool>,
 }
 
-impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
+impl<'a, T: Lanes> Batch<'a, T> {
     /// Runs everything in `queue`.
     pub fn conduct(
         mechanism: &'a Mechanism,
         readings: &[Reading],
         settings: &Settings,
         level: Option<Level>,
-        queue: &mut dyn Queue<Observer = O>,
+        queue: &mut dyn Seated,
     ) {
         let Some(first) = queue.next() else { return };
         let contacts = mechanism.contacts.len();
@@ -123,7 +125,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Puts waiting runs into the free lanes.
-    fn refill(&mut self, queue: &mut dyn Queue<Observer = O>) {
+    fn refill(&mut self, queue: &mut dyn Seated) {
         for lane in 0..T::COUNT {
             while self.runs[lane].is_none() {
                 let Some(run) = queue.next() else { break };
@@ -133,7 +135,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or where it goes on.
-    fn start(&mut self, lane: usize, run: Run<O>, queue: &mut dyn Queue<Observer = O>) {
+    fn start(&mut self, lane: usize, run: Run<Seat>, queue: &mut dyn Seated) {
         let Run { mut sample, arms, window, observer, resume } = run;
         let n = self.mechanism.real.free;
         let state = &mut self.view_state;
@@ -217,7 +219,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Tries a step in every lane and acts on it.
-    fn pass(&mut self, queue: &mut dyn Queue<Observer = O>) {
+    fn pass(&mut self, queue: &mut dyn Seated) {
         let restarts = std::mem::take(&mut self.restarts);
         self.restart(restarts);
         let attempt = self.core.attempt();
@@ -251,7 +253,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
                     self.act(lane, event, queue);
                 }
                 Decision::Accept(event) => {
-                    if let Err(failure) = self.show(lane, event, &attempt) {
+                    if let Err(failure) = self.show(lane, event, &attempt, queue) {
                         self.finish(lane, Err(failure), queue);
                         continue;
                     }
@@ -301,7 +303,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Shortens the step after too large an error.
-    fn reject(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
+    fn reject(&mut self, lane: usize, queue: &mut dyn Seated) {
         let error = self.core.errors.lane(lane);
         let step = self.core.steps.lane(lane);
         let [time_s, pace, change] = self.times(lane)[0].jet;
@@ -331,7 +333,13 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Notes what an accepted step shows before it is left behind.
-    fn show(&mut self, lane: usize, event: Option<Event>, attempt: &Attempt) -> Result<(), RunFailure> {
+    fn show(
+        &mut self,
+        lane: usize,
+        event: Option<Event>,
+        attempt: &Attempt,
+        queue: &mut dyn Seated,
+    ) -> Result<(), RunFailure> {
         let step = self.core.steps.lane(lane);
         let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
         let start_s = self.core.start[ReadLayout::TIME].lane(lane);
@@ -363,7 +371,10 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
             viewed: &mut self.viewed,
             run: run.number,
         };
-        run.observer.step(&mut Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets });
+        let mut step = Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets };
+        if let Some(observer) = queue.observer(run.observer) {
+            observer.step(&mut step);
+        }
         run.counters.evaluations += dense.evaluations;
         Ok(())
     }
@@ -391,7 +402,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
     }
 
     /// Closes the account of an accepted step and chooses the next one.
-    fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Queue<Observer = O>) {
+    fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) {
         let step = self.core.steps.lane(lane);
         let growth = self.core.growth.lane(lane);
         let time_s = self.core.start[ReadLayout::TIME].lane(lane);
@@ -439,7 +450,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         }
     }
 
-    fn succeed(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
+    fn succeed(&mut self, lane: usize, queue: &mut dyn Seated) {
         let Some(run) = &mut self.runs[lane] else { return };
         let mut plays = vec![PlaySummary::default(); self.mechanism.plays.len()];
         for (at, summary) in self.mechanism.contacts.iter().zip(&run.contacts) {
@@ -449,7 +460,7 @@ impl<'a, T: Lanes, O: Observer> Batch<'a, T, O> {
         self.finish(lane, Ok(report), queue);
     }
 
-    fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn Queue<Observer = O>) {
+    fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn Seated) {
         if let Some(run) = self.runs[lane].take() {
             queue.finished(run.observer, outcome);
         }

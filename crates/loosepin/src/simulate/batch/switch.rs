@@ -1,13 +1,14 @@
 //! Contacts that begin and end, and roots of penetrations that come and go with them.
 
-use super::{Batch, Queue};
+use super::Batch;
+use super::seats::Seated;
 use crate::contact::NormalContact;
 use crate::dynamics::PlayState;
 use crate::math::{Lanes, Real};
 use crate::mechanism::GapMeasure;
 use crate::simulate::gap::Crossing;
 use crate::simulate::lane::{Event, Phase};
-use crate::simulate::observer::{Observer, Onset, Separation};
+use crate::simulate::observer::{Onset, Separation};
 use crate::simulate::reads::ReadLayout;
 
 /// Steps in turn that hardly move the time before the root of a penetration is given up as an unknown.
@@ -18,7 +19,7 @@ const TOGETHER_TOLERANCES: f64 = 1e3;
 /// Share of the longest step below which time hardly moves.
 const STALLED_SHARE: f64 = 1e-7;
 
-impl<T: Lanes, O: Observer> Batch<'_, T, O> {
+impl<T: Lanes> Batch<'_, T> {
     /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
     pub(super) fn watch_stalling(&mut self, lane: usize) {
         let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
@@ -48,7 +49,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
     }
 
     /// Ends the run at the end of its window, or takes the next pieces of the drives' motions.
-    pub(super) fn stop(&mut self, lane: usize, queue: &mut dyn Queue<Observer = O>) {
+    pub(super) fn stop(&mut self, lane: usize, queue: &mut dyn Seated) {
         let Some(run) = &mut self.runs[lane] else { return };
         let time_s = run.stop_s;
         if time_s == run.window.end_s {
@@ -68,7 +69,7 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
     }
 
     /// Lets a contact begin or end at the start of the step, or stops.
-    pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Queue<Observer = O>) {
+    pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Seated) {
         let (contact, crossing) = match event {
             Event::Contact { contact, crossing } => (contact, crossing),
             Event::Stop => return self.stop(lane, queue),
@@ -101,14 +102,18 @@ impl<T: Lanes, O: Observer> Batch<'_, T, O> {
                     summary.floored_contacts += u64::from(is_floored);
                     summary.impacts_beyond_validity += u64::from(speed_m_s > numbers.largest_valid_impact_speed_m_s);
                 }
-                run.observer.contact_begins(&Onset { contact, time_s, speed_m_s, is_floored });
+                if let Some(observer) = queue.observer(run.observer) {
+                    observer.contact_begins(&Onset { contact, time_s, speed_m_s, is_floored });
+                }
                 let state =
                     PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s, effective_mass_kg };
                 // One root at a time: two that vanish together would never leave zero.
                 (state, has_layout_root && !had_root && !is_floored && !is_with_another, 0)
             }
             Crossing::Separation => {
-                run.observer.contact_ends(&Separation { contact, time_s, speed_m_s: -speed_m_s });
+                if let Some(observer) = queue.observer(run.observer) {
+                    observer.contact_ends(&Separation { contact, time_s, speed_m_s: -speed_m_s });
+                }
                 (PlayState::flight(), false, 1)
             }
         };

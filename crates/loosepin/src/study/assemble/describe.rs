@@ -5,9 +5,12 @@ use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
 use crate::study::distribution_words::distribution_words;
 use crate::study::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
-use crate::study::result::{CorrelationDescription, CycleDescription, InputDescription, InputKind, OutputDescription};
-use crate::uncertainty::rank_of_normal;
-use crate::units::{Dimension, SiUnit};
+use crate::study::result::{
+    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
+    OutputDescription,
+};
+use crate::uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
+use crate::units::{Dimension, SiUnit, format_number};
 
 /// The uncertain inputs, random ones first, each kind in file order.
 pub fn inputs(study: &Study) -> Vec<InputDescription> {
@@ -25,15 +28,47 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
     let epistemic = study.epistemic.iter().map(|input| {
         let [lower_si, upper_si] = input.variable.ends();
         let written = |value_si: f64| input.written(&study.model, value_si);
-        let (kind, words) = match input.members_written(&study.model) {
-            None => (
-                InputKind::Interval { lower_si, upper_si },
-                format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
-            ),
-            Some(of) => {
+        let ends = |interval: &Interval| format!("{} .. {}", written(interval.lower()), written(interval.upper()));
+        let (kind, words) = match (&input.variable, input.members_written(&study.model)) {
+            (EpistemicVariable::Evidence(evidence), _) => {
+                let element = |element: &FocalElement| ElementDescription {
+                    lower_si: element.interval.lower(),
+                    upper_si: element.interval.upper(),
+                    mass: element.mass,
+                };
+                let shown: Vec<String> = evidence
+                    .elements()
+                    .iter()
+                    .map(|element| format!("{} with mass {}", ends(&element.interval), format_number(element.mass)))
+                    .collect();
+                let is_scattering = evidence.is_scattering();
+                let how = if is_scattering { "scatters in an unknown way within" } else { "in one of" };
+                let kind =
+                    InputKind::Evidence { elements: evidence.elements().iter().map(element).collect(), is_scattering };
+                (kind, format!("{how} {}", listed(&shown, "and")))
+            }
+            (EpistemicVariable::Fuzzy(fuzzy), _) => {
+                let cut = |(alpha, interval): &(f64, Interval)| CutDescription {
+                    alpha: *alpha,
+                    lower_si: interval.lower(),
+                    upper_si: interval.upper(),
+                };
+                let shown: Vec<String> = fuzzy
+                    .cuts()
+                    .iter()
+                    .map(|(alpha, interval)| format!("{} to the degree {}", ends(interval), format_number(*alpha)))
+                    .collect();
+                let kind = InputKind::Fuzzy { cuts: fuzzy.cuts().iter().map(cut).collect() };
+                (kind, format!("possible are {}", listed(&shown, "and")))
+            }
+            (_, Some(of)) => {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)
             }
+            (_, None) => (
+                InputKind::Interval { lower_si, upper_si },
+                format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
+            ),
         };
         InputDescription { path: input.path.clone(), kind, unit: input.unit(&study.model), words }
     });

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::bounds::Statistic;
+use crate::bounds::{Reading, Statistic};
 use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
@@ -25,6 +25,8 @@ pub struct Study {
     pub cycle: Cycle,
     /// How many runs, and how accurate.
     pub sampling: Sampling,
+    /// How an interval is read.
+    pub reading: Reading,
     /// Random inputs in file order.
     pub random: Vec<RandomInput>,
     /// How the random inputs go together; nothing where they are independent.
@@ -211,12 +213,9 @@ impl EpistemicInput {
         }
     }
 
-    /// The interval, where it is one.
-    pub fn interval(&self) -> Option<&Interval> {
-        match &self.variable {
-            EpistemicVariable::Interval(interval) => Some(interval),
-            EpistemicVariable::OneOf(_) => None,
-        }
+    /// The interval that holds all possible values; nothing where it is one of a list.
+    pub fn interval(&self) -> Option<Interval> {
+        self.variable.range()
     }
 
     /// The law that `value` stands for, where the input is a law.
@@ -243,10 +242,10 @@ impl EpistemicInput {
     /// Its values one by one as they are written, where it is one of a list.
     pub fn members_written(&self, model: &Model) -> Option<Vec<String>> {
         match &self.variable {
-            EpistemicVariable::Interval(_) => None,
             EpistemicVariable::OneOf(members) => {
                 Some(members.values().iter().map(|&value| self.written(model, value)).collect())
             }
+            _ => None,
         }
     }
 }

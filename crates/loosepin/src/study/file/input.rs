@@ -63,6 +63,15 @@ impl StudyReader {
             } else {
                 None
             };
+            let is_plain = ["interval", "any_of", "fit"].into_iter().any(|key| table.has(key));
+            let variable = match (table.get("support"), is_plain) {
+                (Some(support), true) => {
+                    self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
+                    None
+                }
+                (_, true) => variable,
+                (_, false) => self.structured(&table, quantity, entry.name),
+            };
             if let Some(variable) = variable {
                 let subject = EpistemicSubject::Quantity(quantity);
                 self.epistemic.push(EpistemicInput { path: entry.name.to_owned(), subject, variable });
@@ -73,7 +82,9 @@ impl StudyReader {
     /// Reads a law that is one of a list.
     fn read_law(&mut self, entry: &Entry<'_>, contact: ContactId) {
         let Some(table) = self.reader.table(entry, &EPISTEMIC_KEYS) else { return };
-        if let Some(interval) = table.get("interval") {
+        for interval in
+            EPISTEMIC_KEYS.keys.iter().filter(|key| key.name != "any_of").filter_map(|key| table.get(key.name))
+        {
             self.complain(&StudyProblem::IntervalOfLaws { path: entry.name.to_owned() }, &interval.at_key());
         }
         let Some(written) = table.get("any_of") else { return };
@@ -170,7 +181,7 @@ impl StudyReader {
         }
     }
 
-    fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
+    pub(super) fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
         let (interval, [first, second]) = self.two_ends(entry, self.model.quantities[quantity].dimension)?;
         let lower_is_possible = self.check_end(quantity, path, interval.lower(), &first, false);
         let upper_is_possible = self.check_end(quantity, path, interval.upper(), &second, false);

@@ -289,7 +289,47 @@ pub(super) static CORRELATION_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["rank", "linear"]]);
 
-const LATER_EPISTEMIC: &str = "use an interval";
+pub(super) static ELEMENT_KEYS: Keys = Keys::new(
+    "an interval and the mass of evidence that lies in it",
+    &[
+        required("interval", Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]", "lower and upper end"),
+        required("mass", Kind::Number { rule: Rule::Finite }, "0.4", "above 0; the masses of all elements sum to 1"),
+    ],
+);
+
+pub(super) static CUT_KEYS: Keys = Keys::new(
+    "a degree and the interval of all values possible to at least that degree",
+    &[
+        required("alpha", Kind::Number { rule: Rule::Finite }, "0.5", "the degree, from 0 to 1, increasing"),
+        required("interval", Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]", "lower and upper end"),
+    ],
+);
+
+pub(super) static FUZZY_KEYS: Keys = Keys::new(
+    "a fuzzy number",
+    &[
+        optional(
+            "triangular",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.1 mm\", \"0.2 mm\", \"0.5 mm\"]",
+            "possible at all from the first to the third, to the degree 1 the second",
+        ),
+        optional(
+            "trapezoidal",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.1 mm\", \"0.2 mm\", \"0.3 mm\", \"0.5 mm\"]",
+            "possible at all from the first to the fourth, to the degree 1 from the second to the third",
+        ),
+        optional("cuts", Kind::List(&Kind::Table(&CUT_KEYS)), "", "the cuts themselves, each within the one before"),
+        optional(
+            "degrees",
+            Kind::List(&Kind::Number { rule: Rule::Finite }),
+            "[0, 0.25, 0.5, 0.75, 1]",
+            "degrees at which a triangle or trapezoid is cut; 0, 0.25, 0.5, 0.75 and 1 if left out",
+        ),
+    ],
+)
+.with_exactly_one(&[&["triangular", "trapezoidal", "cuts"]]);
 
 pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
     "what is known of a quantity",
@@ -306,18 +346,38 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
             "[\"lankarani-nikravesh\", \"flores\"]",
             "all values that are possible: laws for the law of a contact, else values with their unit",
         ),
+        optional(
+            "evidence",
+            Kind::List(&Kind::Table(&ELEMENT_KEYS)),
+            "",
+            "intervals with masses: the true value lies in one of them, as much speaks for it as its mass says",
+        ),
+        optional("fuzzy", Kind::Table(&FUZZY_KEYS), "", "values possible to different degrees"),
+        optional(
+            "quantiles",
+            Kind::List(&Kind::List(&Kind::AnyOf(&[Kind::Number { rule: Rule::Probability }, Kind::AnyQuantity]))),
+            "[[0.05, \"0.1 mm\"], [0.5, \"0.2 mm\"], [0.95, \"0.4 mm\"]]",
+            "a quantity that scatters in an unknown way, of which a few quantiles are known, and its support",
+        ),
+        optional(
+            "mean",
+            Kind::AnyQuantity,
+            "\"0.2 mm\"",
+            "a quantity that scatters in an unknown way, of which the mean is known, and its support",
+        ),
+        optional(
+            "support",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0.05 mm\", \"0.5 mm\"]",
+            "with quantiles or a mean: the least and the greatest value",
+        ),
         FIT,
         DIAMETER,
     ],
 )
-.with_exactly_one(&[&["interval", "any_of", "fit"]])
-.with_planned(&[
-    ("evidence", LATER_EPISTEMIC),
-    ("fuzzy", LATER_EPISTEMIC),
-    ("triangular", LATER_EPISTEMIC),
-    ("trapezoidal", LATER_EPISTEMIC),
-]);
+.with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "fuzzy", "quantiles", "mean"]]);
 
+pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
 pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
 pub(super) const PLAIN_STATISTICS: [&str; 3] = ["mean", "standard_deviation", "cdf"];
@@ -416,6 +476,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             Kind::List(&Kind::Table(&CORRELATION_KEYS)),
             "",
             "random inputs that go together; all others are independent",
+        ),
+        optional(
+            "reading",
+            Kind::Choice(&READINGS),
+            "\"fixed\"",
+            "how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left out",
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),

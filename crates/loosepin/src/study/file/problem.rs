@@ -80,6 +80,42 @@ pub enum StudyProblem {
         /// Both ends, with their unit.
         value: String,
     },
+    /// Intervals that do not fit together.
+    #[error("{entry}: {words}")]
+    Structure {
+        /// The entry.
+        entry: String,
+        /// What is wrong, with units.
+        words: String,
+    },
+    /// Corners of a fuzzy number that are too few or too many.
+    #[error("{entry} has {found} corners; must be {due}")]
+    Corners {
+        /// The entry.
+        entry: String,
+        /// How many there are.
+        found: usize,
+        /// How many are due.
+        due: usize,
+    },
+    /// Degrees beside cuts that have their own.
+    #[error("{entry} stands beside cuts, which have degrees of their own")]
+    DegreesTwice {
+        /// The entry.
+        entry: String,
+    },
+    /// Quantiles or a mean without ends.
+    #[error("{entry} needs a support: between which ends does the quantity lie?")]
+    NoSupport {
+        /// The entry.
+        entry: String,
+    },
+    /// A support without quantiles or a mean.
+    #[error("{entry} goes with quantiles or a mean")]
+    SupportAlone {
+        /// The entry.
+        entry: String,
+    },
     /// A list with nothing to choose.
     #[error("{entry} has 1 entry; at least 2 are due")]
     SingleMember {
@@ -247,6 +283,11 @@ impl Problem for StudyProblem {
                 Code::BadDistribution
             }
             Self::SingleMember { .. } | Self::MemberTwice { .. } => Code::BadList,
+            Self::Structure { .. }
+            | Self::Corners { .. }
+            | Self::DegreesTwice { .. }
+            | Self::NoSupport { .. }
+            | Self::SupportAlone { .. } => Code::BadEvidence,
             Self::Law { error, .. } => error.code(),
             Self::RandomLaw { .. } | Self::IntervalOfLaws { .. } => Code::BadList,
             Self::IntervalTurnedRound { .. } => Code::IntervalTurnedRound,
@@ -274,6 +315,9 @@ impl Problem for StudyProblem {
                 error: DistributionError::NothingKept { .. } | DistributionError::NothingLeft { .. },
                 ..
             } => Some("cut nearer to the mean, or state a uniform distribution".to_owned()),
+            Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
+            Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
+            Self::DegreesTwice { .. } => Some("leave it out".to_owned()),
             Self::SingleMember { .. } => Some("write the value in the model file, or name the others".to_owned()),
             Self::MemberTwice { .. } => Some("keep one of the two".to_owned()),
             Self::Law { error, .. } => error.hint(),

@@ -4,8 +4,9 @@ use super::FilesError;
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Witness, WitnessValue};
 
 /// The columns of `bounds.csv`. `parameter` is the probability of a quantile or the limit of a probability (SI);
-/// `unit` is that of the values, errors included; a witness is `path=value` joined by `;`, values in SI.
-pub const BOUNDS_COLUMNS: [&str; 23] = [
+/// `unit` is that of the values, errors included; a witness is `path=value` joined by `;`, values in SI. `alpha` is the
+/// degree of possibility, empty where the row holds for all that is possible.
+pub const BOUNDS_COLUMNS: [&str; 24] = [
     "output",
     "of",
     "at",
@@ -29,6 +30,7 @@ pub const BOUNDS_COLUMNS: [&str; 23] = [
     "upper_error_surrogate",
     "upper_witness",
     "guarantee",
+    "alpha",
 ];
 
 /// The bounds of a study as CSV (RFC 4180, UTF-8, header line, `\n` line ends). Floats are written in the shortest form
@@ -40,12 +42,17 @@ pub fn bounds_csv(result: &StudyResult) -> Result<Vec<u8>, FilesError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(BOUNDS_COLUMNS).map_err(|source| FilesError::Csv { source })?;
     for bound in &result.bounds {
-        writer.write_record(row(bound)).map_err(|source| FilesError::Csv { source })?;
+        writer.write_record(row(bound, None)).map_err(|source| FilesError::Csv { source })?;
+    }
+    for cut in &result.cuts {
+        for bound in &cut.bounds {
+            writer.write_record(row(bound, Some(cut.alpha))).map_err(|source| FilesError::Csv { source })?;
+        }
     }
     writer.into_inner().map_err(|error| FilesError::Csv { source: csv::Error::from(error.into_error()) })
 }
 
-fn row(bound: &BoundRecord) -> Vec<String> {
+fn row(bound: &BoundRecord, alpha: Option<f64>) -> Vec<String> {
     let (statistic, parameter) = bound.statistic.word_and_parameter();
     let at = match bound.at {
         ResponsePoint::Whole => "whole",
@@ -72,6 +79,7 @@ fn row(bound: &BoundRecord) -> Vec<String> {
         Some(confidence) => format!("{guarantee} {}", number(confidence)),
         None => guarantee.to_owned(),
     });
+    cells.push(optional(alpha));
     cells
 }
 

@@ -30,11 +30,45 @@ pub enum InputKind {
         /// Upper end.
         upper_si: f64,
     },
+    /// Somewhere in one of several intervals with masses.
+    Evidence {
+        /// The intervals.
+        elements: Vec<ElementDescription>,
+        /// Whether it scatters within them from part to part (a probability box) rather than being fixed.
+        is_scattering: bool,
+    },
+    /// Fixed but unknown, possible to different degrees.
+    Fuzzy {
+        /// The values possible to at least each degree, degrees increasing.
+        cuts: Vec<CutDescription>,
+    },
     /// Fixed but unknown, one of a list.
     Choice {
         /// The list.
         of: Vec<String>,
     },
+}
+
+/// A focal element.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ElementDescription {
+    /// Lower end.
+    pub lower_si: f64,
+    /// Upper end.
+    pub upper_si: f64,
+    /// Its mass, in (0, 1].
+    pub mass: f64,
+}
+
+/// A cut of a fuzzy number.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CutDescription {
+    /// The degree, in [0, 1].
+    pub alpha: f64,
+    /// Lower end.
+    pub lower_si: f64,
+    /// Upper end.
+    pub upper_si: f64,
 }
 
 /// A correlation of two random inputs.

@@ -15,12 +15,21 @@ pub use figures::{
     TreatmentBand, TreatmentComparison,
 };
 pub use inputs::{
-    CorrelationDescription, CycleDescription, ExampleRun, FailureGroup, InputDescription, InputKind, OutputDescription,
-    RunCounts,
+    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
+    InputDescription, InputKind, OutputDescription, RunCounts,
 };
 
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};
+
+/// Bounds over what is possible to at least some degree, in the order of [`StudyResult::bounds`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CutBounds {
+    /// The degree, in [0, 1].
+    pub alpha: f64,
+    /// The bounds.
+    pub bounds: Vec<BoundRecord>,
+}
 
 /// The finished study. Keys are written in this order, the bulky ones last.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -56,6 +65,9 @@ pub struct StudyResult {
     pub requirements: Vec<RequirementOutcome>,
     /// Every bound.
     pub bounds: Vec<BoundRecord>,
+    /// The same bounds for what is possible to at least each degree, where an input is a fuzzy number.
+    #[serde(default)]
+    pub cuts: Vec<CutBounds>,
     /// The three treatments side by side.
     pub treatments: Vec<TreatmentComparison>,
     /// Energy residuals of the runs: their own check.

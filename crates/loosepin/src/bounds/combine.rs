@@ -1,0 +1,307 @@
+//! Bounds of the parts of the epistemic box put together: masses add.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::assemble::{Evidence, Modelled, Part};
+use super::bound::{Bound, BoundError};
+use super::measure::{Event, Measure, MeasureKind};
+use super::sample::Sample;
+use super::search::{Direction, Search};
+use super::statistic::Statistic;
+
+/// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
+const MOST_ATTEMPTS: usize = 6;
+
+/// Masses that were divided by their sum add up to 1 within this.
+const MASS_ROUND_OFF: f64 = 1e-12;
+
+/// Each attempt after the second concedes more by this factor.
+const MORE: f64 = 1.5;
+
+/// The parts of one level with their masses.
+pub(super) struct Parts<'a> {
+    pub parts: Vec<(f64, Part<'a>)>,
+}
+
+/// A quantile of one column.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct QuantileJob {
+    pub column: usize,
+    pub probability: f64,
+    pub direction: Direction,
+}
+
+impl Bound {
+    /// Sum of bounds times masses; attained at a u in each element, so at no single one.
+    pub(super) fn sum(parts: impl IntoIterator<Item = (f64, Self)>) -> Option<Self> {
+        parts.into_iter().map(|(mass, bound)| bound.times(mass)).reduce(|a, b| Self {
+            value: a.value + b.value,
+            widened: a.widened + b.widened,
+            witness: None,
+            error: BoundError {
+                sampling: a.error.sampling + b.error.sampling,
+                optimisation: a.error.optimisation + b.error.optimisation,
+                surrogate: a.error.surrogate + b.error.surrogate,
+            },
+            guarantee: a.guarantee,
+        })
+    }
+
+    fn times(self, mass: f64) -> Self {
+        Self {
+            value: mass * self.value,
+            widened: mass * self.widened,
+            error: BoundError {
+                sampling: mass * self.error.sampling,
+                optimisation: mass * self.error.optimisation,
+                surrogate: mass * self.error.surrogate,
+            },
+            ..self
+        }
+    }
+}
+
+impl Direction {
+    /// The other one.
+    fn opposite(self) -> Self {
+        match self {
+            Self::Minimum => Self::Maximum,
+            Self::Maximum => Self::Minimum,
+        }
+    }
+}
+
+/// The event whose probability tells whether `y` is an end of a quantile: up to y for the upper end, below y for the lower.
+fn quantile_event(y: f64, direction: Direction) -> Event {
+    match direction {
+        Direction::Maximum => Event::UpTo(y),
+        Direction::Minimum => Event::Below(y),
+    }
+}
+
+/// The finished values of one column, sorted, at every outer point and all together.
+struct Sorted {
+    points: Vec<Vec<f64>>,
+    all: Vec<f64>,
+}
+
+impl Sorted {
+    fn new(samples: &[&Sample]) -> Self {
+        let points: Vec<Vec<f64>> = samples.iter().map(|sample| sample.sorted()).collect();
+        let mut all: Vec<f64> = points.iter().flatten().copied().collect();
+        all.sort_unstable_by(f64::total_cmp);
+        all.dedup();
+        Self { points, all }
+    }
+
+    /// The added distribution function at `y` as it has been attained: in every part the extreme over its points, failed runs
+    /// taken the way that goes further.
+    fn cdf(&self, samples: &[&Sample], parts: &Parts<'_>, y: f64, direction: Direction) -> f64 {
+        let event = quantile_event(y, direction.opposite());
+        let share = |point: usize| {
+            let hits = self.points[point].partition_point(|&value| event.holds(value));
+            let failed = if direction == Direction::Maximum { samples[point].failed() } else { 0 };
+            (hits + failed) as f64 / samples[point].runs().max(1) as f64
+        };
+        let furthest = |part: &Part<'_>| {
+            let shares = part.members.iter().map(|&point| share(point));
+            shares.reduce(|a, b| if direction.is_beyond(b, a) { b } else { a }).unwrap_or(match direction {
+                Direction::Minimum => 0.0,
+                Direction::Maximum => 1.0,
+            })
+        };
+        parts.parts.iter().map(|(mass, part)| mass * furthest(part)).sum()
+    }
+
+    /// The end of the quantile at `probability`: the least value at which the added lower distribution function reaches it (upper
+    /// end), or the greatest below which the added upper one stays short of it (lower end); infinite where no value does.
+    fn quantile(&self, samples: &[&Sample], parts: &Parts<'_>, probability: f64, direction: Direction) -> f64 {
+        match direction {
+            Direction::Maximum => {
+                let cdf = |y: f64| self.cdf(samples, parts, y, Direction::Minimum);
+                let index = self.all.partition_point(|&y| cdf(y) < probability);
+                self.all.get(index).copied().unwrap_or(f64::INFINITY)
+            }
+            Direction::Minimum => {
+                let below = |y: f64| self.cdf(samples, parts, y, Direction::Maximum);
+                if self.all.first().is_none_or(|&first| probability > 0.0 && below(first) >= probability) {
+                    return f64::NEG_INFINITY;
+                }
+                let index = self.all.partition_point(|&y| below(y) < probability);
+                self.all[index - 1]
+            }
+        }
+    }
+}
+
+/// How far a quantile has come.
+struct Attempt {
+    value: f64,
+    at: f64,
+    conceded: f64,
+    /// Sampling and optimisation error of the distribution function at the value.
+    errors: Option<[f64; 2]>,
+    widened: Option<f64>,
+}
+
+impl Evidence<'_> {
+    /// The extreme of a mean or of a probability over the parts of a level: the sum of mass times extreme.
+    pub fn added(
+        &self,
+        search: &Search<'_>,
+        samples: &[&Sample],
+        modelled: &Modelled<'_>,
+        parts: &Parts<'_>,
+        direction: Direction,
+    ) -> Bound {
+        let bounds = parts.parts.iter();
+        let bounds = bounds.map(|(mass, part)| (*mass, self.bound(search, samples, modelled, direction, part)));
+        if let [(_, part)] = &parts.parts[..] {
+            return self.bound(search, samples, modelled, direction, part);
+        }
+        Bound::sum(bounds).unwrap_or_else(|| self.nothing(direction))
+    }
+
+    /// The bound that says nothing.
+    pub fn nothing(&self, direction: Direction) -> Bound {
+        Bound {
+            value: f64::NAN,
+            widened: direction.sign() * f64::INFINITY,
+            witness: None,
+            error: BoundError { sampling: f64::INFINITY, ..BoundError::default() },
+            guarantee: self.guarantee(),
+        }
+    }
+
+    /// Quantiles of the added distribution functions. What is attained inverts the functions attained; the widened end is a value
+    /// at which the widened functions have been evaluated and found beyond the probability.
+    pub fn quantiles(&self, jobs: &[QuantileJob], parts: &Parts<'_>) -> Vec<Bound> {
+        if self.plan.problem().random.is_empty() {
+            return jobs.iter().map(|job| self.quantile_without_scatter(job, parts)).collect();
+        }
+        let mut columns: Vec<usize> = jobs.iter().map(|job| job.column).collect();
+        columns.sort_unstable();
+        columns.dedup();
+        let sorted: BTreeMap<usize, Sorted> =
+            columns.into_par_iter().map(|column| (column, Sorted::new(&self.pool.samples(column)))).collect();
+        let quantile = |job: &QuantileJob, probability: f64| {
+            sorted[&job.column].quantile(&self.pool.samples(job.column), parts, probability, job.direction)
+        };
+        let mut attempts: Vec<Attempt> = jobs
+            .par_iter()
+            .map(|job| {
+                let value = quantile(job, job.probability);
+                Attempt {
+                    value,
+                    at: value,
+                    conceded: 0.0,
+                    errors: None,
+                    widened: (!value.is_finite()).then_some(value),
+                }
+            })
+            .collect();
+        for attempt in 0..MOST_ATTEMPTS {
+            let pending: Vec<usize> = (0..jobs.len()).filter(|&job| attempts[job].widened.is_none()).collect();
+            if pending.is_empty() {
+                break;
+            }
+            let measures: Vec<Measure> = pending
+                .par_iter()
+                .map(|&job| {
+                    let samples = self.pool.samples(jobs[job].column);
+                    let event = quantile_event(attempts[job].at, jobs[job].direction);
+                    Measure::probability(&samples, event, self.plan.confidence())
+                })
+                .collect();
+            let search = self.search(measures.iter());
+            let found: Vec<(Bound, f64)> = pending
+                .par_iter()
+                .zip(&measures)
+                .map(|(&index, measure)| {
+                    let job = &jobs[index];
+                    let samples = self.pool.samples(job.column);
+                    let modelled = Modelled::new(&search, measure);
+                    let cdf = self.added(&search, &samples, &modelled, parts, job.direction.opposite());
+                    let reached =
+                        sorted[&job.column].cdf(&samples, parts, attempts[index].at, job.direction.opposite());
+                    let gap = (reached - cdf.widened).abs();
+                    (cdf, gap)
+                })
+                .collect();
+            for (&index, (cdf, gap)) in pending.iter().zip(found) {
+                let (job, attempt_of) = (&jobs[index], &mut attempts[index]);
+                attempt_of.errors.get_or_insert([cdf.error.sampling, cdf.error.optimisation]);
+                let is_beyond = match job.direction {
+                    Direction::Maximum => cdf.widened >= job.probability,
+                    Direction::Minimum => cdf.widened <= job.probability,
+                };
+                if is_beyond {
+                    attempt_of.widened = Some(attempt_of.at);
+                    continue;
+                }
+                let more = if attempt == 0 { gap } else { (MORE * attempt_of.conceded).max(gap) };
+                attempt_of.conceded = more;
+                attempt_of.at = quantile(job, job.probability + job.direction.sign() * more);
+                if !attempt_of.at.is_finite() {
+                    attempt_of.widened = Some(attempt_of.at);
+                }
+            }
+        }
+        let finished = jobs.par_iter().zip(&attempts);
+        finished.map(|(job, attempt)| self.quantile_bound(job, attempt)).collect()
+    }
+
+    /// Where nothing scatters, each element gives a range with its mass: its ends, sorted, are the added distribution functions.
+    fn quantile_without_scatter(&self, job: &QuantileJob, parts: &Parts<'_>) -> Bound {
+        let samples = self.pool.samples(job.column);
+        let Some(measure) = Measure::new(&samples, Statistic::Mean, self.plan.confidence()) else {
+            return self.nothing(job.direction);
+        };
+        let search = self.search([&measure].into_iter());
+        let modelled = Modelled::new(&search, &measure);
+        let ends = parts.parts.iter();
+        let ends = ends.map(|(mass, part)| (*mass, self.bound(&search, &samples, &modelled, job.direction, part)));
+        let ends: Vec<(f64, Bound)> = ends.collect();
+        let quantile = |of: fn(&Bound) -> f64| {
+            let mut sorted: Vec<(f64, f64)> = ends.iter().map(|(mass, bound)| (of(bound), *mass)).collect();
+            sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut sum = 0.0;
+            for (value, mass) in &sorted {
+                sum += mass;
+                if sum >= job.probability - MASS_ROUND_OFF {
+                    return *value;
+                }
+            }
+            f64::INFINITY
+        };
+        let (value, widened) = (quantile(|bound| bound.value), quantile(|bound| bound.widened));
+        let optimisation = (job.direction.sign() * (widened - value)).max(0.0);
+        let error = BoundError { optimisation, ..BoundError::default() };
+        Bound { value, widened, witness: None, error, guarantee: self.guarantee() }
+    }
+
+    fn quantile_bound(&self, job: &QuantileJob, attempt: &Attempt) -> Bound {
+        let sign = job.direction.sign();
+        let samples = self.pool.samples(job.column);
+        if attempt.value.is_nan() {
+            return self.nothing(job.direction);
+        }
+        let possible = MeasureKind::Plain.possible(&samples, job.direction);
+        let widened = attempt.widened.unwrap_or(sign * f64::INFINITY);
+        let widened = if sign * (widened - possible) > 0.0 && attempt.value.is_finite() { possible } else { widened };
+        let total = if attempt.value.is_finite() { (sign * (widened - attempt.value)).max(0.0) } else { 0.0 };
+        let [sampling, optimisation] = attempt.errors.unwrap_or([1.0, 0.0]);
+        let share = if sampling + optimisation > 0.0 { sampling / (sampling + optimisation) } else { 1.0 };
+        let sampling = if total.is_finite() { share * total } else { total };
+        let optimisation = if total.is_finite() { total - sampling } else { 0.0 };
+        Bound {
+            value: attempt.value,
+            widened: attempt.value + sign * total,
+            witness: None,
+            error: BoundError { sampling, optimisation, surrogate: 0.0 },
+            guarantee: self.guarantee(),
+        }
+    }
+}

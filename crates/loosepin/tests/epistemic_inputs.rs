@@ -1,0 +1,124 @@
+//! Probability boxes, evidence and fuzzy numbers from the study file to bounds, files and page, against the closed form of a
+//! slider-crank without play.
+
+use std::sync::atomic::AtomicBool;
+
+use loosepin::model::Model;
+use loosepin::report::{study_page, study_text};
+use loosepin::study::files::bounds_csv;
+use loosepin::study::result::{BoundRecord, InputKind, IntervalReading, StudyResult, WitnessValue};
+use loosepin::study::{Progress, Study, conduct};
+use loosepin::templates::find_template;
+
+struct Silent;
+
+impl Progress for Silent {
+    fn runs(&self, _: usize, _: usize) {}
+}
+
+const MM: f64 = 1e-3;
+/// Of a mean over 16 samples of a crank that scatters by 2 µm, and of what curvature does to it.
+const MEAN_TOLERANCE_M: f64 = 1e-6;
+
+fn conducted(top: &str, inputs: &str) -> StudyResult {
+    let text = format!(
+        "name = \"what is known\"\nmodel = \"model.toml\"\n{top}
+        [cycle]
+        transient_turns = 0
+        recorded_turns = 0.2
+        [sampling]
+        outer = 16
+        inner = 16
+        replicates = 4
+        {inputs}
+        [[ask]]
+        output = \"slider\"
+        of = \"dimensional\"
+        poses = {{ crank = [\"60 deg\"] }}
+        statistics = [\"mean\", \"standard_deviation\", {{ probability_above = \"0.02 mm\" }}, {{ quantile = 0.5 }}]
+        "
+    );
+    let model = find_template("slider-crank").expect("template").model;
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    conduct(&study, "", 2, &Silent, &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}")).result
+}
+
+/// Deviation of the slider at 60° for these lengths of crank and rod, m.
+fn deviation_m(crank_m: f64, rod_m: f64) -> f64 {
+    let position = |crank: f64, rod: f64| {
+        let angle_rad = std::f64::consts::FRAC_PI_3;
+        let height = crank * angle_rad.sin();
+        crank * angle_rad.cos() + (rod * rod - height * height).sqrt()
+    };
+    position(crank_m, rod_m) - position(50.0 * MM, 120.0 * MM)
+}
+
+fn near(bound: &BoundRecord, exact_m: [f64; 2]) {
+    let found = [bound.lower.value_si, bound.upper.value_si];
+    for (found, exact) in found.into_iter().zip(exact_m) {
+        assert!((found - exact).abs() < MEAN_TOLERANCE_M, "{exact_m:?} {bound:?}");
+    }
+    assert!(bound.lower.widened_si <= found[0] && bound.upper.widened_si >= found[1]);
+}
+
+const CRANK_BOX: &str = "[random]\n\"parameter.crank_length\" = { normal = { mean = { interval = [\"49.99 mm\", \
+                         \"50.02 mm\"] }, standard_deviation = \"0.002 mm\" } }";
+
+#[test]
+fn analytic_a_probability_box_from_file_to_page() {
+    let result = conducted("", CRANK_BOX);
+    near(&result.bounds[0], [deviation_m(49.99 * MM, 0.12), deviation_m(50.02 * MM, 0.12)]);
+    let witness = &result.bounds[0].upper.witness["parameter.crank_length mean"];
+    assert_eq!(*witness, WitnessValue::Number(0.05002));
+    assert_eq!(
+        result.inputs[0].words,
+        "normal, mean 50.005 mm, standard deviation 0.002 mm; its mean unknown, between 49.99 mm and 50.02 mm"
+    );
+    assert!(study_page(&result).contains("parameter.crank_length mean"));
+    assert!(study_text(&result).contains("crank length mean"), "{}", study_text(&result));
+}
+
+#[test]
+fn analytic_evidence_beside_a_probability_box_from_file_to_page() {
+    let evidence = "[epistemic]\n\"parameter.rod_length\" = { evidence = [{ interval = [\"119.98 mm\", \"120 mm\"], mass = \
+                    0.3 }, { interval = [\"120 mm\", \"120.03 mm\"], mass = 0.7 }] }";
+    let result = conducted("reading = \"unknown-distribution\"", &format!("{CRANK_BOX}\n{evidence}"));
+    let added = |crank_mm: f64, rods_mm: [f64; 2]| {
+        0.3 * deviation_m(crank_mm * MM, rods_mm[0] * MM) + 0.7 * deviation_m(crank_mm * MM, rods_mm[1] * MM)
+    };
+    near(&result.bounds[0], [added(49.99, [119.98, 120.0]), added(50.02, [120.0, 120.03])]);
+    assert!(result.bounds[0].upper.witness.is_empty());
+    assert_eq!(result.bounds[0].reading, IntervalReading::UnknownDistribution);
+    // The median inverts the added distribution functions: between the ends of the element that holds it.
+    let median = &result.bounds[3];
+    let ends = [deviation_m(49.99 * MM, 0.12), deviation_m(50.02 * MM, 120.03 * MM)];
+    let tolerance_m = 0.005 * MM; // two standard deviations of the scatter
+    assert!((median.lower.value_si - ends[0]).abs() < tolerance_m, "{median:?}");
+    assert!((median.upper.value_si - ends[1]).abs() < tolerance_m, "{median:?}");
+    let rod = result.inputs.iter().find(|input| input.path == "parameter.rod_length").expect("an input");
+    assert!(matches!(&rod.kind, InputKind::Evidence { elements, is_scattering: false } if elements.len() == 2));
+    let page = study_page(&result);
+    assert!(page.contains("Masses of evidence add") && page.contains("with mass 0.3"));
+}
+
+#[test]
+fn analytic_a_fuzzy_number_from_file_to_page() {
+    let fuzzy = "\n[epistemic]\n\"parameter.rod_length\" = { fuzzy = { triangular = [\"119.97 mm\", \"120 mm\", \"120.05 mm\"] } }";
+    let crank = CRANK_BOX.replace("{ interval = [\"49.99 mm\", \"50.02 mm\"] }", "\"50 mm\"");
+    let result = conducted("", &(crank + fuzzy));
+    let degrees: Vec<f64> = result.cuts.iter().map(|cut| cut.alpha).collect();
+    assert_eq!(degrees, [0.0, 0.25, 0.5, 0.75, 1.0]);
+    for cut in &result.cuts {
+        let rods_mm = [119.97 + 0.03 * cut.alpha, 120.05 - 0.05 * cut.alpha];
+        near(&cut.bounds[0], rods_mm.map(|rod_mm| deviation_m(0.05, rod_mm * MM)));
+    }
+    assert_eq!(result.cuts[0].bounds, result.bounds);
+    let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");
+    assert!(csv.lines().next().is_some_and(|header| header.ends_with(",guarantee,alpha")));
+    assert_eq!(csv.lines().filter(|line| line.ends_with(",0.75")).count(), result.bounds.len());
+    let page = study_page(&result);
+    assert!(page.contains("By degree of possibility") && page.contains("Degree 0.75"));
+    let stored = serde_json::to_string(&result).expect("JSON");
+    assert_eq!(serde_json::from_str::<StudyResult>(&stored).expect("a result"), result);
+}
