@@ -42,6 +42,7 @@ impl KnownCase {
         let request = |&(statistic, _): &(Statistic, (f64, f64))| Request { column: 0, statistic };
         Problem {
             random: random.collect(),
+            copula: None,
             epistemic: epistemic.collect(),
             parameters: Vec::new(),
             reading: Reading::FixedButUnknown,

@@ -28,7 +28,13 @@ fn picture(template: &Template) -> String {
     if !mechanism.is_driven() {
         return mechanism_picture(&controlled(&mechanism, &values, template.name), template.name);
     }
-    let plan = MotionPlan { span: model.cycle.span, positions: POSITIONS, scatter: Vec::new(), overrides: Vec::new() };
+    let plan = MotionPlan {
+        span: model.cycle.span,
+        positions: POSITIONS,
+        scatter: Vec::new(),
+        correlations: Vec::new(),
+        overrides: Vec::new(),
+    };
     let record = motion(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{}: {error}", template.name));
     assert!(record.singular_positions.is_empty(), "{}: {:?}", template.name, record.singular_positions);
     mechanism_picture(&record.drawing, template.name)

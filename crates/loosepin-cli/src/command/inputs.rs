@@ -19,6 +19,14 @@ pub fn add_model(hasher: &mut InputsHasher, model: &Model) {
     }
 }
 
+/// Adds a study file, and the tables that it names, to what a result is computed from; its model is added by itself.
+pub fn add_study(hasher: &mut InputsHasher, study: &Study) {
+    hasher.add("study", study.source().text());
+    for table in study.tables() {
+        hasher.add("table", table.text());
+    }
+}
+
 /// Reads a model file, and says what looks like an oversight in it.
 ///
 /// # Errors

@@ -9,7 +9,7 @@ use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
-use super::inputs::{add_model, overrides, warn};
+use super::inputs::{add_model, add_study, overrides, warn};
 use super::stored::{place, read_json, tell_again, to_json};
 use crate::arguments::MotionArguments;
 use crate::console;
@@ -33,6 +33,10 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         span: model.cycle.span,
         positions: POSITIONS,
         scatter: scatter(&file),
+        correlations: match &file {
+            InputFile::Model(_) => Vec::new(),
+            InputFile::Study(study) => study.linear_correlations(),
+        },
         overrides: overrides(&settings),
     };
     let record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
@@ -99,7 +103,7 @@ fn inputs(model: &Model, file: &InputFile, arguments: &MotionArguments) -> Input
     let mut hasher = InputsHasher::new(ResultKind::Motion);
     add_model(&mut hasher, model);
     if let InputFile::Study(study) = file {
-        hasher.add("study", study.source().text());
+        add_study(&mut hasher, study);
     }
     for set in &arguments.set {
         hasher.add("set", set);

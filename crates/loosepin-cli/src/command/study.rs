@@ -11,7 +11,7 @@ use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::runs::RunsTable;
 use loosepin::study::{Conducted, Study, StudyError, conduct};
 
-use super::inputs::{add_model, read_study};
+use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
 use super::stored::{place, tell_again};
 use super::threads::threads;
@@ -96,7 +96,7 @@ fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
 
 fn inputs(study: &Study) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Study);
-    hasher.add("study", study.source().text());
+    add_study(&mut hasher, study);
     add_model(&mut hasher, &study.model);
     hasher.finish()
 }

@@ -25,8 +25,10 @@ pub struct MotionPlan {
     pub span: CycleSpan,
     /// Steps of the cycle, at least 12; the record has one position more where the mechanism can turn fully.
     pub positions: usize,
-    /// Dimensions that scatter, independent of each other; empty without a study.
+    /// Dimensions that scatter; empty without a study.
     pub scatter: Vec<Scatter>,
+    /// Those of them that do not scatter independently of each other.
+    pub correlations: Vec<ScatterCorrelation>,
     /// What was set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
@@ -38,6 +40,17 @@ pub struct Scatter {
     pub quantity: QuantityId,
     /// Its standard deviation, SI, >= 0.
     pub standard_deviation_si: f64,
+}
+
+/// Two quantities that scatter together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScatterCorrelation {
+    /// One quantity.
+    pub first: QuantityId,
+    /// The other one.
+    pub second: QuantityId,
+    /// Linear correlation of their values, -1 to 1.
+    pub linear: f64,
 }
 
 /// The ideal motion of `mechanism` with `values` over one turn of a drive, what clearances do to it quasi-statically, and
@@ -127,6 +140,8 @@ struct Recorder<'a> {
     reaches: Vec<PlayReach>,
     input: CycleSpan,
     directions: &'a [(Scatter, DimensionDirection)],
+    /// Places of two correlated directions, and twice their correlation.
+    correlated: Vec<(usize, usize, f64)>,
     outputs: Vec<OutputMotion>,
 }
 
@@ -173,6 +188,7 @@ impl<'a> Recorder<'a> {
             reaches,
             input: plan.span,
             directions,
+            correlated: correlated(directions, &plan.correlations),
             outputs: motions.collect(),
         }
     }
@@ -199,6 +215,7 @@ impl<'a> Recorder<'a> {
             }
         }
         let mut variances = vec![0.0; self.outputs.len()];
+        let mut signed_si = vec![Vec::with_capacity(self.directions.len()); self.outputs.len()];
         for (index, (entry, direction)) in self.directions.iter().enumerate() {
             let derivatives = dimension_derivatives(
                 &mut self.loops,
@@ -209,6 +226,9 @@ impl<'a> Recorder<'a> {
                 state.time_s(),
                 &self.readings,
             )?;
+            for (signed_si, derivative) in signed_si.iter_mut().zip(&derivatives) {
+                signed_si.push(derivative * entry.standard_deviation_si);
+            }
             for ((output, variance), derivative) in self.outputs.iter_mut().zip(&mut variances).zip(derivatives) {
                 let deviation_si = derivative.abs() * entry.standard_deviation_si;
                 *variance += deviation_si * deviation_si;
@@ -216,12 +236,26 @@ impl<'a> Recorder<'a> {
             }
         }
         if !self.directions.is_empty() {
-            for (output, variance) in self.outputs.iter_mut().zip(variances) {
-                output.dimensional_standard_deviation_si.push(variance.sqrt());
+            for ((output, mut variance), signed_si) in self.outputs.iter_mut().zip(variances).zip(signed_si) {
+                for &(first, second, twice) in &self.correlated {
+                    variance += twice * signed_si[first] * signed_si[second];
+                }
+                // What cancels in full leaves round-off, of either sign.
+                output.dimensional_standard_deviation_si.push(variance.max(0.0).sqrt());
             }
         }
         Ok(())
     }
+}
+
+/// Places of correlated quantities among the directions; a quantity that has nothing to do with the motion has none.
+fn correlated(
+    directions: &[(Scatter, DimensionDirection)],
+    correlations: &[ScatterCorrelation],
+) -> Vec<(usize, usize, f64)> {
+    let place = |quantity: QuantityId| directions.iter().position(|(entry, _)| entry.quantity == quantity);
+    let both = |each: &ScatterCorrelation| Some((place(each.first)?, place(each.second)?, 2.0 * each.linear));
+    correlations.iter().filter_map(both).collect()
 }
 
 /// The mobility in words, for example `1 degree of freedom, 1 drive`.

@@ -22,6 +22,7 @@ pub(super) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
     let epistemic = epistemic.iter().map(|&(lower, upper)| Interval::try_new(lower, upper).unwrap().into()).collect();
     Problem {
         random,
+        copula: None,
         epistemic,
         parameters: Vec::new(),
         reading: Reading::FixedButUnknown,

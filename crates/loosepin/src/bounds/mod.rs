@@ -59,6 +59,8 @@ pub use table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use treatment::{Band, TreatmentComparison};
 
 #[cfg(test)]
+mod correlated_cases;
+#[cfg(test)]
 mod discrete_cases;
 #[cfg(test)]
 mod evidence_cases;

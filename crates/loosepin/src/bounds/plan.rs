@@ -18,7 +18,7 @@ use super::search_box::{Place, Region, SearchBox};
 use super::statistic::Statistic;
 use super::structure::{Element, Structure};
 use super::table::{Purpose, RunInputs, SampleTable};
-use crate::uncertainty::{EpistemicVariable, IntervalError, RandomVariable, ScrambledSobol, SobolError, hash};
+use crate::uncertainty::{EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash};
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
@@ -70,8 +70,8 @@ struct InnerRun {
     index: u32,
     /// Values of the random inputs; of those that move, at no particular u.
     random: Vec<f64>,
-    /// Of those that move: the probability whose quantile is taken at each u.
-    probabilities: Vec<f64>,
+    /// Of those that move: the part of the distribution that is taken at each u.
+    levels: Vec<Level>,
 }
 
 /// Why there is no plan, or no next round.
@@ -427,8 +427,8 @@ impl DoubleLoop {
             self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();
         self.inner.iter().map(move |run| {
             let mut random = run.random.clone();
-            for ((input, variable), probability) in moved.iter().zip(&run.probabilities) {
-                random[*input] = variable.as_ref().map_or(f64::NAN, |variable| variable.quantile(*probability));
+            for ((input, variable), &level) in moved.iter().zip(&run.levels) {
+                random[*input] = variable.as_ref().map_or(f64::NAN, |variable| variable.at(level));
             }
             RunInputs {
                 round,
@@ -447,12 +447,12 @@ impl DoubleLoop {
         let replicates = 0..self.problem.sampling.replicates as u32;
         replicates.flat_map(move |replicate| {
             (0..per_replicate).map(move |index| {
-                let epistemic = self.problem.epistemic.iter().enumerate();
-                let epistemic = epistemic.map(|(input, variable)| {
-                    variable.at(self.mixture.point(replicate, index, self.problem.random.len() + input))
-                });
-                let epistemic: Vec<f64> = epistemic.collect();
-                let random = self.problem.random_at(&epistemic, |input| self.mixture.point(replicate, index, input));
+                let mut point = vec![0.0; self.mixture.dimensions()];
+                self.mixture.write_point(replicate, index, &mut point);
+                let (random, epistemic) = point.split_at(self.problem.random.len());
+                let epistemic = self.problem.epistemic.iter().zip(epistemic);
+                let epistemic: Vec<f64> = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
+                let random = self.problem.random_at(&epistemic, &self.problem.levels(random));
                 RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
             })
         })
@@ -504,22 +504,23 @@ fn first_divided(
 /// Every inner run; a single one where nothing is random.
 fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
     if problem.random.is_empty() {
-        return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), probabilities: Vec::new() }]);
+        return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), levels: Vec::new() }]);
     }
     let moving = problem.inputs_with_parameters();
     let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
     let replicates = problem.sampling.replicates;
     let per_replicate = (problem.sampling.inner / replicates) as u32;
     let mut runs = Vec::with_capacity(problem.sampling.inner);
+    let mut point = vec![0.0; problem.random.len()];
     for replicate in 0..replicates as u32 {
         for index in 0..per_replicate {
-            let quantile =
-                |(input, variable): (usize, &RandomVariable)| variable.quantile(sobol.point(replicate, index, input));
+            sobol.write_point(replicate, index, &mut point);
+            let levels = problem.levels(&point);
             runs.push(InnerRun {
                 replicate,
                 index,
-                random: problem.random.iter().enumerate().map(quantile).collect(),
-                probabilities: moving.iter().map(|&input| sobol.point(replicate, index, input)).collect(),
+                random: problem.random.iter().zip(&levels).map(|(variable, &level)| variable.at(level)).collect(),
+                levels: moving.iter().map(|&input| levels[input]).collect(),
             });
         }
     }

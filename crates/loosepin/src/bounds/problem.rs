@@ -7,7 +7,9 @@ use super::points::structural_point_count;
 use super::search_box::SearchBox;
 use super::statistic::Statistic;
 use super::structure::{Structure, element_count};
-use crate::uncertainty::{EpistemicParameter, EpistemicVariable, MAXIMUM_DIMENSIONS, RandomVariable};
+use crate::uncertainty::{
+    EpistemicParameter, EpistemicVariable, GaussianCopula, Level, MAXIMUM_DIMENSIONS, RandomVariable,
+};
 
 /// One statistic of one column of the response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,8 +50,11 @@ impl Default for Sampling {
 /// A response's inputs, and what is asked of it.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Distributions of the random inputs, taken as independent.
+    /// Distributions of the random inputs one by one.
     pub random: Vec<RandomVariable>,
+    /// How they depend on each other; nothing where they are independent. The interval-only treatment knows no correlation: its
+    /// box holds every combination of the cut inputs.
+    pub copula: Option<GaussianCopula>,
     /// What is known of the epistemic inputs.
     pub epistemic: Vec<EpistemicVariable>,
     /// Parameters of distributions that are epistemic inputs. The response is given their values and need not look at them.
@@ -231,6 +236,14 @@ pub enum ProblemError {
         /// Random and epistemic inputs together.
         inputs: usize,
     },
+    /// A copula of another number of inputs.
+    #[error("correlations of {found} random inputs; there are {expected}")]
+    OtherCopula {
+        /// Inputs of the copula.
+        found: usize,
+        /// Random inputs.
+        expected: usize,
+    },
 }
 
 /// The smoother factorises matrices of this order.
@@ -243,11 +256,22 @@ const MOST_ELEMENTS: usize = 256;
 const MOST_COMBINATIONS: usize = 64;
 
 impl Problem {
+    /// Which part of its distribution each random input takes at a point of the unit cube.
+    pub(super) fn levels(&self, point: &[f64]) -> Vec<Level> {
+        match &self.copula {
+            Some(copula) => copula.levels(point),
+            None => point.iter().map(|&probability| Level::Probability(probability)).collect(),
+        }
+    }
+
     /// Checks everything that does not need a run.
     pub(super) fn check(&self) -> Result<(), ProblemError> {
         let inputs = self.random.len() + self.epistemic.len();
         if inputs > MAXIMUM_DIMENSIONS {
             return Err(ProblemError::TooManyInputs { inputs });
+        }
+        if let Some(copula) = self.copula.as_ref().filter(|copula| copula.inputs() != self.random.len()) {
+            return Err(ProblemError::OtherCopula { found: copula.inputs(), expected: self.random.len() });
         }
         self.check_requests()?;
         for (parameter, of) in self.parameters.iter().enumerate() {

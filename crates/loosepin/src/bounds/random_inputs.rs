@@ -1,7 +1,7 @@
 //! Random inputs at given values of the epistemic ones, among which parameters of their distributions may be.
 
 use super::problem::Problem;
-use crate::uncertainty::{Interval, IntervalError, RandomVariable, normal_cdf};
+use crate::uncertainty::{Interval, IntervalError, Level, RandomVariable, normal_cdf};
 
 /// Values of each uncertain parameter at which the quantiles of a distribution are looked at for their extremes.
 const VALUES_OF_A_PARAMETER: usize = 5;
@@ -30,18 +30,17 @@ impl Problem {
         self.random[input].with_parameters(values).ok()
     }
 
-    /// Values of the random inputs for the points `probability(input)` of the unit cube: each is mapped through the quantile
-    /// function of its distribution at `epistemic`. Not a number where the parameters describe no distribution: such a run
-    /// fails, and counts as unknown.
-    pub(super) fn random_at(&self, epistemic: &[f64], probability: impl Fn(usize) -> f64) -> Vec<f64> {
-        let value = |input: usize| {
+    /// Values of the random inputs at these levels of their distributions at `epistemic`. Not a number where the parameters
+    /// describe no distribution: such a run fails, and counts as unknown.
+    pub(super) fn random_at(&self, epistemic: &[f64], levels: &[Level]) -> Vec<f64> {
+        let value = |(input, &level): (usize, &Level)| {
             if self.parameters.iter().any(|parameter| parameter.random == input) {
-                self.variable_at(input, epistemic).map_or(f64::NAN, |variable| variable.quantile(probability(input)))
+                self.variable_at(input, epistemic).map_or(f64::NAN, |variable| variable.at(level))
             } else {
-                self.random[input].quantile(probability(input))
+                self.random[input].at(level)
             }
         };
-        (0..self.random.len()).map(value).collect()
+        levels.iter().enumerate().map(value).collect()
     }
 
     /// Random input `input` cut at `cut_standard_deviations`: from the least lower to the greatest upper quantile that any of

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::expected::read_expected;
 use super::problem::CaseProblem;
 use super::reference::Reference;
-use crate::accuracy::Scatter;
+use crate::accuracy::{Scatter, ScatterCorrelation};
 use crate::diagnostics::{Complaints, Place};
 use crate::document::read_source;
 use crate::mechanism::{Mechanism, Sample};
@@ -31,6 +31,8 @@ pub struct Case {
     pub(super) sample: Sample<f64>,
     /// What scatters, where the case has a study.
     pub(super) scatter: Vec<Scatter>,
+    /// What scatters together.
+    pub(super) correlations: Vec<ScatterCorrelation>,
     /// What it must meet, in the order of the file.
     pub(super) checks: Vec<Check>,
 }
@@ -243,8 +245,9 @@ impl Case {
             random.collect()
         };
         let scatter = study.iter().flat_map(of_study).collect();
+        let correlations = study.iter().flat_map(Study::linear_correlations).collect();
         let name = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let mut case = Case { name, model, mechanism, values, sample, scatter, checks: Vec::new() };
+        let mut case = Case { name, model, mechanism, values, sample, scatter, correlations, checks: Vec::new() };
         let source = read_source(&folder.join("expected.toml"))?;
         case.checks = read_expected(&source, folder, &case)?;
         Ok(case)

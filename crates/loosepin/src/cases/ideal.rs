@@ -97,6 +97,7 @@ pub(super) fn quasi_static(
         span: case.model.cycle.span,
         positions: POSITIONS,
         scatter: case.scatter.clone(),
+        correlations: case.correlations.clone(),
         overrides: Vec::new(),
     };
     let record = motion(mechanism, values, &plan).map_err(|error| error.complaint(&case.model))?;

@@ -276,6 +276,26 @@ corners do not decrease. Quantiles increase with their probabilities, and they a
 restitution, a line-contact law materials and the bearing_length of each of its joints. Linear laws take a stiffness in N/m in \
 place of materials, so that no list can hold them beside others."
 
+    BadCorrelation "E0620" "a correlation is not possible"
+"A correlation joins two different random inputs of the study, each pair once, by a rank correlation (Spearman) or the linear \
+correlation of the values (Pearson), between -1 and 1. Two distributions of different shapes cannot have every linear \
+correlation; the message tells the range. All correlations together must be those of some quantities: their matrix must be \
+positive definite. What is epistemic has no distribution and no correlation."
+
+    BadSample "E0621" "a sample gives no distribution"
+"A sample is a column of a CSV file whose header has a unit, for example pin [mm]. It needs two different values, and five \
+to fit a family to it; lognormal, weibull, gamma and exponential are fitted to positive values only. A warning tells where \
+the fitted distribution is further from the sample than 95 % of samples of that family would be."
+
+    BadTolerance "E0622" "a tolerance is not possible"
+"A tolerance is written as on a drawing, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\". The part is normal about the middle \
+of the limits, which lie 3 Cpk standard deviations away. Cpk is Cp less what the mean is off centre, so never greater."
+
+    FitNotPossible "E0623" "a fit is not possible here"
+"A fit by ISO 286 such as H7/g6 with a diameter up to 500 mm gives the radial clearance of a joint: half the difference of the \
+diameters of hole and shaft. Known are the holes D E F G H JS K M N P and the shafts d e f g h js k m n p r s, grades 3 to 13. A \
+joint with play needs a clearance above 0 for all sizes within the limits, which holes H have with shafts d to g."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
 that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \

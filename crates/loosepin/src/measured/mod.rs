@@ -2,8 +2,10 @@
 
 mod compare;
 mod problem;
+mod sample;
 mod table;
 
 pub use compare::lay_over;
 pub use problem::MeasuredProblem;
+pub use sample::SampleColumn;
 pub use table::{MeasuredColumn, MeasuredTable};

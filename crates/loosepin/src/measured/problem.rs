@@ -46,6 +46,28 @@ pub enum MeasuredProblem {
         /// The name.
         name: String,
     },
+    /// A column without values.
+    #[error("the column '{name}' has no value")]
+    NoValue {
+        /// Its name.
+        name: String,
+    },
+    /// Several columns, and none of them named.
+    #[error("the table has {} columns; which one is meant is not said", known.len())]
+    WhichColumn {
+        /// Their names.
+        known: Vec<String>,
+    },
+    /// A column that is not there.
+    #[error("the table has no column '{name}'")]
+    NoColumn {
+        /// The name.
+        name: String,
+        /// The nearest column.
+        nearest: Option<String>,
+        /// All columns.
+        known: Vec<String>,
+    },
     /// A row of another length.
     #[error("the row has {found} cells; the header has {due}")]
     RowLength {
@@ -127,8 +149,16 @@ impl Problem for MeasuredProblem {
             Self::NoUnit { text } if text.contains(';') => Some("columns are separated by commas".to_owned()),
             Self::NoUnit { .. } => Some("for example: angle [deg], slider [mm]; a pure number has [1]".to_owned()),
             Self::Unit { error } => error.hint(),
-            Self::UnknownOutput { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
-            Self::UnknownOutput { known, .. } => Some(format!("there is {}", known.join(", "))),
+            Self::NoColumn { nearest: Some(nearest), .. } | Self::UnknownOutput { nearest: Some(nearest), .. } => {
+                Some(format!("did you mean '{nearest}'?"))
+            }
+            Self::UnknownOutput { known, .. } | Self::NoColumn { known, .. } => {
+                Some(format!("there is {}", known.join(", ")))
+            }
+            Self::WhichColumn { known } => {
+                let first = known.first().map_or("name", String::as_str);
+                Some(format!("name it, for example column = \"{first}\"; there is {}", known.join(", ")))
+            }
             Self::OutsideRecord { .. } => Some("record more turns with --turns, or cut the table".to_owned()),
             Self::NotANumber { .. } => Some("leave a cell empty where nothing was measured".to_owned()),
             _ => None,

@@ -47,18 +47,18 @@ impl MeasuredColumn {
 }
 
 /// A cell of the header.
-struct Header {
-    name: String,
+pub(super) struct Header {
+    pub name: String,
     /// What one unit is in SI.
-    factor_si: f64,
-    dimension: Dimension,
-    place: Span,
+    pub factor_si: f64,
+    pub dimension: Dimension,
+    pub place: Span,
 }
 
 /// A table in the making.
-struct TableReader {
-    source: Arc<Source>,
-    complaints: Complaints,
+pub(super) struct TableReader {
+    pub source: Arc<Source>,
+    pub complaints: Complaints,
 }
 
 impl MeasuredTable {
@@ -125,7 +125,7 @@ impl MeasuredTable {
 }
 
 impl TableReader {
-    fn complain(&mut self, problem: &MeasuredProblem, place: Span) {
+    pub fn complain(&mut self, problem: &MeasuredProblem, place: Span) {
         let place = Place::new(&self.source, place);
         self.complaints.push(Complaint::error(problem, Some(place)));
     }
@@ -203,7 +203,7 @@ impl TableReader {
         Some(MeasuredTable { abscissa, name: first.name.clone(), at_si, columns, source, places })
     }
 
-    fn no_table<T>(&mut self, error: &csv::Error) -> Option<T> {
+    pub fn no_table<T>(&mut self, error: &csv::Error) -> Option<T> {
         let place = error.position().map_or(0, |position| position.byte() as usize);
         self.complain(&MeasuredProblem::NoTable { reason: error.to_string() }, (place..place + 1).into());
         None
@@ -221,7 +221,7 @@ impl TableReader {
         Some(headers)
     }
 
-    fn header(&mut self, (text, place): &(String, Span)) -> Option<Header> {
+    pub fn header(&mut self, (text, place): &(String, Span)) -> Option<Header> {
         let parts = text.strip_suffix(']').and_then(|text| text.split_once('['));
         let Some((name, unit)) = parts.filter(|(name, unit)| !name.trim().is_empty() && !unit.contains(['[', ']']))
         else {
@@ -244,7 +244,7 @@ impl TableReader {
     }
 
     /// The cells of a row without the blanks around them, each with its place.
-    fn cells(&self, record: &csv::StringRecord, first: usize) -> Vec<(String, Span)> {
+    pub fn cells(&self, record: &csv::StringRecord, first: usize) -> Vec<(String, Span)> {
         let text = self.source.text();
         let line_end = text[first.min(text.len())..].find(['\n', '\r']).map_or(text.len(), |length| first + length);
         let line = &text[first.min(line_end)..line_end];
@@ -264,7 +264,7 @@ impl TableReader {
             .collect()
     }
 
-    fn number(&mut self, (text, place): &(String, Span)) -> Option<f64> {
+    pub fn number(&mut self, (text, place): &(String, Span)) -> Option<f64> {
         let value = text.parse().ok().filter(|value: &f64| value.is_finite());
         if value.is_none() {
             self.complain(&MeasuredProblem::NotANumber { text: text.clone() }, *place);

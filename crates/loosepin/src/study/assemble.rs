@@ -51,7 +51,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         input_hash: input_hash.to_owned(),
         seed: study.seed,
         inputs: describe::inputs(study),
-        correlations: Vec::new(),
+        correlations: describe::correlations(study),
         cycle: describe::cycle(material),
         outputs: describe::outputs(material),
         counts: summary::counts(material),

@@ -318,6 +318,7 @@ pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
     let extreme = EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len()));
     Problem {
         random: study.random.iter().map(|input| input.variable.clone()).collect(),
+        copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
         epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
         parameters: study.epistemic_parameters(),
         reading: study.reading,

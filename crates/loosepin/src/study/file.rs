@@ -3,28 +3,36 @@
 mod allow;
 mod ask;
 mod check;
+mod correlation;
 mod description;
 mod evidence;
+mod fit;
 mod input;
 mod keys;
 mod parameter;
 mod problem;
+mod random;
+mod random_problem;
+mod tolerance;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use description::{
-    Allowance, AllowedInput, Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod,
-    Reduction, Requirement, Sampling, Study, UncertainParameter, Where,
+    Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
+    RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
 pub use problem::StudyProblem;
+pub use random_problem::RandomProblem;
 
+use crate::accuracy::ScatterCorrelation;
 use crate::bounds::Reading;
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
 use crate::model::{Cycle, Model};
+use crate::uncertainty::CorrelationSeries;
 use crate::units::{Dimension, Rule};
 
 /// Points in the box of the epistemic inputs, where the file does not say.
@@ -69,6 +77,28 @@ impl Study {
     pub fn source(&self) -> &Arc<Source> {
         &self.source
     }
+
+    /// Linear correlations of the values of random inputs, for what is computed to first order.
+    pub fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
+        let stated = self.correlation.iter().flat_map(|correlation| &correlation.stated);
+        stated
+            .map(|each| {
+                let [first, second] = [each.first, each.second].map(|input| &self.random[input]);
+                let linear = match each.measure {
+                    CorrelationMeasure::Linear => each.value,
+                    CorrelationMeasure::Rank => {
+                        CorrelationSeries::new(&first.variable, &second.variable).linear(each.normal)
+                    }
+                };
+                ScatterCorrelation { first: first.quantity, second: second.quantity, linear }
+            })
+            .collect()
+    }
+
+    /// The CSV files that were read with it: inputs like the file itself.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        &self.tables
+    }
 }
 
 fn read(
@@ -91,8 +121,14 @@ fn read(
     });
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
-    let mut file =
-        StudyReader { reader, model, random: Vec::new(), epistemic: Vec::new(), parameters: Parameters::default() };
+    let mut file = StudyReader {
+        reader,
+        model,
+        random: Vec::new(),
+        epistemic: Vec::new(),
+        tables: Vec::new(),
+        parameters: Parameters::default(),
+    };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
     let sampling = file.sampling(&root);
@@ -102,6 +138,7 @@ fn read(
     if let Some(entry) = root.get("epistemic") {
         file.read_epistemic(&entry);
     }
+    let correlation = file.read_correlations(&root);
     let readings = [
         ("fixed", Reading::FixedButUnknown),
         ("unknown-distribution", Reading::UnknownDistribution),
@@ -127,12 +164,14 @@ fn read(
         sampling,
         reading,
         random: file.random,
+        correlation,
         epistemic: file.epistemic,
         asks,
         requirements,
         allowances,
         warnings,
         source: file.reader.source,
+        tables: file.tables,
     })
 }
 
@@ -151,6 +190,7 @@ pub(super) struct StudyReader {
     pub model: Model,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
+    pub tables: Vec<Arc<Source>>,
     /// Of the distribution that is being read.
     pub parameters: Parameters,
 }

@@ -6,10 +6,12 @@ mod columns;
 mod complaint;
 mod conduct;
 mod contributors;
+mod distribution_words;
 mod file;
 pub mod files;
 mod ideal_curve;
 mod input_file;
+mod iso_286;
 mod lanes;
 mod rare;
 mod recorder;
@@ -18,8 +20,11 @@ pub mod result;
 pub mod runs;
 
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
+pub use distribution_words::distribution_words;
 pub use file::{
-    Allowance, AllowedInput, Ask, Deviation, EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod,
-    Reduction, Requirement, Sampling, Study, StudyProblem, UncertainParameter, Where, study_schema,
+    Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
+    RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, StudyProblem,
+    UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};
+pub use iso_286::FitError;

@@ -1,5 +1,7 @@
 //! Probability distributions of a scalar random input, as a person states them.
 
+use std::sync::Arc;
+
 use thiserror::Error;
 
 /// A distribution, parameters in the unit of the variable.
@@ -55,6 +57,59 @@ pub enum Distribution {
         /// Lower end.
         lower: f64,
         /// Upper end, > lower.
+        upper: f64,
+    },
+    /// Weibull, for largest loads and for lives.
+    Weibull {
+        /// Shape, > 0.
+        shape: f64,
+        /// Scale, > 0: 63.2 % lie less than this above the lower end.
+        scale: f64,
+        /// Lower end.
+        lower: f64,
+    },
+    /// Gamma.
+    Gamma {
+        /// Shape, > 0.
+        shape: f64,
+        /// Scale, > 0; the mean lies shape times scale above the lower end.
+        scale: f64,
+        /// Lower end.
+        lower: f64,
+    },
+    /// Gumbel, of largest values.
+    Gumbel {
+        /// Most likely value.
+        mode: f64,
+        /// Scale, > 0.
+        scale: f64,
+    },
+    /// Exponential.
+    Exponential {
+        /// Mean of the variable itself, > lower.
+        mean: f64,
+        /// Lower end.
+        lower: f64,
+    },
+    /// A few values with their probabilities.
+    Discrete {
+        /// The values, each once, in any order.
+        values: Vec<f64>,
+        /// Their probabilities, > 0, as many, with the sum 1.
+        probabilities: Vec<f64>,
+    },
+    /// A sample taken as it is: every value with the same probability.
+    Empirical {
+        /// The sample in increasing order, at least two different values.
+        values: Arc<[f64]>,
+    },
+    /// Another distribution, cut to an interval and rescaled; its parameters are those before the cut.
+    Truncated {
+        /// The distribution before the cut.
+        of: Box<Distribution>,
+        /// Lower end, or minus infinity.
+        lower: f64,
+        /// Upper end, > lower, or infinity.
         upper: f64,
     },
 }
@@ -114,6 +169,55 @@ pub enum DistributionError {
         /// Share of the distribution between the ends.
         share: f64,
     },
+    /// A truncation keeps nothing of a distribution that is not normal.
+    #[error(
+        "truncation to [{lower}, {upper}] keeps the share {share} of a {family} distribution; the share must be at least \
+         1e-100\nhint: cut nearer to the mean, or state a uniform distribution"
+    )]
+    NothingLeft {
+        /// The family before the cut.
+        family: &'static str,
+        /// Lower end.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+        /// Share of the distribution between the ends.
+        share: f64,
+    },
+    /// The mean lies at the lower end or below.
+    #[error("mean {mean}; must be above the lower end {lower}")]
+    MeanBelowEnd {
+        /// Mean.
+        mean: f64,
+        /// Lower end.
+        lower: f64,
+    },
+    /// Not as many probabilities as values, or none at all.
+    #[error("{values} values, {probabilities} probabilities; each value needs one")]
+    UnequalLists {
+        /// How many values.
+        values: usize,
+        /// How many probabilities.
+        probabilities: usize,
+    },
+    /// Probabilities that are not all there is.
+    #[error("the probabilities sum up to {sum}; must be 1 within 1e-9")]
+    SumNotOne {
+        /// Their sum.
+        sum: f64,
+    },
+    /// A value of a discrete distribution twice.
+    #[error("the value {value} stands there twice")]
+    ValueTwice {
+        /// The value.
+        value: f64,
+    },
+    /// A sample without two different values.
+    #[error("a sample of {count} without two different values; it says nothing of scatter")]
+    NoScatter {
+        /// How many values.
+        count: usize,
+    },
 }
 
 impl Distribution {
@@ -126,6 +230,13 @@ impl Distribution {
             Self::Lognormal { .. } => "lognormal",
             Self::Triangular { .. } => "triangular",
             Self::Beta { .. } => "beta",
+            Self::Weibull { .. } => "Weibull",
+            Self::Gamma { .. } => "gamma",
+            Self::Gumbel { .. } => "Gumbel",
+            Self::Exponential { .. } => "exponential",
+            Self::Discrete { .. } => "discrete",
+            Self::Empirical { .. } => "empirical",
+            Self::Truncated { .. } => "truncated",
         }
     }
 }

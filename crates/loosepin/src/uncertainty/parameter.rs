@@ -20,12 +20,25 @@ pub enum Parameter {
     Alpha,
     /// Second shape.
     Beta,
+    /// Shape, where there is one.
+    Shape,
+    /// Scale.
+    Scale,
 }
 
 impl Parameter {
     /// Every parameter of any distribution.
-    pub const ALL: [Self; 7] =
-        [Self::Mean, Self::StandardDeviation, Self::Lower, Self::Mode, Self::Upper, Self::Alpha, Self::Beta];
+    pub const ALL: [Self; 9] = [
+        Self::Mean,
+        Self::StandardDeviation,
+        Self::Lower,
+        Self::Mode,
+        Self::Upper,
+        Self::Alpha,
+        Self::Beta,
+        Self::Shape,
+        Self::Scale,
+    ];
 
     /// The name by which study files call it.
     pub fn key(self) -> &'static str {
@@ -37,6 +50,8 @@ impl Parameter {
             Self::Upper => "upper",
             Self::Alpha => "alpha",
             Self::Beta => "beta",
+            Self::Shape => "shape",
+            Self::Scale => "scale",
         }
     }
 
@@ -64,11 +79,15 @@ pub struct EpistemicParameter {
 }
 
 impl Distribution {
-    /// The number that stands for `parameter`; nothing where the family has no such parameter.
+    /// The number that stands for `parameter`, of a cut distribution before the cut; nothing where the family has no such
+    /// parameter.
     pub fn parameter_mut(&mut self, parameter: Parameter) -> Option<&mut f64> {
         match (self, parameter) {
             (
-                Self::Normal { mean, .. } | Self::TruncatedNormal { mean, .. } | Self::Lognormal { mean, .. },
+                Self::Normal { mean, .. }
+                | Self::TruncatedNormal { mean, .. }
+                | Self::Lognormal { mean, .. }
+                | Self::Exponential { mean, .. },
                 Parameter::Mean,
             ) => Some(mean),
             (
@@ -81,7 +100,10 @@ impl Distribution {
                 Self::TruncatedNormal { lower, .. }
                 | Self::Uniform { lower, .. }
                 | Self::Triangular { lower, .. }
-                | Self::Beta { lower, .. },
+                | Self::Beta { lower, .. }
+                | Self::Weibull { lower, .. }
+                | Self::Gamma { lower, .. }
+                | Self::Exponential { lower, .. },
                 Parameter::Lower,
             ) => Some(lower),
             (
@@ -91,7 +113,13 @@ impl Distribution {
                 | Self::Beta { upper, .. },
                 Parameter::Upper,
             ) => Some(upper),
-            (Self::Triangular { mode, .. }, Parameter::Mode) => Some(mode),
+            (Self::Triangular { mode, .. } | Self::Gumbel { mode, .. }, Parameter::Mode) => Some(mode),
+            (Self::Weibull { shape, .. } | Self::Gamma { shape, .. }, Parameter::Shape) => Some(shape),
+            (
+                Self::Weibull { scale, .. } | Self::Gamma { scale, .. } | Self::Gumbel { scale, .. },
+                Parameter::Scale,
+            ) => Some(scale),
+            (Self::Truncated { of, .. }, parameter) => of.parameter_mut(parameter),
             (Self::Beta { alpha, .. }, Parameter::Alpha) => Some(alpha),
             (Self::Beta { beta, .. }, Parameter::Beta) => Some(beta),
             _ => None,

@@ -1,33 +1,34 @@
 //! A checked distribution: the only type that can be sampled.
 
-use super::distribution::{Distribution, DistributionError};
-use super::incomplete_beta::{incomplete_beta, inverse_incomplete_beta};
-use super::normal::{normal_cdf, normal_quantile};
+use std::sync::Arc;
 
-/// The least share of a normal distribution that a truncation may keep: below it Φ loses digits.
-const LEAST_SHARE_KEPT: f64 = 1e-100;
+use super::distribution::{Distribution, DistributionError};
+use super::family::{
+    Beta, Discrete, Empirical, Exponential, Family, Gamma, Gumbel, Lognormal, Normal, Tails, Triangular, Truncated,
+    TruncatedNormal, Uniform, Weibull,
+};
 
 /// A distribution whose parameters have been checked, with what its quantile function needs worked out.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct RandomVariable {
     distribution: Distribution,
-    prepared: Prepared,
+    family: Arc<dyn Family>,
 }
 
-#[derive(Debug, Clone, PartialEq)]
-enum Prepared {
-    Nothing,
-    /// Mean and standard deviation of ln X.
-    Lognormal {
-        location: f64,
-        scale: f64,
-    },
-    /// Φ at the lower end, 1 - Φ at the upper end, and what lies between.
-    Truncated {
-        below: f64,
-        above: f64,
-        share: f64,
-    },
+/// Which part of a distribution is meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Level {
+    /// The share that lies below.
+    Probability(f64),
+    /// The value of a standard normal variable below which the same share lies; it keeps the digits of both tails.
+    StandardNormal(f64),
+}
+
+/// Variables of the same distribution are the same.
+impl PartialEq for RandomVariable {
+    fn eq(&self, other: &Self) -> bool {
+        self.distribution == other.distribution
+    }
 }
 
 impl RandomVariable {
@@ -37,53 +38,7 @@ impl RandomVariable {
     ///
     /// [`DistributionError`] with the parameter, its value and the rule that it breaks.
     pub fn try_new(distribution: Distribution) -> Result<Self, DistributionError> {
-        let prepared = match distribution {
-            Distribution::Normal { mean, standard_deviation } => {
-                finite("mean", mean)?;
-                positive("standard deviation", standard_deviation)?;
-                Prepared::Nothing
-            }
-            Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => {
-                finite("mean", mean)?;
-                positive("standard deviation", standard_deviation)?;
-                ordered(lower, upper)?;
-                let (a, b) = ((lower - mean) / standard_deviation, (upper - mean) / standard_deviation);
-                let (below, above) = (normal_cdf(a), normal_cdf(-b));
-                // The difference is taken where both numbers are small.
-                let share = if a > 0.0 { normal_cdf(-a) - above } else { normal_cdf(b) - below };
-                if share < LEAST_SHARE_KEPT {
-                    return Err(DistributionError::NothingKept { mean, standard_deviation, lower, upper, share });
-                }
-                Prepared::Truncated { below, above, share }
-            }
-            Distribution::Uniform { lower, upper } => {
-                ordered(lower, upper)?;
-                Prepared::Nothing
-            }
-            Distribution::Lognormal { mean, standard_deviation } => {
-                positive("mean", mean)?;
-                positive("standard deviation", standard_deviation)?;
-                // σ² = ln(1 + s²/m²), μ = ln m - σ²/2
-                let ratio = standard_deviation / mean;
-                let variance = libm::log1p(ratio * ratio);
-                Prepared::Lognormal { location: libm::log(mean) - 0.5 * variance, scale: variance.sqrt() }
-            }
-            Distribution::Triangular { lower, mode, upper } => {
-                ordered(lower, upper)?;
-                finite("mode", mode)?;
-                if mode < lower || mode > upper {
-                    return Err(DistributionError::ModeOutside { mode, lower, upper });
-                }
-                Prepared::Nothing
-            }
-            Distribution::Beta { alpha, beta, lower, upper } => {
-                positive("alpha", alpha)?;
-                positive("beta", beta)?;
-                ordered(lower, upper)?;
-                Prepared::Nothing
-            }
-        };
-        Ok(Self { distribution, prepared })
+        Ok(Self { family: family(&distribution)?, distribution })
     }
 
     /// The distribution as it was stated.
@@ -93,84 +48,22 @@ impl RandomVariable {
 
     /// E\[X\].
     pub fn mean(&self) -> f64 {
-        match self.distribution {
-            Distribution::Normal { mean, .. } | Distribution::Lognormal { mean, .. } => mean,
-            Distribution::TruncatedNormal { mean, standard_deviation, .. } => {
-                mean + standard_deviation * self.truncated_moments().0
-            }
-            Distribution::Uniform { lower, upper } => 0.5 * (lower + upper),
-            Distribution::Triangular { lower, mode, upper } => (lower + mode + upper) / 3.0,
-            Distribution::Beta { alpha, beta, lower, upper } => lower + (upper - lower) * alpha / (alpha + beta),
-        }
+        self.family.mean()
     }
 
     /// The standard deviation of X.
     pub fn standard_deviation(&self) -> f64 {
-        match self.distribution {
-            Distribution::Normal { standard_deviation, .. } | Distribution::Lognormal { standard_deviation, .. } => {
-                standard_deviation
-            }
-            Distribution::TruncatedNormal { standard_deviation, .. } => {
-                standard_deviation * self.truncated_moments().1.max(0.0).sqrt()
-            }
-            Distribution::Uniform { lower, upper } => (upper - lower) / 12.0_f64.sqrt(),
-            Distribution::Triangular { lower, mode, upper } => {
-                let (left, right) = (mode - lower, upper - mode);
-                ((left * left + left * right + right * right) / 18.0).sqrt()
-            }
-            Distribution::Beta { alpha, beta, lower, upper } => {
-                let sum = alpha + beta;
-                (upper - lower) * (alpha * beta / (sum + 1.0)).sqrt() / sum
-            }
-        }
+        self.family.standard_deviation()
     }
 
     /// P(X <= x).
     pub fn cdf(&self, x: f64) -> f64 {
-        match self.distribution {
-            Distribution::Normal { mean, standard_deviation } => normal_cdf((x - mean) / standard_deviation),
-            Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => {
-                if x <= lower {
-                    return 0.0;
-                }
-                if x >= upper {
-                    return 1.0;
-                }
-                let Prepared::Truncated { below, above, share } = self.prepared else { return f64::NAN };
-                let standard = (x - mean) / standard_deviation;
-                let value = if standard < 0.0 {
-                    (normal_cdf(standard) - below) / share
-                } else {
-                    1.0 - (normal_cdf(-standard) - above) / share
-                };
-                value.clamp(0.0, 1.0)
-            }
-            Distribution::Uniform { lower, upper } => ((x - lower) / (upper - lower)).clamp(0.0, 1.0),
-            Distribution::Lognormal { .. } => {
-                let Prepared::Lognormal { location, scale } = self.prepared else { return f64::NAN };
-                if x <= 0.0 { 0.0 } else { normal_cdf((libm::log(x) - location) / scale) }
-            }
-            Distribution::Triangular { lower, mode, upper } => {
-                if x <= lower {
-                    0.0
-                } else if x >= upper {
-                    1.0
-                } else if x < mode {
-                    (x - lower) * (x - lower) / ((upper - lower) * (mode - lower))
-                } else {
-                    1.0 - (upper - x) * (upper - x) / ((upper - lower) * (upper - mode))
-                }
-            }
-            Distribution::Beta { alpha, beta, lower, upper } => {
-                let width = upper - lower;
-                incomplete_beta(
-                    alpha,
-                    beta,
-                    ((x - lower) / width).clamp(0.0, 1.0),
-                    ((upper - x) / width).clamp(0.0, 1.0),
-                )
-            }
-        }
+        self.family.tails(x).below
+    }
+
+    /// P(X > x), with digits of its own where it is small.
+    pub fn survival(&self, x: f64) -> f64 {
+        self.family.tails(x).above
     }
 
     /// The x with P(X <= x) = `probability`: increasing, accurate in both tails; the ends of the support at 0 and 1, not
@@ -179,74 +72,46 @@ impl RandomVariable {
         if !(0.0..=1.0).contains(&probability) {
             return f64::NAN;
         }
-        let complement = 1.0 - probability;
-        match self.distribution {
-            Distribution::Normal { mean, standard_deviation } => {
-                mean + standard_deviation * normal_quantile(probability)
-            }
-            Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => {
-                let Prepared::Truncated { below, above, share } = self.prepared else { return f64::NAN };
-                let from_below = below + probability * share;
-                let standard = if from_below < 0.5 {
-                    normal_quantile(from_below)
-                } else {
-                    -normal_quantile(above + complement * share)
-                };
-                (mean + standard_deviation * standard).clamp(lower, upper)
-            }
-            Distribution::Uniform { lower, upper } => {
-                if probability < 0.5 {
-                    lower + probability * (upper - lower)
-                } else {
-                    upper - complement * (upper - lower)
-                }
-            }
-            Distribution::Lognormal { .. } => {
-                let Prepared::Lognormal { location, scale } = self.prepared else { return f64::NAN };
-                libm::exp(location + scale * normal_quantile(probability))
-            }
-            Distribution::Triangular { lower, mode, upper } => {
-                let width = upper - lower;
-                if probability * width < mode - lower {
-                    lower + (probability * width * (mode - lower)).sqrt()
-                } else {
-                    upper - (complement * width * (upper - mode)).sqrt()
-                }
-            }
-            Distribution::Beta { alpha, beta, lower, upper } => {
-                let (x, rest) = inverse_incomplete_beta(alpha, beta, probability, complement);
-                if x < 0.5 { lower + x * (upper - lower) } else { upper - rest * (upper - lower) }
-            }
+        self.family.quantile(Tails::at(probability))
+    }
+
+    /// The value at a level.
+    pub fn at(&self, level: Level) -> f64 {
+        match level {
+            Level::Probability(probability) => self.quantile(probability),
+            Level::StandardNormal(z) => self.at_standard_normal(z),
         }
     }
 
-    /// Mean and variance of a truncated standard normal variable: with φ the density, a and b the ends and Z the share,
-    /// m = (φ(a) - φ(b))/Z, v = 1 + (a φ(a) - b φ(b))/Z - m².
-    fn truncated_moments(&self) -> (f64, f64) {
-        let Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } = self.distribution else {
-            return (f64::NAN, f64::NAN);
-        };
-        let Prepared::Truncated { share, .. } = self.prepared else { return (f64::NAN, f64::NAN) };
-        let density = |x: f64| libm::exp(-0.5 * x * x) / (2.0 * core::f64::consts::PI).sqrt();
-        let (a, b) = ((lower - mean) / standard_deviation, (upper - mean) / standard_deviation);
-        let first = (density(a) - density(b)) / share;
-        (first, 1.0 + (a * density(a) - b * density(b)) / share - first * first)
+    /// The x with P(X <= x) = Φ(`z`), both tails with digits of their own.
+    pub fn at_standard_normal(&self, z: f64) -> f64 {
+        self.family.quantile(Tails::of_standard_normal(z))
+    }
+
+    /// Values in increasing order with their probabilities, where no others are possible.
+    pub(super) fn atoms(&self) -> Option<Vec<(f64, f64)>> {
+        self.family.atoms()
     }
 }
 
-fn finite(parameter: &'static str, value: f64) -> Result<(), DistributionError> {
-    if value.is_finite() { Ok(()) } else { Err(DistributionError::NotFinite { parameter, value }) }
-}
-
-fn positive(parameter: &'static str, value: f64) -> Result<(), DistributionError> {
-    finite(parameter, value)?;
-    if value > 0.0 { Ok(()) } else { Err(DistributionError::NotPositive { parameter, value }) }
-}
-
-fn ordered(lower: f64, upper: f64) -> Result<(), DistributionError> {
-    finite("lower end", lower)?;
-    finite("upper end", upper)?;
-    if lower < upper { Ok(()) } else { Err(DistributionError::TurnedRound { lower, upper }) }
+fn family(distribution: &Distribution) -> Result<Arc<dyn Family>, DistributionError> {
+    Ok(match *distribution {
+        Distribution::Normal { mean, standard_deviation } => Arc::new(Normal::try_new(mean, standard_deviation)?),
+        Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => {
+            Arc::new(TruncatedNormal::try_new(mean, standard_deviation, lower, upper)?)
+        }
+        Distribution::Uniform { lower, upper } => Arc::new(Uniform::try_new(lower, upper)?),
+        Distribution::Lognormal { mean, standard_deviation } => Arc::new(Lognormal::try_new(mean, standard_deviation)?),
+        Distribution::Triangular { lower, mode, upper } => Arc::new(Triangular::try_new(lower, mode, upper)?),
+        Distribution::Beta { alpha, beta, lower, upper } => Arc::new(Beta::try_new(alpha, beta, lower, upper)?),
+        Distribution::Weibull { shape, scale, lower } => Arc::new(Weibull::try_new(shape, scale, lower)?),
+        Distribution::Gamma { shape, scale, lower } => Arc::new(Gamma::try_new(shape, scale, lower)?),
+        Distribution::Gumbel { mode, scale } => Arc::new(Gumbel::try_new(mode, scale)?),
+        Distribution::Exponential { mean, lower } => Arc::new(Exponential::try_new(mean, lower)?),
+        Distribution::Discrete { ref values, ref probabilities } => Arc::new(Discrete::try_new(values, probabilities)?),
+        Distribution::Empirical { ref values } => Arc::new(Empirical::try_new(values)?),
+        Distribution::Truncated { ref of, lower, upper } => Truncated::try_new(family(of)?, of.family(), lower, upper)?,
+    })
 }
 
 #[cfg(test)]

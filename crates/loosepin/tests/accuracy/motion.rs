@@ -3,8 +3,8 @@
 use crate::{Built, build_case, build_case_with, build_text, case_names, ideal_at, spread};
 use loosepin::accuracy::record::{MotionRecord, OutputMotion};
 use loosepin::accuracy::{
-    AccuracyError, DisplacedLoops, MotionPlan, PositionReading, Scatter, dimension_derivatives, dimension_direction,
-    motion, play_gradients, position_outputs,
+    AccuracyError, DisplacedLoops, MotionPlan, PositionReading, Scatter, ScatterCorrelation, dimension_derivatives,
+    dimension_direction, motion, play_gradients, position_outputs,
 };
 use loosepin::math::Vec2;
 use loosepin::mechanism::{IdealMotion, Sample, point_m};
@@ -19,7 +19,7 @@ const DIFFERENCE: f64 = 1e-7;
 
 pub(crate) fn plan(built: &Built, positions: usize) -> MotionPlan {
     let span = built.mechanism.model.cycle.span;
-    MotionPlan { span, positions, scatter: Vec::new(), overrides: Vec::new() }
+    MotionPlan { span, positions, scatter: Vec::new(), correlations: Vec::new(), overrides: Vec::new() }
 }
 
 pub(crate) fn motion_of(built: &Built, positions: usize) -> MotionRecord {
@@ -257,6 +257,32 @@ fn analytic_dimensional_standard_deviation_of_the_slider() {
         assert!((slider.dimensional_contributors[0].standard_deviation_si[k] - by_crank).abs() < 1e-16);
         assert!((slider.dimensional_contributors[1].standard_deviation_si[k] - by_rod).abs() < 1e-16);
         let both = by_crank.hypot(by_rod);
+        assert!((slider.dimensional_standard_deviation_si[k] - both).abs() < 1e-16);
+    }
+}
+
+#[test]
+fn analytic_correlated_dimensions_of_the_slider() {
+    const LINEAR: f64 = -0.7;
+    let built = build_case("slider_crank_5000");
+    let [crank, rod, mass] =
+        ["parameter.crank_length", "parameter.rod_length", "body.crank.mass"].map(|path| built.quantity(path));
+    let scatter = [(crank, 2e-5), (rod, 3e-5)]
+        .map(|(quantity, sigma)| Scatter { quantity, standard_deviation_si: sigma })
+        .to_vec();
+    // A correlation with what does not shape the motion changes nothing.
+    let correlations = [(rod, crank, LINEAR), (crank, mass, 0.9)]
+        .map(|(first, second, linear)| ScatterCorrelation { first, second, linear })
+        .to_vec();
+    let plan = MotionPlan { scatter, correlations, ..plan(&built, 90) };
+    let record = motion(&built.mechanism, &built.values, &plan).expect("the plan is sound");
+    let slider = output(&record, "slider");
+    for (k, angle) in record.drive_angle_rad.iter().enumerate() {
+        let (r, l): (f64, f64) = (0.05, 0.12);
+        let (s, c) = angle.sin_cos();
+        let root = (l * l - r * r * s * s).sqrt();
+        let (by_crank, by_rod) = ((c - r * s * s / root) * 2e-5, l / root * 3e-5);
+        let both = (by_crank * by_crank + by_rod * by_rod + 2.0 * LINEAR * by_crank * by_rod).sqrt();
         assert!((slider.dimensional_standard_deviation_si[k] - both).abs() < 1e-16);
     }
 }

@@ -97,6 +97,7 @@ pub fn worn_pin() -> StudyResult {
         correlations: vec![CorrelationDescription {
             of: vec!["parameter.crank_length".to_owned(), "parameter.rod_length".to_owned()],
             rank: 0.6,
+            linear: None,
         }],
         cycle: CycleDescription {
             drive: "crank".to_owned(),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{Study, StudyError, plan_runs, time_a_run_s};
+use loosepin::study::{CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
 use loosepin::uncertainty::{Distribution, EpistemicVariable};
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -65,8 +65,17 @@ fn push_inputs(text: &mut String, study: &Study) {
     let dimension = |id: QuantityId| study.model.quantities[id].dimension;
     let _ = writeln!(text, "\n{}", counted(study.random.len(), "random input", "random inputs"));
     for input in &study.random {
-        let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
-        let _ = writeln!(text, "  {:width$}  {shown}", input.path);
+        let shown = shown_distribution(input.variable.distribution(), dimension(input.quantity));
+        let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
+        let _ = writeln!(text, "  {:width$}  {shown}{origin}", input.path);
+    }
+    for each in study.correlation.iter().flat_map(|correlation| &correlation.stated) {
+        let [first, second] = [each.first, each.second].map(|input| &study.random[input].path);
+        let measure = match each.measure {
+            CorrelationMeasure::Rank => "rank",
+            CorrelationMeasure::Linear => "linear",
+        };
+        let _ = writeln!(text, "  {first} with {second}: {measure} correlation {}", format_number(each.value));
     }
     let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
     let has_lists = lists > 0;
@@ -99,7 +108,7 @@ fn push_inputs(text: &mut String, study: &Study) {
     }
 }
 
-fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
+fn shown_distribution(distribution: &Distribution, dimension: Dimension) -> String {
     let value = |value_si: f64| format_value(value_si, dimension);
     match *distribution {
         Distribution::Normal { mean, standard_deviation } => {
@@ -126,5 +135,6 @@ fn distribution_words(distribution: &Distribution, dimension: Dimension) -> Stri
             format_number(alpha),
             format_number(beta)
         ),
+        _ => distribution_words(distribution, dimension),
     }
 }

@@ -139,11 +139,15 @@ pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
         }
         @if !result.correlations.is_empty() {
             p {
-                "Rank correlations: "
+                "Correlations (Gaussian copula): "
                 @for (index, correlation) in result.correlations.iter().enumerate() {
                     @if index > 0 { "; " }
-                    (listed(&correlation.of)) " " (writer.shortest(correlation.rank, &SiUnit::NONE))
+                    (listed(&correlation.of)) " "
+                    @if let Some(linear) = correlation.linear { "linear " (writer.shortest(linear, &SiUnit::NONE)) }
+                    @else { "rank " (writer.shortest(correlation.rank, &SiUnit::NONE)) }
                 }
+                ". All other random inputs are independent. Interval-only bands take every combination of the cut inputs, \
+                 correlated or not"
                 "."
             }
         }

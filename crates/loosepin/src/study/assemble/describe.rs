@@ -3,12 +3,14 @@
 use super::Material;
 use crate::document::listed;
 use crate::model::{QuantityId, QuantityTable};
-use crate::study::file::{RandomInput, Study, UncertainParameter};
+use crate::study::distribution_words::distribution_words;
+use crate::study::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
 use crate::study::result::{
-    CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind, OutputDescription,
+    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
+    OutputDescription,
 };
-use crate::uncertainty::{Distribution, EpistemicVariable, FocalElement, Interval};
-use crate::units::{Dimension, SiUnit, format_number, format_value};
+use crate::uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
+use crate::units::{Dimension, SiUnit, format_number};
 
 /// The uncertain inputs, random ones first, each kind in file order.
 pub fn inputs(study: &Study) -> Vec<InputDescription> {
@@ -17,8 +19,11 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
         path: input.path.clone(),
         kind: InputKind::Random,
         unit: unit(table, input.quantity),
-        words: distribution_words(input.variable.distribution(), dimension(table, input.quantity))
-            + &uncertain_words(input, study),
+        words: {
+            let words = distribution_words(input.variable.distribution(), dimension(table, input.quantity));
+            let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
+            words + &origin + &uncertain_words(input, study)
+        },
     });
     let epistemic = study.epistemic.iter().map(|input| {
         let [lower_si, upper_si] = input.variable.ends();
@@ -70,6 +75,22 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
     random.chain(epistemic).collect()
 }
 
+/// The correlations of random inputs, in file order.
+pub fn correlations(study: &Study) -> Vec<CorrelationDescription> {
+    let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
+    stated
+        .map(|each| {
+            let of = [each.first, each.second].map(|input| study.random[input].path.clone()).to_vec();
+            match each.measure {
+                CorrelationMeasure::Rank => CorrelationDescription { of, rank: each.value, linear: None },
+                CorrelationMeasure::Linear => {
+                    CorrelationDescription { of, rank: rank_of_normal(each.normal), linear: Some(each.value) }
+                }
+            }
+        })
+        .collect()
+}
+
 /// Which parameters are uncertain; the words before have them in the middle.
 fn uncertain_words(input: &RandomInput, study: &Study) -> String {
     let words = |uncertain: &UncertainParameter| {
@@ -93,30 +114,6 @@ fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
 /// The SI unit of a quantity, `1` for a pure number.
 pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
     SiUnit::of_dimension(table[id].dimension)
-}
-
-fn distribution_words(distribution: &Distribution, dimension: Dimension) -> String {
-    let show = |value_si: f64| format_value(value_si, dimension);
-    let family = distribution.family();
-    match *distribution {
-        Distribution::Normal { mean, standard_deviation } | Distribution::Lognormal { mean, standard_deviation } => {
-            format!("{family}, mean {}, standard deviation {}", show(mean), show(standard_deviation))
-        }
-        Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => format!(
-            "{family}, mean {}, standard deviation {} before the cut to {} .. {}",
-            show(mean),
-            show(standard_deviation),
-            show(lower),
-            show(upper)
-        ),
-        Distribution::Uniform { lower, upper } => format!("{family}, {} .. {}", show(lower), show(upper)),
-        Distribution::Triangular { lower, mode, upper } => {
-            format!("{family}, {} .. {}, most likely {}", show(lower), show(upper), show(mode))
-        }
-        Distribution::Beta { alpha, beta, lower, upper } => {
-            format!("{family}, {} .. {}, shapes {alpha} and {beta}", show(lower), show(upper))
-        }
-    }
 }
 
 /// What every run ran through.

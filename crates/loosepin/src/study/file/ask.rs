@@ -56,7 +56,7 @@ impl StudyReader {
     }
 
     /// The tables under `[[key]]`.
-    fn double_brackets<'t>(&mut self, root: &Table<'t>, key: &str) -> Vec<Entry<'t>> {
+    pub(super) fn double_brackets<'t>(&mut self, root: &Table<'t>, key: &str) -> Vec<Entry<'t>> {
         let Some(entry) = root.get(key) else { return Vec::new() };
         if entry.is_table() {
             self.reader.wrong_type::<()>(&entry, "a list of tables, each under a header in double brackets");

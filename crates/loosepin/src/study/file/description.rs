@@ -7,7 +7,7 @@ use crate::bounds::{Reading, Statistic};
 use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
-use crate::uncertainty::{EpistemicParameter, EpistemicVariable, Interval, Parameter, RandomVariable};
+use crate::uncertainty::{EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable};
 use crate::units::{Dimension, SiUnit, format_value};
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -29,6 +29,8 @@ pub struct Study {
     pub reading: Reading,
     /// Random inputs in file order.
     pub random: Vec<RandomInput>,
+    /// How the random inputs go together; nothing where they are independent.
+    pub correlation: Option<Correlation>,
     /// Epistemic inputs in file order.
     pub epistemic: Vec<EpistemicInput>,
     /// What is asked, in file order.
@@ -40,6 +42,7 @@ pub struct Study {
     /// What is allowed in model and study and yet looks like an oversight.
     pub warnings: Vec<Complaint>,
     pub(super) source: Arc<Source>,
+    pub(super) tables: Vec<Arc<Source>>,
 }
 
 impl Study {
@@ -112,6 +115,8 @@ pub struct RandomInput {
     pub quantity: QuantityId,
     /// Its distribution, SI, uncertain parameters in the middle.
     pub variable: RandomVariable,
+    /// Where the distribution comes from, in words, where it is not stated itself: a tolerance, a fit, a sample.
+    pub origin: Option<String>,
     /// Those of its parameters that are epistemic inputs.
     pub parameters: Vec<UncertainParameter>,
 }
@@ -123,6 +128,39 @@ pub struct UncertainParameter {
     pub parameter: Parameter,
     /// Position among the epistemic inputs.
     pub epistemic: usize,
+}
+
+/// How random inputs go together: a Gaussian copula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Correlation {
+    /// The correlations in file order.
+    pub stated: Vec<StatedCorrelation>,
+    /// All of them.
+    pub copula: GaussianCopula,
+}
+
+/// A correlation of two random inputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedCorrelation {
+    /// One input, by its place in [`Study::random`].
+    pub first: usize,
+    /// The other one.
+    pub second: usize,
+    /// What the value measures.
+    pub measure: CorrelationMeasure,
+    /// The value as stated.
+    pub value: f64,
+    /// The correlation of the normal variables behind the inputs.
+    pub normal: f64,
+}
+
+/// What a correlation measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CorrelationMeasure {
+    /// Ranks (Spearman).
+    Rank,
+    /// The values themselves (Pearson).
+    Linear,
 }
 
 /// What is known only to lie in an interval, or to be one of a list.

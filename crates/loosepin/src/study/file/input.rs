@@ -32,11 +32,9 @@ impl StudyReader {
                 continue;
             }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
-            let dimension = self.model.quantities[quantity].dimension;
             let Some(table) = self.reader.table(&entry, &RANDOM_KEYS) else { continue };
-            if let Some((variable, parameters)) = self.uncertain_distribution(&entry, &table, entry.name, dimension) {
-                self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, parameters });
-            }
+            let Some((variable, parameters, origin)) = self.random_input(&entry, &table, quantity) else { continue };
+            self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, origin, parameters });
         }
     }
 
@@ -55,14 +53,17 @@ impl StudyReader {
                 self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
             let Some(table) = self.reader.table(&entry, &EPISTEMIC_KEYS) else { continue };
+            self.refuse_stray(&table, &[("diameter", "fit")]);
             let variable = if let Some(written) = table.get("interval") {
                 self.interval(&written, quantity, entry.name).map(EpistemicVariable::from)
             } else if let Some(written) = table.get("any_of") {
                 self.numbers(&written, quantity, entry.name).map(EpistemicVariable::from)
+            } else if let Some(written) = table.get("fit") {
+                self.fit_interval(&table, &written, quantity, entry.name).map(EpistemicVariable::from)
             } else {
                 None
             };
-            let is_plain = ["interval", "any_of"].into_iter().any(|key| table.has(key));
+            let is_plain = ["interval", "any_of", "fit"].into_iter().any(|key| table.has(key));
             let variable = match (table.get("support"), is_plain) {
                 (Some(support), true) => {
                     self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
@@ -129,8 +130,7 @@ impl StudyReader {
                 continue;
             };
             if values.contains(&value) {
-                let (entry, value) = (written.path.describe(), format_value(value, dimension));
-                self.complain(&StudyProblem::MemberTwice { entry, value }, member);
+                self.member_twice(written, value, dimension, member);
                 is_right = false;
             } else if !self.check_end(quantity, path, value, member, true) {
                 is_right = false;
@@ -149,6 +149,12 @@ impl StudyReader {
             _ => return true,
         }
         false
+    }
+
+    /// Complains about a member that is there already.
+    pub(super) fn member_twice(&mut self, list: &Entry<'_>, value: f64, dimension: Dimension, member: &Entry<'_>) {
+        let (entry, value) = (list.path.describe(), format_value(value, dimension));
+        self.complain(&StudyProblem::MemberTwice { entry, value }, member);
     }
 
     /// The quantity that a key names, where a table stands behind it.
@@ -214,7 +220,8 @@ impl StudyReader {
             "uniform" => &UNIFORM_KEYS,
             "lognormal" => &LOGNORMAL_KEYS,
             "triangular" => &TRIANGULAR_KEYS,
-            _ => &BETA_KEYS,
+            "beta" => &BETA_KEYS,
+            _ => return self.further_family(family, &entry, dimension),
         };
         let table = self.reader.table(&entry, keys)?;
         let positive_mean = family == "lognormal";
@@ -250,7 +257,7 @@ impl StudyReader {
                 Some(Distribution::Triangular { lower, mode, upper })
             }
             _ => {
-                let [alpha, beta] = ["alpha", "beta"].map(|key| self.shape(&table, key));
+                let [alpha, beta] = ["alpha", "beta"].map(|key| self.number_within(&table, key, SHAPES));
                 let (lower, upper) = self.ends(&table, dimension)?;
                 Some(Distribution::Beta { alpha: alpha?, beta: beta?, lower, upper })
             }
@@ -277,7 +284,7 @@ impl StudyReader {
         None
     }
 
-    fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
+    pub(super) fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
         if value > 0.0 {
             return true;
         }
@@ -285,23 +292,28 @@ impl StudyReader {
         false
     }
 
-    /// A shape of a beta distribution.
-    fn shape(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+    /// A shape of a distribution.
+    pub(super) fn number_within(
+        &mut self,
+        table: &Table<'_>,
+        key: &str,
+        shapes: std::ops::RangeInclusive<f64>,
+    ) -> Option<f64> {
         let is_uncertain = table.get(key).is_some_and(|entry| entry.is_table());
         let shape = if is_uncertain {
             self.parameter(table, key, Dimension::NUMBER)?
         } else {
             self.reader.number(table, key)?
         };
-        if SHAPES.contains(&shape) {
+        if shapes.contains(&shape) {
             return Some(shape);
         }
-        let rule = format!("from {} to {}", format_number(*SHAPES.start()), format_number(*SHAPES.end()));
+        let rule = format!("from {} to {}", format_number(*shapes.start()), format_number(*shapes.end()));
         self.refuse(table, key, shape, Dimension::NUMBER, rule);
         None
     }
 
-    fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
+    pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
         if let Some(entry) = table.get(key) {
             let found = format_value(value, dimension);
             self.complain(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, &entry);

@@ -1,6 +1,6 @@
 //! The keys of a study file.
 
-use crate::document::{Keys, Kind, optional, required};
+use crate::document::{Key, Keys, Kind, optional, required};
 use crate::model::CYCLE_NUMBERS;
 use crate::units::Rule;
 
@@ -108,11 +108,88 @@ pub(super) static BETA_KEYS: Keys = Keys::new(
     ],
 );
 
-/// The families of distributions, in the order of the documentation.
-pub(super) const FAMILIES: [&str; 6] = ["normal", "truncated_normal", "uniform", "lognormal", "triangular", "beta"];
+/// The lower end of a distribution that goes on without end above it.
+const FROM: Key = optional("lower", PARAMETER, "\"0 mm\"", "lower end; 0 if left out");
+const SHAPE_KEY: Key = required("shape", SHAPE, "2", "shape, from 0.05 to 1e6");
 
-const LATER_FAMILY: &str = "use normal, truncated_normal, uniform, lognormal, triangular or beta";
-const LATER_TOLERANCE: &str = "write the distribution that the tolerance stands for, for example a normal one";
+pub(super) static WEIBULL_KEYS: Keys = Keys::new(
+    "a Weibull distribution: a share of exp(-((x - lower)/scale)^shape) lies above x",
+    &[SHAPE_KEY, required("scale", PARAMETER, "\"0.3 mm\"", "63.2 % lie less than this above the lower end"), FROM],
+);
+pub(super) static GAMMA_KEYS: Keys = Keys::new(
+    "a gamma distribution",
+    &[
+        SHAPE_KEY,
+        required("scale", PARAMETER, "\"0.1 mm\"", "the mean lies shape times scale above the lower end"),
+        FROM,
+    ],
+);
+pub(super) static GUMBEL_KEYS: Keys = Keys::new(
+    "a Gumbel distribution of largest values: a share of exp(-exp(-(x - mode)/scale)) lies below x",
+    &[
+        required("mode", PARAMETER, "\"0.3 mm\"", "most likely value"),
+        required("scale", PARAMETER, "\"0.02 mm\"", "scale; the standard deviation is 1.2825 times as large"),
+    ],
+);
+pub(super) static EXPONENTIAL_KEYS: Keys = Keys::new(
+    "an exponential distribution",
+    &[required("mean", PARAMETER, "\"0.1 mm\"", "mean of the variable itself, above the lower end"), FROM],
+);
+pub(super) static DISCRETE_KEYS: Keys = Keys::new(
+    "a few values with their probabilities",
+    &[
+        required("values", Kind::List(&Kind::AnyQuantity), "[\"0.2 mm\", \"0.3 mm\"]", "the values, each once"),
+        required("probabilities", Kind::List(&Kind::AnyQuantity), "[0.4, 0.6]", "one for each value, with the sum 1"),
+    ],
+);
+pub(super) static TRUNCATED_KEYS: Keys = Keys::new(
+    "the interval that the distribution is cut to and rescaled in; at least one of the ends",
+    &[
+        optional("lower", Kind::AnyQuantity, "\"49.9 mm\"", "lower end"),
+        optional("upper", Kind::AnyQuantity, "\"50.1 mm\"", "upper end"),
+    ],
+);
+
+/// The families of distributions, in the order of the documentation.
+pub(super) const FAMILIES: [&str; 11] = [
+    "normal",
+    "truncated_normal",
+    "uniform",
+    "lognormal",
+    "triangular",
+    "beta",
+    "weibull",
+    "gamma",
+    "gumbel",
+    "exponential",
+    "discrete",
+];
+
+/// Families that are fitted to samples.
+pub(super) const FITTED: [&str; 6] = ["normal", "lognormal", "weibull", "gamma", "gumbel", "exponential"];
+
+/// Everything that states a distribution.
+const STATEMENTS: [&str; 14] = {
+    let mut statements = [""; 14];
+    let mut place = 0;
+    while place < FAMILIES.len() {
+        statements[place] = FAMILIES[place];
+        place += 1;
+    }
+    statements[place] = "samples";
+    statements[place + 1] = "tolerance";
+    statements[place + 2] = "fit";
+    statements
+};
+
+/// The fit of a hole and a shaft.
+const FIT: Key = optional(
+    "fit",
+    Kind::Text,
+    "\"H7/g6\"",
+    "radial clearance of a hole and a shaft by ISO 286: hole in capital letters, then shaft; with diameter",
+);
+const DIAMETER: Key = optional("diameter", Kind::AnyQuantity, "\"20 mm\"", "nominal diameter of the fit");
 
 pub(super) static RANDOM_KEYS: Keys = Keys::new(
     "the distribution of a quantity",
@@ -148,21 +225,69 @@ pub(super) static RANDOM_KEYS: Keys = Keys::new(
             "{ alpha = 2, beta = 3, lower = \"49.9 mm\", upper = \"50.1 mm\" }",
             "beta",
         ),
+        optional(FAMILIES[6], Kind::Table(&WEIBULL_KEYS), "{ shape = 2, scale = \"0.3 mm\" }", "Weibull"),
+        optional(FAMILIES[7], Kind::Table(&GAMMA_KEYS), "{ shape = 4, scale = \"0.1 mm\" }", "gamma"),
+        optional(
+            FAMILIES[8],
+            Kind::Table(&GUMBEL_KEYS),
+            "{ mode = \"0.3 mm\", scale = \"0.02 mm\" }",
+            "Gumbel, of largest values",
+        ),
+        optional(FAMILIES[9], Kind::Table(&EXPONENTIAL_KEYS), "{ mean = \"0.1 mm\" }", "exponential"),
+        optional(
+            FAMILIES[10],
+            Kind::Table(&DISCRETE_KEYS),
+            "{ values = [\"0.2 mm\", \"0.3 mm\"], probabilities = [0.4, 0.6] }",
+            "a few values with their probabilities",
+        ),
+        optional(
+            "samples",
+            Kind::Text,
+            "\"measured.csv\"",
+            "a CSV file of measured values, its path from the folder of this file; every value is as probable as any other",
+        ),
+        optional("column", Kind::Text, "\"pin\"", "column of the samples, whose header has the unit: pin [mm]"),
+        optional("fitted", Kind::Choice(&FITTED), "\"normal\"", "a family fitted to the samples in place of themselves"),
+        optional(
+            "tolerance",
+            Kind::Text,
+            "\"50 ± 0.05 mm\"",
+            "normal, limits 3 standard deviations from the mean, times cpk; also 50 +0.02 -0.01 mm",
+        ),
+        optional(
+            "cpk",
+            Kind::Number { rule: Rule::Finite },
+            "1.33",
+            "capability of the process; alone: centred; below cp: off centre by an unknown amount",
+        ),
+        optional("cp", Kind::Number { rule: Rule::Finite }, "1.67", "capability of the process if it were centred"),
+        FIT,
+        DIAMETER,
+        optional(
+            "truncated",
+            Kind::Table(&TRUNCATED_KEYS),
+            "{ upper = \"50.1 mm\" }",
+            "the distribution is cut to an interval and rescaled",
+        ),
     ],
 )
-.with_exactly_one(&[&FAMILIES])
-.with_planned(&[
-    ("weibull", LATER_FAMILY),
-    ("gamma", LATER_FAMILY),
-    ("gumbel", LATER_FAMILY),
-    ("exponential", LATER_FAMILY),
-    ("discrete", LATER_FAMILY),
-    ("empirical", LATER_FAMILY),
-    ("tolerance", LATER_TOLERANCE),
-    ("cpk", LATER_TOLERANCE),
-    ("cp", LATER_TOLERANCE),
-    ("fit", LATER_TOLERANCE),
-]);
+.with_exactly_one(&[&STATEMENTS])
+.with_planned(&[("empirical", "name the file: samples = \"measured.csv\", column = \"pin\"")]);
+
+pub(super) static CORRELATION_KEYS: Keys = Keys::new(
+    "how two random inputs go together (Gaussian copula)",
+    &[
+        required(
+            "of",
+            Kind::List(&Kind::Text),
+            "[\"parameter.crank_length\", \"parameter.rod_length\"]",
+            "paths of two random inputs",
+        ),
+        optional("rank", Kind::Number { rule: Rule::Finite }, "0.6", "rank correlation (Spearman)"),
+        optional("linear", Kind::Number { rule: Rule::Finite }, "0.6", "linear correlation of the values (Pearson)"),
+    ],
+)
+.with_exactly_one(&[&["rank", "linear"]]);
 
 pub(super) static ELEMENT_KEYS: Keys = Keys::new(
     "an interval and the mass of evidence that lies in it",
@@ -246,9 +371,11 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
             "[\"0.05 mm\", \"0.5 mm\"]",
             "with quantiles or a mean: the least and the greatest value",
         ),
+        FIT,
+        DIAMETER,
     ],
 )
-.with_exactly_one(&[&["interval", "any_of", "evidence", "fuzzy", "quantiles", "mean"]]);
+.with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "fuzzy", "quantiles", "mean"]]);
 
 pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
@@ -372,6 +499,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             "quantities known only as intervals, and quantities and laws known only as lists, by their paths in the model",
         ),
         optional(
+            "correlation",
+            Kind::List(&Kind::Table(&CORRELATION_KEYS)),
+            "",
+            "random inputs that go together; all others are independent",
+        ),
+        optional(
             "reading",
             Kind::Choice(&READINGS),
             "\"fixed\"",
@@ -386,5 +519,4 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             "uncertain inputs that may be loosened as far as the requirements allow, by their paths",
         ),
     ],
-)
-.with_planned(&[("correlation", "leave it out; the random inputs are then independent")]);
+);

@@ -81,6 +81,7 @@ impl StudyReader {
     ) -> Option<RandomVariable> {
         self.parameters = Parameters { pass, found: Vec::new() };
         let distribution: Distribution = self.distribution(table, dimension)?;
+        let distribution = self.cut(table, distribution, dimension)?;
         match RandomVariable::try_new(distribution) {
             Ok(variable) => Some(variable),
             Err(error) => {

@@ -307,6 +307,14 @@ fn without_hint(error: &DistributionError, dimension: Dimension) -> String {
             text(lower),
             text(upper)
         ),
+        DistributionError::NothingLeft { family, lower, upper, .. } => {
+            let ends = match (lower.is_finite(), upper.is_finite()) {
+                (true, true) => format!("between {} and {}", text(lower), text(upper)),
+                (true, false) => format!("above {}", text(lower)),
+                _ => format!("below {}", text(upper)),
+            };
+            format!("next to nothing of the {family} distribution lies {ends}")
+        }
         _ => error.to_string(),
     }
 }
@@ -358,9 +366,10 @@ impl Problem for StudyProblem {
             Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
             Self::TooManyParameters { .. } => Some("write one number for those that matter least".to_owned()),
             Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
-            Self::Distribution { error: DistributionError::NothingKept { .. }, .. } => {
-                Some("cut nearer to the mean, or state a uniform distribution".to_owned())
-            }
+            Self::Distribution {
+                error: DistributionError::NothingKept { .. } | DistributionError::NothingLeft { .. },
+                ..
+            } => Some("cut nearer to the mean, or state a uniform distribution".to_owned()),
             Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
             Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
             Self::DegreesTwice { .. } => Some("leave it out".to_owned()),

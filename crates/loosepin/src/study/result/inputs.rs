@@ -71,14 +71,18 @@ pub struct CutDescription {
     pub upper_si: f64,
 }
 
-/// A rank correlation between random inputs.
+/// A correlation of two random inputs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CorrelationDescription {
     /// Paths of the inputs.
     pub of: Vec<String>,
-    /// Spearman's rank correlation, -1 to 1.
+    /// Spearman's rank correlation, -1 to 1, of the normal variables behind the inputs, which is that of the inputs where no
+    /// value comes up twice.
     #[serde(with = "extended")]
     pub rank: f64,
+    /// Pearson's linear correlation of the values, where it was stated in place of the other one.
+    #[serde(with = "extended", default)]
+    pub linear: Option<f64>,
 }
 
 /// What was run for each sample; part of what every response means.
