@@ -216,6 +216,7 @@ mod tests {
                 EpistemicVariable::from(Members::try_new(vec![0.25, 1.75]).unwrap()),
             ],
             parameters: Vec::new(),
+            copula: None,
             reading: crate::bounds::Reading::FixedButUnknown,
             columns: 1,
             requests: vec![

@@ -87,9 +87,11 @@ impl ContributorPlan {
     }
 }
 
-/// Random inputs that are correlated belong together; those of a study are independent.
+/// Random inputs that are correlated belong together.
 fn groups(study: &Study) -> Vec<Vec<usize>> {
-    independent_groups(study.random.len(), &[])
+    let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
+    let pairs: Vec<(usize, usize)> = stated.map(|stated| (stated.first, stated.second)).collect();
+    independent_groups(study.random.len(), &pairs)
 }
 
 /// The contributors to every question that asks for them.
@@ -221,7 +223,13 @@ fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
         .iter()
         .map(|input| Scatter { quantity: input.quantity, standard_deviation_si: input.variable.standard_deviation() })
         .collect();
-    let plan = MotionPlan { span: study.cycle.span, positions: POSITIONS, scatter, overrides: Vec::new() };
+    let plan = MotionPlan {
+        span: study.cycle.span,
+        positions: POSITIONS,
+        scatter,
+        correlations: study.linear_correlations(),
+        overrides: Vec::new(),
+    };
     motion(material.response.mechanism(), &material.response.nominal, &plan).ok()
 }
 
