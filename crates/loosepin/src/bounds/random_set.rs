@@ -35,6 +35,9 @@ struct Ends {
     widened: [Sample; 2],
 }
 
+/// Least and greatest response of one run: attained, and as far as a model lets them go.
+type EndsOfRun = ([f64; 2], [f64; 2]);
+
 /// The random set of one column.
 pub(super) struct RandomSet {
     elements: Vec<Ends>,
@@ -69,7 +72,7 @@ impl RandomSet {
             (0..replicates.len()).map(|run| run_target(&points, run, f64::MIN_POSITIVE)).collect();
         let has_box = evidence.plan.epistemic_box().dimensions() > 0;
         let search = Search::new(&evidence.places, evidence.plan.candidates(), &targets);
-        let ends = |part: &Part<'_>, target: &Target| -> ([f64; 2], [f64; 2]) {
+        let ends = |part: &Part<'_>, target: &Target| -> EndsOfRun {
             // A run that failed anywhere may have gone anywhere there.
             if part.members.iter().any(|&point| !target.values[point].is_finite()) || part.members.is_empty() {
                 return ([f64::NAN; 2], [f64::NAN; 2]);
@@ -85,8 +88,8 @@ impl RandomSet {
             ([ends[0].0, ends[1].0], [ends[0].1, ends[1].1])
         };
         let elements = parts.parts.iter().map(|(mass, part)| {
-            let found: Vec<([f64; 2], [f64; 2])> = targets.par_iter().map(|target| ends(part, target)).collect();
-            let sample = |of: &dyn Fn(&([f64; 2], [f64; 2])) -> f64| {
+            let found: Vec<EndsOfRun> = targets.par_iter().map(|target| ends(part, target)).collect();
+            let sample = |of: &dyn Fn(&EndsOfRun) -> f64| {
                 let mut by_replicate: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
                 for (ends, replicate) in found.iter().zip(&replicates) {
                     by_replicate.entry(*replicate).or_default().push(of(ends));
