@@ -209,7 +209,7 @@ impl DoubleLoop {
     /// Values of the random inputs at a point of the unit cube, coordinate by coordinate the probability of not exceeding them, for
     /// these values of the epistemic inputs.
     pub fn random_values(&self, point: &[f64], epistemic: &[f64]) -> Vec<f64> {
-        self.problem.random_at(epistemic, |input| point[input])
+        self.problem.random_at(epistemic, &self.problem.levels(point))
     }
 
     /// Values of the epistemic inputs at a place of the unit box, in one of the combinations.

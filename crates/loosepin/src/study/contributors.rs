@@ -87,9 +87,11 @@ impl ContributorPlan {
     }
 }
 
-/// Random inputs that are correlated belong together; those of a study are independent.
+/// Random inputs that are correlated belong together.
 fn groups(study: &Study) -> Vec<Vec<usize>> {
-    independent_groups(study.random.len(), &[])
+    let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
+    let pairs: Vec<(usize, usize)> = stated.map(|pair| (pair.first, pair.second)).collect();
+    independent_groups(study.random.len(), &pairs)
 }
 
 /// The contributors to every question that asks for them.
