@@ -90,7 +90,7 @@ impl ContributorPlan {
 /// Random inputs that are correlated belong together.
 fn groups(study: &Study) -> Vec<Vec<usize>> {
     let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
-    let pairs: Vec<(usize, usize)> = stated.map(|stated| (stated.first, stated.second)).collect();
+    let pairs: Vec<(usize, usize)> = stated.map(|pair| (pair.first, pair.second)).collect();
     independent_groups(study.random.len(), &pairs)
 }
 
