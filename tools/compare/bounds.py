@@ -269,13 +269,13 @@ Matlab.
 """
 
 
-def circumstances() -> str:
-    """What published numbers need beside them."""
+def circumstances(measured: str) -> str:
+    """What published numbers need beside them; `measured` is the commit."""
     command = shlex.join(["python3", "tools/compare/bounds.py", *sys.argv[1:]])
-    return f"{datetime.date.today().isoformat()}, {processor_name()}, commit {commit()}, `{command}`, one thread."
+    return f"{datetime.date.today().isoformat()}, {processor_name()}, commit {measured}, `{command}`, one thread."
 
 
-def page(methods: list[Method], exact: Exact, versions: list[str], seeds: int) -> str:
+def page(methods: list[Method], exact: Exact, versions: list[str], seeds: int, measured: str) -> str:
     """The whole page."""
     return PAGE.format(
         truth=table_of_truth(exact),
@@ -283,7 +283,7 @@ def page(methods: list[Method], exact: Exact, versions: list[str], seeds: int) -
         counts=table_of_counts(methods, exact),
         misses=table_of_misses(methods, exact),
         versions="\n".join(f"* {version}" for version in versions),
-        circumstances=circumstances(),
+        circumstances=circumstances(measured),
     )
 
 
@@ -314,11 +314,13 @@ def compare_bounds() -> None:
     """Runs all, writes the page."""
     check_python()
     arguments = read_arguments()
+    # The tree may move on while this runs.
+    measured = commit()
     exact = exact_bounds()
     methods, versions = [], []
     if OURS in arguments.only:
         methods += run_ours(arguments.seeds)
-        versions.append(f"{OURS}, commit {commit()}")
+        versions.append(f"{OURS}, commit {measured}")
     chosen = [package for package in PACKAGES if package.name in arguments.only]
     for environment in (MODERN, NUMPY_1):
         if any(package.environment is environment for package in chosen):
@@ -327,7 +329,7 @@ def compare_bounds() -> None:
         for found in pool.map(lambda package: run_package(package, arguments.seeds), chosen):
             methods += found
     versions += [f"{package.name} {package.version()}, PyPI `{package.distribution}`" for package in chosen]
-    text = page(methods, exact, versions, arguments.seeds)
+    text = page(methods, exact, versions, arguments.seeds, measured)
     if arguments.page is None:
         print(text)
     else:
