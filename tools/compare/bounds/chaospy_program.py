@@ -59,7 +59,9 @@ def regression(seed: int) -> tuple[Bounds, int]:
     model = chaospy.fit_regression(chaospy.generate_expansion(6, everything), inputs, response(*inputs))
     lengths = RANDOM.sample(500, rule="latin_hypercube", seed=1000 + seed)
     points = INTERVALS.sample(400, rule="latin_hypercube", seed=2000 + seed)
-    rows = model(*(np.repeat(part[None, :], 400, axis=0) for part in lengths), *(np.repeat(p[:, None], 500, axis=1) for p in points))
+    across = [np.repeat(values[None, :], 400, axis=0) for values in lengths]
+    down = [np.repeat(values[:, None], 500, axis=1) for values in points]
+    rows = model(*across, *down)
     return envelope(statistics_of(rows)), response.evaluations
 
 

@@ -2,8 +2,8 @@
 
 It has no sine of an interval, so that c sin p and c cos p enter as [-0.5, 0.5]. The crank occurs twice; the operations assume
 nothing of dependence (the package's default, Frechet bounds). Its operations with a constant or an interval fail in this version
-(a name is used before it exists), as does the method for square roots; constants are written as probability boxes. The result is the same for every seed; one
-evaluation is one pass of the arithmetic.
+(a name is used before it exists), as does the method for square roots: constants are written as probability boxes, and roots go
+through `unary`. The result is the same for every seed; one evaluation is one pass of the arithmetic.
 """
 
 import numpy as np
