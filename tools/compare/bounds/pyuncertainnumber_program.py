@@ -34,7 +34,7 @@ def read(box) -> Bounds:
 
 
 def corners(seed: int) -> tuple[Bounds, int]:
-    """500 samples, the corners of the box at each."""
+    """400 samples, the corners of the box at each."""
     response = Response()
     box = interval_monte_carlo(inputs(), response.rows, "endpoints", n_sam=400, random_state=seed)
     return read(box), response.evaluations
@@ -50,7 +50,7 @@ def subintervals(seed: int) -> tuple[Bounds, int]:
 
 
 def arithmetic(seed: int) -> tuple[Bounds, int]:
-    """500 samples, y in interval arithmetic at each."""
+    """400 samples, y in interval arithmetic at each."""
     evaluations = 0
 
     def response(quantities: list):
