@@ -84,6 +84,10 @@ bench *ARGUMENTS:
 compare *ARGUMENTS:
     python3 tools/compare/compare.py {{ ARGUMENTS }}
 
+# Holds bounds by uncertainty packages, and ours, against exact ones; tools/compare/bounds/README.md says how.
+compare-bounds *ARGUMENTS:
+    python3 tools/compare/bounds.py {{ ARGUMENTS }}
+
 # Where the processor time of the reference case goes, by perf; docs/performance.md says what follows.
 profile *ARGUMENTS:
     python3 tools/profile/profile.py {{ ARGUMENTS }}

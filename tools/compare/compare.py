@@ -104,20 +104,20 @@ def venv_python() -> Path:
     return VENV / "bin/python"
 
 
-def prepare_venv() -> None:
-    """Makes `.venv` as `requirements.txt` asks; costs nothing where that was done."""
-    wanted = sys.version + REQUIREMENTS.read_text(encoding="utf-8")
-    stamp = VENV / "installed"
+def prepare_venv(venv: Path = VENV, requirements: Path = REQUIREMENTS) -> None:
+    """Makes `venv` as `requirements` asks; costs nothing where that was done."""
+    wanted = sys.version + requirements.read_text(encoding="utf-8")
+    stamp = venv / "installed"
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
         return
-    say("installing the packages of tools/compare/requirements.txt into tools/compare/.venv")
+    say(f"installing the packages of {requirements.relative_to(REPOSITORY)} into {venv.relative_to(REPOSITORY)}")
     hint = "install the venv module, for example: apt-get install python3-venv"
-    run([sys.executable, "-m", "venv", "--clear", VENV], hint)
-    install = [venv_python(), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    run([sys.executable, "-m", "venv", "--clear", venv], hint)
+    install = [venv / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     run(
-        [*install, "--requirement", REQUIREMENTS],
+        [*install, "--requirement", requirements],
         "pip must reach a package index, once, and the packages must have wheels for this Python and platform; "
-        "--only cpp,ours needs no packages",
+        "compare.py --only cpp,ours needs no packages",
     )
     stamp.write_text(wanted, encoding="utf-8")
 
