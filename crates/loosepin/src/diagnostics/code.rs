@@ -267,14 +267,14 @@ of `replicates`, best `replicates` times a power of two."
 "An epistemic input that is one of a list, any_of = [...], needs at least two members, and each of them once. Where only one is \
 possible, write it in the model file."
 
-    BadEvidence "E0614" "intervals with masses, degrees or quantiles do not fit together"
-"Masses of evidence are above 0 and sum to 1. Cuts of a fuzzy number lie within one another, the higher degree within the lower; its \
-corners do not decrease. Quantiles increase with their probabilities, and they and a mean lie within the support."
-
     LawNotPossible "E0613" "a law needs what the model does not give"
 "A law of contact can be one of a list, or be set, where the model is complete for it: every law but kelvin-voigt needs \
 restitution, a line-contact law materials and the bearing_length of each of its joints. Linear laws take a stiffness in N/m in \
 place of materials, so that no list can hold them beside others."
+
+    BadEvidence "E0614" "intervals with masses, degrees or quantiles do not fit together"
+"Masses of evidence are above 0 and sum to 1. Cuts of a fuzzy number lie within one another, the higher degree within the lower; its \
+corners do not decrease. Quantiles increase with their probabilities, and they and a mean lie within the support."
 
     BadCorrelation "E0620" "a correlation is not possible"
 "A correlation joins two different random inputs of the study, each pair once, by a rank correlation (Spearman) or the linear \
