@@ -16,7 +16,6 @@
 mod assemble;
 mod bound;
 mod coverage;
-mod dense;
 mod evaluate;
 mod gaussian_process;
 mod measure;

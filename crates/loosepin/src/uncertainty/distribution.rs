@@ -1,9 +1,10 @@
 //! Probability distributions of a scalar random input, as a person states them.
 
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A distribution, parameters in the unit of the variable.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Distribution {
     /// Normal.
     Normal {

@@ -3,12 +3,14 @@
 use super::distribution::{Distribution, DistributionError};
 use super::incomplete_beta::{incomplete_beta, inverse_incomplete_beta};
 use super::normal::{normal_cdf, normal_quantile};
+use serde::{Deserialize, Serialize};
 
 /// The least share of a normal distribution that a truncation may keep: below it Φ loses digits.
 const LEAST_SHARE_KEPT: f64 = 1e-100;
 
 /// A distribution whose parameters have been checked, with what its quantile function needs worked out.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Distribution", into = "Distribution")]
 pub struct RandomVariable {
     distribution: Distribution,
     prepared: Prepared,
@@ -231,6 +233,20 @@ impl RandomVariable {
         let (a, b) = ((lower - mean) / standard_deviation, (upper - mean) / standard_deviation);
         let first = (density(a) - density(b)) / share;
         (first, 1.0 + (a * density(a) - b * density(b)) / share - first * first)
+    }
+}
+
+impl TryFrom<Distribution> for RandomVariable {
+    type Error = DistributionError;
+
+    fn try_from(distribution: Distribution) -> Result<Self, DistributionError> {
+        Self::try_new(distribution)
+    }
+}
+
+impl From<RandomVariable> for Distribution {
+    fn from(variable: RandomVariable) -> Self {
+        variable.distribution
     }
 }
 
