@@ -220,7 +220,7 @@ impl DoubleLoop {
             })
             .collect();
         let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count, MOST_POINTS)
+        next_or_confirming(&search, &targets, count)
     }
 
     fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {
@@ -232,7 +232,7 @@ impl DoubleLoop {
             .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
         let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, count, MOST_POINTS)
+        next_or_confirming(&search, &targets, count)
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -377,6 +377,12 @@ impl DoubleLoop {
             None => Ok(()),
         }
     }
+}
+
+/// Where models promise more than was attained; where none does, the surroundings of what was attained.
+fn next_or_confirming(search: &Search<'_>, targets: &[(Target, Vec<Direction>)], count: usize) -> Vec<Place> {
+    let next = search.next_points(targets, count, MOST_POINTS);
+    if next.is_empty() { search.confirming_points(targets, count, MOST_POINTS) } else { next }
 }
 
 /// How many of `budget` points the first round takes: the corners, the centre, and about half of the budget.

@@ -10,6 +10,10 @@ use super::smoother::{Fit, Smoother};
 /// The model's error bar in an optimistic prediction, in standard deviations.
 const OPTIMISM: f64 = 2.5;
 
+/// The model's error bar in what is conceded, in standard deviations: a model that is wrong about its own error near an extreme
+/// costs a bound that is too narrow, where in the search it costs a point.
+const CONCEDED: f64 = 4.0;
+
 /// Two new points of one round keep this distance, in units of the box.
 const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
 
@@ -30,6 +34,14 @@ const MOST_NEIGHBOURHOODS: usize = 12;
 
 /// Distances of these surroundings along each axis, in units of the box.
 const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
+
+/// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
+/// units of the box, the largest first.
+const CONFIRMING_DISTANCES: [f64; 3] = [0.02, 0.004, 0.0008];
+
+/// A quadratic falls off from its extreme 16 times as far at four times the distance, a slope 4 times: below this ratio an extreme
+/// on a face is taken for the end of a slope.
+const SLOPE_RATIO: f64 = 8.0;
 
 /// Which end is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -218,6 +230,76 @@ impl<'a> Search<'a> {
         chosen
     }
 
+    /// At most `count` places around the extremes of `targets`, where their models promise nothing more than has been attained: a
+    /// model can be wrong about its own error, and what is found there tells it so.
+    ///
+    /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
+    /// above the resolution, and the way down a slope from a face. None where there are many targets: the poses of a curve.
+    pub fn confirming_points(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        count: usize,
+        most_points: usize,
+    ) -> Vec<Place> {
+        if self.targets > MOST_LOCATED_TARGETS {
+            return Vec::new();
+        }
+        for distance in CONFIRMING_DISTANCES {
+            let mut chosen: Vec<Place> = Vec::new();
+            for (target, directions) in targets {
+                for &direction in directions {
+                    self.confirm(target, direction, distance, most_points, &mut chosen);
+                }
+            }
+            chosen.truncate(count);
+            if !chosen.is_empty() {
+                return chosen;
+            }
+        }
+        Vec::new()
+    }
+
+    /// Adds the places at `distance` from one extreme that tell something.
+    fn confirm(
+        &self,
+        target: &Target,
+        direction: Direction,
+        distance: f64,
+        most_points: usize,
+        chosen: &mut Vec<Place>,
+    ) {
+        let Some(extreme) = extreme_point(&target.values, direction) else { return };
+        let Place { combination, at } = &self.points[extreme];
+        let group = &self.groups[*combination];
+        if group.len() >= most_points {
+            return;
+        }
+        let Some(fit) = self.fit(target, &defined(target, group)) else { return };
+        let fall = |place: &[f64]| (fit.at(place).0 - target.values[extreme]).abs();
+        for axis in 0..at.len() {
+            for signed in [distance, -distance] {
+                let moved = |by: f64| {
+                    let mut place = at.clone();
+                    place[axis] = (at[axis] + by).clamp(0.0, 1.0);
+                    place
+                };
+                let place = Place { combination: *combination, at: moved(signed) };
+                let is_taken = |point: &Place| point.distance(&place) < 0.5 * distance;
+                let is_on_face = at[axis] == 0.0 || at[axis] == 1.0;
+                let falls_by = fall(&place.at);
+                let shows_nothing = falls_by <= target.resolutions[direction.index()]
+                    || (is_on_face && falls_by < SLOPE_RATIO * fall(&moved(0.25 * signed)));
+                if place.at != *at
+                    && !shows_nothing
+                    && !self.points.iter().any(is_taken)
+                    && !chosen.iter().any(is_taken)
+                {
+                    chosen.push(place);
+                }
+            }
+        }
+    }
+
     /// Where the models of a target promise more than has been attained in any combination.
     fn promises(&self, index: usize, target: &Target, directions: &[Direction], most_points: usize) -> Vec<Promise> {
         let mut promises = Vec::new();
@@ -289,9 +371,9 @@ fn reach(fit: &Fit<'_>, direction: Direction) -> Reach {
 /// The same over the whole box: the most that the model allows, located from the best of the places.
 fn located_reach(fit: &Fit<'_>, direction: Direction) -> f64 {
     let coarse = reach(fit, direction);
-    let place = locate(fit, direction, OPTIMISM, coarse.optimistic_at);
+    let place = locate(fit, direction, CONCEDED, coarse.optimistic_at);
     let (mean, deviation) = fit.at(&place);
-    let located = mean + direction.sign() * OPTIMISM * deviation;
+    let located = mean + direction.sign() * CONCEDED * deviation;
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
 }
 
