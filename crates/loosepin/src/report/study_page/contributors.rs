@@ -11,8 +11,8 @@ pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Marku
     html! {
         p {
             "How much narrower the band that holds 95 % of mechanisms, whatever the unknown values are, would be without each input: "
-            span class="swatch probability" {} " " strong { "tighter parts" } " (a random input that did not scatter) or "
-            span class="swatch mixed" {} " " strong { "better measurement" } " (an unknown value that were known)."
+            span class="swatch probability line" {} " " strong { "tighter parts" } " (a random input that did not scatter) or "
+            span class="swatch mixed line" {} " " strong { "better measurement" } " (an unknown value that were known)."
         }
         @for one in &result.contributors { (figure(result, one, writer)) }
     }
