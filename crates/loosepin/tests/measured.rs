@@ -111,6 +111,10 @@ fn wrong_tables_are_told_with_their_places() {
         "m.csv:1:1: error[E0302]: 'degr' is not a known unit\nhint: did you mean 'deg'?"
     );
     assert_eq!(
+        refused("angle [deg], slider [mm]\r\n0, 1\r\n\r\n1, 2x\r\n"),
+        "m.csv:4:4: error[E1001]: '2x' is no finite number\nhint: leave a cell empty where nothing was measured"
+    );
+    assert_eq!(
         refused("x [mm], slider [mm]\n0, 1\n"),
         "m.csv:1:1: error[E1001]: the first column 'x' is a length; it must be a time or an angle of the drive"
     );

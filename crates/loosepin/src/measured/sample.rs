@@ -41,37 +41,14 @@ impl SampleColumn {
 impl TableReader {
     fn sample(&mut self, name: Option<&str>) -> Option<SampleColumn> {
         let source = Arc::clone(&self.source);
-        // A byte order mark is no part of the first name.
-        let start = if source.text().starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        let text = &source.text()[start..];
-        let mut rows = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
-        let mut records = rows.records().map(|record| {
-            let record = record?;
-            let first = start + record.position().map_or(0, |position| position.byte() as usize);
-            Ok((record, first))
-        });
-        let cells = match records.next() {
-            None => {
-                self.complain(&MeasuredProblem::Empty { what: "header" }, Span::default());
-                return None;
-            }
-            Some(Ok((record, first))) => self.cells(&record, first),
-            Some(Err(error)) => return self.no_table(&error),
-        };
+        let mut rows = self.rows()?.into_iter();
+        let cells = rows.next()?.cells;
         let place = self.place_of(&cells, name)?;
         let header = self.header(&cells[place])?;
         let mut values_si = Vec::new();
-        for record in records {
-            let (record, start) = match record {
-                Ok(row) => row,
-                Err(error) => return self.no_table(&error),
-            };
-            let row = self.cells(&record, start);
-            if row.len() != cells.len() {
-                let whole = Span { start, end: row.last().map_or(start, |(_, place)| place.end) };
-                self.complain(&MeasuredProblem::RowLength { found: row.len(), due: cells.len() }, whole);
-            } else if !row[place].0.is_empty() {
-                values_si.extend(self.number(&row[place]).map(|value| value * header.factor_si));
+        for row in rows {
+            if self.has_length(&row, cells.len()) && !row.cells[place].0.is_empty() {
+                values_si.extend(self.number(&row.cells[place]).map(|value| value * header.factor_si));
             }
         }
         if values_si.is_empty() && !self.complaints.has_errors() {

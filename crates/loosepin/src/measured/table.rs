@@ -55,6 +55,13 @@ pub(super) struct Header {
     pub place: Span,
 }
 
+/// A row: its cells without the blanks around them, each with its place.
+pub(super) struct Row {
+    /// Where it begins in the text.
+    pub start: usize,
+    pub cells: Vec<(String, Span)>,
+}
+
 /// A table in the making.
 pub(super) struct TableReader {
     pub source: Arc<Source>,
@@ -132,23 +139,8 @@ impl TableReader {
 
     fn table(&mut self) -> Option<MeasuredTable> {
         let source = Arc::clone(&self.source);
-        // A byte order mark is no part of the first name.
-        let start = if source.text().starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        let text = &source.text()[start..];
-        let mut rows = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
-        let mut records = rows.records().map(|record| {
-            let record = record?;
-            let first = start + record.position().map_or(0, |position| position.byte() as usize);
-            Ok((record, first))
-        });
-        let headers = match records.next() {
-            None => {
-                self.complain(&MeasuredProblem::Empty { what: "header" }, Span::default());
-                return None;
-            }
-            Some(Ok((record, first))) => self.headers(&record, first)?,
-            Some(Err(error)) => return self.no_table(&error),
-        };
+        let mut rows = self.rows()?.into_iter();
+        let headers = self.headers(&rows.next()?.cells)?;
         let (first, others) = headers.split_first()?;
         let abscissa = match first.dimension {
             found if found == Dimension::TIME => Abscissa::Time,
@@ -164,18 +156,11 @@ impl TableReader {
         let (mut at_si, mut places) = (Vec::new(), Vec::new());
         let mut values_si = vec![Vec::new(); others.len()];
         let mut before: Option<(f64, String)> = None;
-        for record in records {
-            let (record, start) = match record {
-                Ok(row) => row,
-                Err(error) => return self.no_table(&error),
-            };
-            let cells = self.cells(&record, start);
-            if record.len() != headers.len() {
-                let whole = Span { start, end: cells.last().map_or(start, |(_, place)| place.end) };
-                let problem = MeasuredProblem::RowLength { found: record.len(), due: headers.len() };
-                self.complain(&problem, whole);
+        for row in rows {
+            if !self.has_length(&row, headers.len()) {
                 continue;
             }
+            let cells = row.cells;
             let Some(at) = self.number(&cells[0]) else { continue };
             if let Some((_, written)) = before.as_ref().filter(|(last, _)| at <= *last) {
                 let (found, before) = (cells[0].0.clone(), written.clone());
@@ -203,14 +188,49 @@ impl TableReader {
         Some(MeasuredTable { abscissa, name: first.name.clone(), at_si, columns, source, places })
     }
 
-    pub fn no_table<T>(&mut self, error: &csv::Error) -> Option<T> {
-        let place = error.position().map_or(0, |position| position.byte() as usize);
-        self.complain(&MeasuredProblem::NoTable { reason: error.to_string() }, (place..place + 1).into());
-        None
+    /// All rows, that of the header first; nothing where there is none.
+    pub fn rows(&mut self) -> Option<Vec<Row>> {
+        let source = Arc::clone(&self.source);
+        // A byte order mark is no part of the first name.
+        let start = if source.text().starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        let text = &source.text()[start..];
+        let mut records = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
+        let mut rows = Vec::new();
+        for record in records.records() {
+            match record {
+                Ok(record) => {
+                    // A record is said to begin where the one before ends, be it amid a line break or before empty lines.
+                    let after = start + record.position().map_or(0, |position| position.byte() as usize);
+                    let rest = &source.text()[after..];
+                    let start = after + rest.len() - rest.trim_start_matches(['\r', '\n']).len();
+                    rows.push(Row { start, cells: self.cells(&record, start) });
+                }
+                Err(error) => {
+                    let place = error.position().map_or(0, |position| position.byte() as usize);
+                    let problem = MeasuredProblem::NoTable { reason: error.to_string() };
+                    self.complain(&problem, (place..place + 1).into());
+                    return None;
+                }
+            }
+        }
+        if rows.is_empty() {
+            self.complain(&MeasuredProblem::Empty { what: "header" }, Span::default());
+            return None;
+        }
+        Some(rows)
     }
 
-    fn headers(&mut self, record: &csv::StringRecord, first: usize) -> Option<Vec<Header>> {
-        let cells = self.cells(record, first);
+    /// Whether a row has as many cells as the header; complains where it has not.
+    pub fn has_length(&mut self, row: &Row, due: usize) -> bool {
+        let found = row.cells.len();
+        if found != due {
+            let end = row.cells.last().map_or(row.start, |(_, place)| place.end);
+            self.complain(&MeasuredProblem::RowLength { found, due }, Span { start: row.start, end });
+        }
+        found == due
+    }
+
+    fn headers(&mut self, cells: &[(String, Span)]) -> Option<Vec<Header>> {
         let headers: Vec<Option<Header>> = cells.iter().map(|cell| self.header(cell)).collect();
         let headers = headers.into_iter().collect::<Option<Vec<Header>>>()?;
         for (index, header) in headers.iter().enumerate() {
@@ -244,7 +264,7 @@ impl TableReader {
     }
 
     /// The cells of a row without the blanks around them, each with its place.
-    pub fn cells(&self, record: &csv::StringRecord, first: usize) -> Vec<(String, Span)> {
+    fn cells(&self, record: &csv::StringRecord, first: usize) -> Vec<(String, Span)> {
         let text = self.source.text();
         let line_end = text[first.min(text.len())..].find(['\n', '\r']).map_or(text.len(), |length| first + length);
         let line = &text[first.min(line_end)..line_end];
