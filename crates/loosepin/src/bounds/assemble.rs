@@ -173,12 +173,14 @@ impl Evidence<'_> {
                     }
                     _ => Direction::BOTH.map(|direction| self.added(search, &samples, &measure, parts, direction)),
                 };
-                let estimates = measure.measure.low.iter().map(|estimate| estimate.value).collect();
+                let at: Vec<f64> = measure.measure.low.iter().map(|estimate| estimate.value).collect();
+                // Of several elements the sum has been attained, at no single point.
+                let estimates =
+                    if is_one { at } else { Direction::BOTH.map(|d| parts.sum_of_extremes(&at, d)).to_vec() };
                 Some(BoundPair {
                     column: request.column,
                     statistic: request.statistic,
-                    // Of several elements the sum has been attained, at no single point.
-                    estimates: if is_one { estimates } else { vec![lower.value, upper.value] },
+                    estimates,
                     lower,
                     upper,
                     failed_runs,
@@ -200,7 +202,8 @@ impl Evidence<'_> {
             let pair = |(place, request): (usize, &Request)| {
                 let [lower, upper] = set.bounds(self, request.statistic);
                 let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
-                let estimates = vec![lower.value, upper.value];
+                // The ends of a sample that failed somewhere are not known.
+                let estimates = if failed_runs > 0 { Vec::new() } else { vec![lower.value, upper.value] };
                 let unbounded_by_failures = has_no_bound && failed_runs > 0;
                 let Request { column, statistic } = *request;
                 (place, BoundPair { column, statistic, lower, upper, estimates, failed_runs, unbounded_by_failures })

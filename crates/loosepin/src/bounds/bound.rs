@@ -101,7 +101,8 @@ pub struct BoundPair {
     /// Its greatest value over the epistemic box.
     pub upper: Bound,
     /// The estimate at every outer point, in the order of the outer index, failed runs taken as low as possible; not a
-    /// number where no run finished. Where several focal elements are added, both sums.
+    /// number where no run finished. Where several focal elements are added, both sums; for a random set both ends, and none
+    /// where runs failed.
     pub estimates: Vec<f64>,
     /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
     /// quantiles in `value` already.

@@ -25,6 +25,17 @@ pub(super) struct Parts<'a> {
     pub parts: Vec<(f64, Part<'a>)>,
 }
 
+impl Parts<'_> {
+    /// Sum of mass times the extreme of the `values` at the outer points of each part; not a number where a part has none.
+    pub fn sum_of_extremes(&self, values: &[f64], direction: Direction) -> f64 {
+        let extreme = |part: &Part<'_>| {
+            let own = part.members.iter().map(|&point| values[point]).filter(|value| value.is_finite());
+            own.reduce(|a, b| if direction.is_beyond(b, a) { b } else { a }).unwrap_or(f64::NAN)
+        };
+        self.parts.iter().map(|(mass, part)| mass * extreme(part)).sum()
+    }
+}
+
 /// A quantile of one column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct QuantileJob {
@@ -159,9 +170,6 @@ impl Evidence<'_> {
     ) -> Bound {
         let bounds = parts.parts.iter();
         let bounds = bounds.map(|(mass, part)| (*mass, self.bound(search, samples, modelled, direction, part)));
-        if let [(_, part)] = &parts.parts[..] {
-            return self.bound(search, samples, modelled, direction, part);
-        }
         Bound::sum(bounds).unwrap_or_else(|| self.nothing(direction))
     }
 
@@ -262,8 +270,15 @@ impl Evidence<'_> {
         };
         let search = self.search([&measure].into_iter());
         let modelled = Modelled::new(&search, &measure);
-        let ends = parts.parts.iter();
-        let ends = ends.map(|(mass, part)| (*mass, self.bound(&search, &samples, &modelled, job.direction, part)));
+        let ends = parts.parts.iter().map(|(mass, part)| {
+            let mut bound = self.bound(&search, &samples, &modelled, job.direction, part);
+            // A run that failed may have gone anywhere.
+            if part.members.iter().any(|&point| samples[point].failed() > 0) {
+                bound.value = job.direction.sign() * f64::INFINITY;
+                bound.widened = bound.value;
+            }
+            (*mass, bound)
+        });
         let ends: Vec<(f64, Bound)> = ends.collect();
         let quantile = |of: fn(&Bound) -> f64| {
             let mut sorted: Vec<(f64, f64)> = ends.iter().map(|(mass, bound)| (of(bound), *mass)).collect();
@@ -278,7 +293,7 @@ impl Evidence<'_> {
             f64::INFINITY
         };
         let (value, widened) = (quantile(|bound| bound.value), quantile(|bound| bound.widened));
-        let optimisation = (job.direction.sign() * (widened - value)).max(0.0);
+        let optimisation = if value.is_finite() { (job.direction.sign() * (widened - value)).max(0.0) } else { 0.0 };
         let error = BoundError { optimisation, ..BoundError::default() };
         Bound { value, widened, witness: None, error, guarantee: self.guarantee() }
     }

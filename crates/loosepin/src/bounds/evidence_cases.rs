@@ -3,7 +3,7 @@
 use super::exact_cases::{
     Function, SLIDER_CRANK_EPISTEMIC, SLIDER_CRANK_RANDOM, STANDARD_NORMAL, check, problem, slider_crank,
 };
-use super::{BoundPair, Bounds, Problem, Reading, Sampling, Statistic, evaluate};
+use super::{BoundPair, Bounds, Failure, Problem, Reading, Response, Sampling, Statistic, evaluate};
 use crate::uncertainty::{
     EpistemicParameter, EpistemicVariable, Evidence, FocalElement, FuzzyNumber, Interval, Parameter, USUAL_CUTS,
     normal_cdf,
@@ -314,4 +314,45 @@ fn analytic_the_slider_crank_as_a_random_set() {
     let bounds = read(Reading::RandomSet, problem);
     check(&bounds.pairs[0], (0.0, 0.562_25), 0.01);
     assert!(bounds.pairs[1].upper.widened >= 0.024_466_6);
+}
+
+/// u, and nothing where u is small.
+struct FailsBelow(f64);
+
+impl Response for FailsBelow {
+    fn evaluate(&self, _: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        if epistemic[0] < self.0 {
+            return Err(Failure(1));
+        }
+        columns[0] = epistemic[0];
+        Ok(())
+    }
+}
+
+#[test]
+fn analytic_quantiles_of_evidence_that_fails_somewhere_are_unbounded_by_its_mass() {
+    let element = |(lower, upper, mass)| FocalElement { interval: interval(lower, upper), mass };
+    let halves = Evidence::try_new([(0.0, 0.25, 0.4), (0.25, 1.5, 0.6)].map(element).to_vec()).unwrap();
+    let statistics = [Statistic::Quantile(0.3), Statistic::Quantile(0.5), Statistic::Quantile(0.7)];
+    let problem = Problem { random: Vec::new(), ..with(vec![halves.into()], &statistics, 3) };
+    let bounds = evaluate(problem, &FailsBelow(0.125)).unwrap();
+    // The first element may have gone anywhere: below the second, which decides from 0.4 on, or above it, which decides up to 0.6.
+    const CONCEDED: f64 = 1e-5; // what the search has not resolved
+    for (pair, expected) in bounds.pairs.iter().zip([(f64::NEG_INFINITY, 1.5), (0.25, 1.5), (0.25, f64::INFINITY)]) {
+        assert_eq!((pair.lower.value, pair.upper.value), expected);
+        let (low, high) = (pair.lower.widened, pair.upper.widened);
+        assert!(low <= expected.0 && low >= expected.0 - CONCEDED, "{pair:?}");
+        assert!(high >= expected.1 && high <= expected.1 + CONCEDED, "{pair:?}");
+    }
+}
+
+#[test]
+fn analytic_failed_runs_are_not_seen_beyond_a_limit() {
+    // Below 0.125 nothing is known: the mass of the first element may lie beyond the limit, but nothing of it has been seen there.
+    let element = |(lower, upper, mass)| FocalElement { interval: interval(lower, upper), mass };
+    let halves = Evidence::try_new([(0.0, 0.25, 0.4), (0.25, 1.5, 0.6)].map(element).to_vec()).unwrap();
+    let problem = Problem { random: Vec::new(), ..with(vec![halves.into()], &[Statistic::ProbabilityAbove(1.25)], 3) };
+    let bounds = evaluate(problem, &FailsBelow(0.125)).unwrap();
+    let pair = &bounds.pairs[0];
+    assert_eq!((pair.lower.value, pair.upper.value, &pair.estimates[..]), (0.0, 1.0, &[0.0, 0.6][..]));
 }

@@ -8,7 +8,6 @@ use super::plan::{DoubleLoop, PlanError};
 use super::pool::Pool;
 use super::search::{Branch, Direction, Target};
 use super::table::{Purpose, SampleTable};
-use crate::uncertainty::EpistemicVariable;
 
 /// Values of an interval at which it is taken as known, in shares of its width.
 const LEVELS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -25,6 +24,9 @@ const ERROR_FACTOR: f64 = 2.0;
 /// ```text
 /// W = max over u of q_up(u) - min over u of q_low(u),   W_k(t) = the same over the u with u_k = t
 /// ```
+///
+/// Elements of evidence and cuts of a fuzzy number count by what holds them all, whatever their masses and degrees: what is asked is
+/// what becomes of the widest band if the value were known.
 ///
 /// Both from the models of the quantiles over u that the search has made from the existing runs; no new runs. For several columns
 /// the widths are added.
@@ -94,8 +96,7 @@ impl DoubleLoop {
         ends: &[(&Target, Vec<Branch<'_>>); 2],
         means: &[f64],
     ) -> Option<Pinching> {
-        let wide = self.epistemic_box();
-        let mut axis = 0;
+        let search_box = self.epistemic_box();
         let whole = [0, 1].map(|end| self.extreme(evidence, &ends[end], Direction::BOTH[end], &|_| true, None));
         let [low, high] = [whole[0]?, whole[1]?];
         let width = high.value - low.value;
@@ -106,16 +107,14 @@ impl DoubleLoop {
         });
         let scatter = attained[0]? + attained[1]?;
         let mut inputs = Vec::new();
-        for (index, input) in wide.inputs().iter().enumerate() {
-            // A discrete input is known by its combinations, an interval by its axis.
+        for (index, input) in search_box.inputs().iter().enumerate() {
+            // A discrete input is known by its combinations, any other by its axis.
             let (mut remaining, mut error) = ([f64::INFINITY, f64::NEG_INFINITY], 0.0_f64);
-            let is_wide = matches!(input, EpistemicVariable::Interval(interval) if interval.lower() < interval.upper());
-            let own_axis = is_wide.then_some(axis);
-            axis += usize::from(is_wide);
-            let known = if is_wide { LEVELS.len() } else { input.choices() };
+            let axis = search_box.axis_of(index);
+            let known = if axis.is_some() { LEVELS.len() } else { input.choices() };
             for level in 0..known {
-                let holds = |combination: usize| is_wide || wide.member_of(combination, index) == level;
-                let fixed = own_axis.map(|axis| (axis, LEVELS[level]));
+                let holds = |combination: usize| axis.is_some() || search_box.member_of(combination, index) == level;
+                let fixed = axis.map(|axis| (axis, LEVELS[level]));
                 let [low, high] =
                     [0, 1].map(|end| self.extreme(evidence, &ends[end], Direction::BOTH[end], &holds, fixed));
                 let (low, high) = (low?, high?);
@@ -189,7 +188,9 @@ fn mean(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use crate::bounds::{DoubleLoop, Failure, Problem, Request, Response, SampleTable, Sampling, Statistic, execute};
-    use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members, RandomVariable};
+    use crate::uncertainty::{
+        Distribution, EpistemicVariable, Evidence, FocalElement, FuzzyNumber, Interval, Members, RandomVariable,
+    };
 
     /// Share of a width: a hundredth of what the inputs do.
     const TOLERANCE: f64 = 0.01;
@@ -206,15 +207,23 @@ mod tests {
 
     #[test]
     fn analytic_pinching_of_a_sum() {
-        let normal = Distribution::Normal { mean: 0.3, standard_deviation: 0.5 };
         let interval = |lower, upper| EpistemicVariable::from(Interval::try_new(lower, upper).unwrap());
+        check_sum(interval(-0.4, 1.6), interval(-0.7, 0.7));
+    }
+
+    #[test]
+    fn analytic_pinching_of_evidence_is_that_of_what_holds_it() {
+        let element = |(lower, upper, mass)| FocalElement { interval: Interval::try_new(lower, upper).unwrap(), mass };
+        let evidence = Evidence::try_new([(-0.4, 0.9, 0.3), (0.2, 1.6, 0.7)].map(element).to_vec()).unwrap();
+        let fuzzy = FuzzyNumber::trapezoidal([-0.7, 0.3, 0.3, 0.7], &[0.0, 0.5, 1.0]).unwrap();
+        check_sum(EpistemicVariable::from(evidence), EpistemicVariable::from(fuzzy));
+    }
+
+    fn check_sum(first: EpistemicVariable, second: EpistemicVariable) {
+        let normal = Distribution::Normal { mean: 0.3, standard_deviation: 0.5 };
         let problem = Problem {
             random: vec![RandomVariable::try_new(normal).unwrap()],
-            epistemic: vec![
-                interval(-0.4, 1.6),
-                interval(-0.7, 0.7),
-                EpistemicVariable::from(Members::try_new(vec![0.25, 1.75]).unwrap()),
-            ],
+            epistemic: vec![first, second, EpistemicVariable::from(Members::try_new(vec![0.25, 1.75]).unwrap())],
             parameters: Vec::new(),
             copula: None,
             reading: crate::bounds::Reading::FixedButUnknown,
@@ -226,7 +235,7 @@ mod tests {
             compared_columns: Vec::new(),
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
-            sampling: Sampling { outer: 48, inner: 256, ..Sampling::default() },
+            sampling: Sampling { outer: 104, inner: 256, ..Sampling::default() },
         };
         let plan = DoubleLoop::try_new(problem).unwrap();
         let mut table = SampleTable::new(1);

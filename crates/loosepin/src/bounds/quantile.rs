@@ -18,8 +18,13 @@ pub(super) struct QuantileAt {
 /// statistic that the sample does not have, it is infinite on that side.
 pub(super) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> QuantileAt {
     let sorted = &sample.sorted()[..];
-    if sorted.is_empty() {
+    if sample.runs() == 0 {
         return QuantileAt { low: Estimate::UNDEFINED, high: Estimate::UNDEFINED };
+    }
+    if sorted.is_empty() {
+        // Every run failed: it may be anything.
+        let [low, high] = [f64::NEG_INFINITY, f64::INFINITY].map(|end| Estimate::symmetric(end, 0.0));
+        return QuantileAt { low, high };
     }
     if sample.runs() == 1 {
         let exact = Estimate::symmetric(sorted[0], 0.0);
@@ -91,6 +96,15 @@ mod tests {
     fn an_extreme_quantile_that_the_sample_cannot_resolve_has_an_infinite_error() {
         let at = quantile(&evenly(256), &Confidence::new(0.95, 8), 0.999);
         assert!(at.high.above.is_infinite() && at.high.below.is_finite() && at.high.value.is_finite());
+    }
+
+    #[test]
+    fn analytic_where_every_run_failed_the_quantile_may_be_anything() {
+        for runs in [1, 12] {
+            let sample = Sample::new((0..2).map(|_| (0..runs).map(|_| f64::NAN)));
+            let at = quantile(&sample, &Confidence::new(0.95, 2), 0.3);
+            assert_eq!((at.low.value, at.high.value), (f64::NEG_INFINITY, f64::INFINITY));
+        }
     }
 
     #[test]

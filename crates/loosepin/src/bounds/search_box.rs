@@ -91,6 +91,11 @@ impl SearchBox {
         self.wide.len()
     }
 
+    /// The axis of input `index` in the unit box; nothing where it has none, as a single number or one of a list.
+    pub fn axis_of(&self, index: usize) -> Option<usize> {
+        self.wide.iter().position(|&input| input == index)
+    }
+
     /// Number of combinations of the discrete inputs; 1 where there are none.
     pub fn combinations(&self) -> usize {
         self.inputs.iter().fold(1, |combinations: usize, input| combinations.saturating_mul(input.choices()))

@@ -134,8 +134,11 @@ fn follow<E>(
     known: &[DesignPoint],
 ) -> Result<Option<Vec<DesignPoint>>, E> {
     let mut found = Vec::with_capacity(known.len());
+    let Some(dimensions) = known.first().map(|design| design.point.len()) else { return Ok(None) };
+    // The origin may belong to the event here though it does not there.
+    let at_origin = limit_state(&[vec![0.0; dimensions]])?[0];
+    let sign = if at_origin <= 0.0 { -1.0 } else { 1.0 };
     for design in known {
-        let sign = if design.index < 0.0 { -1.0 } else { 1.0 };
         if let Some(next) = descend(limit_state, design.point.clone(), FOLLOWING_ITERATIONS)? {
             found.push(DesignPoint { index: sign * next.index, ..next });
         }
@@ -154,6 +157,19 @@ mod tests {
     const PLACE_TOLERANCE: f64 = 0.07;
     /// Reliability index: what a place off by that much makes.
     const INDEX_TOLERANCE: f64 = 0.01;
+
+    #[test]
+    fn analytic_an_index_that_changes_its_sign_is_followed_below_zero() {
+        // β(u) = 3 u - 1, searched from the middle alone: from -1 at u = 0 to 2 at u = 1.
+        let mut limit_state = |points: &[Vec<f64>], at: &[f64]| -> Result<Vec<f64>, Infallible> {
+            Ok(points.iter().map(|x| 3.0 * at[0] - 1.0 - (x[0] - 2.0 * x[1]) / 5.0_f64.sqrt()).collect())
+        };
+        let range = index_range(&mut limit_state, 2, &[vec![0.5]], &BoxSearch::default()).unwrap().unwrap();
+        for (found, (place, index)) in [(&range.smallest, (0.0, -1.0)), (&range.largest, (1.0, 2.0))] {
+            assert_eq!(found.at, [place], "{range:?}");
+            assert!((found.designs[0].index - index).abs() < INDEX_TOLERANCE, "{range:?}");
+        }
+    }
 
     #[test]
     fn analytic_extremes_inside_and_at_a_corner() {

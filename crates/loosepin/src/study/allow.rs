@@ -8,7 +8,7 @@ use super::result::{
     AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome, Verdict,
 };
 use crate::bounds::{DoubleLoop, SampleTable};
-use crate::uncertainty::{Distribution, EpistemicVariable, Interval, RandomVariable, hash};
+use crate::uncertainty::{EpistemicVariable, Interval, Parameter, hash};
 use crate::units::SiUnit;
 
 /// Times that the range is halved: to a 128th of it.
@@ -97,24 +97,21 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
     let mut beyond = None;
     if check(allowance.up_to_si, false)? {
         met.push(allowance.up_to_si);
-    } else {
-        beyond = Some(allowance.up_to_si);
-        if check(least, false)? {
-            met.push(least);
-            let (mut low, mut high) = (least, allowance.up_to_si);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if check(middle, false)? {
-                    low = middle;
-                    met.push(middle);
-                } else {
-                    high = middle;
-                }
+    } else if check(least, false)? {
+        met.push(least);
+        let (mut low, mut high) = (least, allowance.up_to_si);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if check(middle, false)? {
+                low = middle;
+                met.push(middle);
+            } else {
+                high = middle;
             }
-            beyond = Some(high);
-        } else {
-            beyond = Some(least).filter(|_| beyond.is_some());
         }
+        beyond = Some(high);
+    } else {
+        beyond = Some(least);
     }
     let mut allowed = None;
     for value in met.into_iter().rev().take(MOST_CONFIRMATIONS) {
@@ -252,7 +249,7 @@ fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answ
     study.seed = seed;
     study.asks.clear();
     for (allowance, value) in set {
-        loosen(&mut study, allowance, *value);
+        loosen(&mut study, allowance, *value)?;
     }
     let response = StudyResponse::new(&study)?;
     let plan = DoubleLoop::try_new(problem(&study, &response))?;
@@ -276,28 +273,21 @@ fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answ
     Ok(Answer { outcomes: requirements(&material), runs: table.len() })
 }
 
-fn loosen(study: &mut Study, allowance: &Allowance, value: f64) {
+fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), StudyError> {
+    let impossible = |reason: String| StudyError::Loosened { path: allowance.path.clone(), value_si: value, reason };
     match allowance.input {
         AllowedInput::UpperEnd(index) => {
-            if let Ok(interval) = Interval::try_new(allowance.least_si, value) {
-                study.epistemic[index].variable = EpistemicVariable::from(interval);
-            }
+            let interval =
+                Interval::try_new(allowance.least_si, value).map_err(|error| impossible(error.to_string()))?;
+            study.epistemic[index].variable = EpistemicVariable::from(interval);
         }
         AllowedInput::StandardDeviation(index) => {
             let input = &mut study.random[index];
-            let distribution = match *input.variable.distribution() {
-                Distribution::Normal { mean, .. } => Distribution::Normal { mean, standard_deviation: value },
-                Distribution::Lognormal { mean, .. } => Distribution::Lognormal { mean, standard_deviation: value },
-                Distribution::TruncatedNormal { mean, lower, upper, .. } => {
-                    Distribution::TruncatedNormal { mean, standard_deviation: value, lower, upper }
-                }
-                ref other => other.clone(),
-            };
-            if let Ok(variable) = RandomVariable::try_new(distribution) {
-                input.variable = variable;
-            }
+            let loosened = input.variable.with_parameters([(Parameter::StandardDeviation, value)]);
+            input.variable = loosened.map_err(|error| impossible(error.to_string()))?;
         }
     }
+    Ok(())
 }
 
 #[cfg(test)]

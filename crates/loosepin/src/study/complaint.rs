@@ -18,7 +18,8 @@ impl Problem for StudyError {
                 | PrepareError::SpeedThroughZero { .. }
                 | PrepareError::TooManyPoses { .. }
                 | PrepareError::PoseNotRecorded { .. },
-            ) => Code::AskNotPossible,
+            )
+            | Self::Loosened { .. } => Code::AskNotPossible,
             Self::Plan(_) | Self::Contributors(_) => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
@@ -45,7 +46,7 @@ impl Problem for StudyError {
             }
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
-            Self::Plan(_) | Self::Contributors(_) | Self::Table(_) => None,
+            Self::Plan(_) | Self::Contributors(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
 }
@@ -74,7 +75,8 @@ impl StudyError {
                 | PrepareError::SpeedThroughZero { .. }
                 | PrepareError::TooManyPoses { .. }
                 | PrepareError::PoseNotRecorded { .. },
-            ) => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
+            )
+            | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => Complaint::error(self, None),
         }
     }

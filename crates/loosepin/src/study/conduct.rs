@@ -45,6 +45,16 @@ pub enum StudyError {
     /// Shares of the variance are not possible.
     #[error(transparent)]
     Contributors(#[from] IndexPlanError),
+    /// A value of an input that may be loosened is not possible.
+    #[error("'{path}' under [allow] at {value_si} in SI units: {reason}")]
+    Loosened {
+        /// The input.
+        path: String,
+        /// The value that was tried.
+        value_si: f64,
+        /// Why not.
+        reason: String,
+    },
     /// The threads could not be started.
     #[error("the threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

@@ -148,7 +148,8 @@ fn of_columns(
             let total = range(&indices, |indices| indices.total[group]);
             let shares = still
                 .as_ref()
-                .filter(|_| planned.ask.deviation != Deviation::Clearance)
+                // Shares of a variance add up to 1 only where the inputs are independent.
+                .filter(|_| planned.ask.deviation != Deviation::Clearance && study.correlation.is_none())
                 .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
             RandomContributor {
                 paths,

@@ -126,6 +126,7 @@ fn read(
         model,
         random: Vec::new(),
         epistemic: Vec::new(),
+        reading: Reading::FixedButUnknown,
         tables: Vec::new(),
         parameters: Parameters::default(),
     };
@@ -139,13 +140,7 @@ fn read(
         file.read_epistemic(&entry);
     }
     let correlation = file.read_correlations(&root);
-    let readings = [
-        ("fixed", Reading::FixedButUnknown),
-        ("unknown-distribution", Reading::UnknownDistribution),
-        ("random-set", Reading::RandomSet),
-    ];
-    let reading = root.get("reading").and_then(|entry| file.reader.choice(&entry, &readings));
-    let reading = reading.unwrap_or(Reading::FixedButUnknown);
+    file.read_reading(&root);
     let asks = file.read_asks(&root);
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
@@ -162,7 +157,7 @@ fn read(
         seed,
         cycle,
         sampling,
-        reading,
+        reading: file.reading,
         random: file.random,
         correlation,
         epistemic: file.epistemic,
@@ -190,6 +185,7 @@ pub(super) struct StudyReader {
     pub model: Model,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
+    pub reading: Reading,
     pub tables: Vec<Arc<Source>>,
     /// Of the distribution that is being read.
     pub parameters: Parameters,
@@ -206,6 +202,17 @@ impl StudyReader {
         cycle.samples_per_turn =
             self.reader.count(&table, "samples_per_turn").map_or(cycle.samples_per_turn, |count| count as usize);
         cycle
+    }
+
+    /// How intervals are read; questions depend on it.
+    fn read_reading(&mut self, root: &Table<'_>) {
+        let readings = [
+            ("fixed", Reading::FixedButUnknown),
+            ("unknown-distribution", Reading::UnknownDistribution),
+            ("random-set", Reading::RandomSet),
+        ];
+        let written = root.get("reading").and_then(|entry| self.reader.choice(&entry, &readings));
+        self.reading = written.unwrap_or(Reading::FixedButUnknown);
     }
 
     fn sampling(&mut self, root: &Table<'_>) -> Sampling {

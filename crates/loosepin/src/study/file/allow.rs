@@ -5,7 +5,7 @@ use super::description::{Allowance, AllowedInput, Requirement};
 use super::keys::ALLOW_KEYS;
 use super::problem::StudyProblem;
 use crate::document::{Entry, Table};
-use crate::uncertainty::Distribution;
+use crate::uncertainty::{Distribution, EpistemicVariable, Parameter};
 use crate::units::{Dimension, Rule, format_value};
 
 impl StudyReader {
@@ -59,7 +59,9 @@ impl StudyReader {
         if let Some(index) = self.epistemic.iter().position(|input| input.path == path) {
             let input = &self.epistemic[index];
             let dimension = self.model.quantities[input.quantity()?].dimension;
-            return Some((AllowedInput::UpperEnd(index), input.interval()?.lower(), dimension));
+            // Masses and degrees have no single end that could be moved.
+            let EpistemicVariable::Interval(interval) = &input.variable else { return None };
+            return Some((AllowedInput::UpperEnd(index), interval.lower(), dimension));
         }
         let index = self.random.iter().position(|input| input.path == path)?;
         let input = &self.random[index];
@@ -67,8 +69,9 @@ impl StudyReader {
             input.variable.distribution(),
             Distribution::Normal { .. } | Distribution::Lognormal { .. } | Distribution::TruncatedNormal { .. }
         );
+        let is_known = input.parameters.iter().all(|own| own.parameter != Parameter::StandardDeviation);
         let dimension = self.model.quantities[input.quantity].dimension;
-        has_deviation.then_some((AllowedInput::StandardDeviation(index), 0.0, dimension))
+        (has_deviation && is_known).then_some((AllowedInput::StandardDeviation(index), 0.0, dimension))
     }
 
     fn above(&mut self, entry: &Entry<'_>, found: f64, least: f64, dimension: Dimension) {

@@ -6,10 +6,11 @@ use super::keys::{
     ASK_KEYS, DEVIATIONS, LIMITS, METHODS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS,
 };
 use super::problem::StudyProblem;
-use crate::bounds::Statistic;
+use crate::bounds::{Reading, Statistic};
 use crate::diagnostics::nearest_name;
 use crate::document::{Entry, Table};
 use crate::model::OutputKind;
+use crate::uncertainty::EpistemicVariable;
 use crate::units::{Dimension, Rule, format_value};
 
 const DEVIATION_MEANINGS: [Deviation; 4] =
@@ -244,6 +245,15 @@ impl StudyReader {
         let method = self.reader.choice(&entry, &choices(METHODS, meanings))?;
         if method.is_some() && self.random.is_empty() {
             self.complain(&StudyProblem::NothingRandom { entry: table.path.describe() }, &entry);
+            return None;
+        }
+        let has_masses = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
+        let of = match self.reading {
+            Reading::RandomSet => Some("reading = \"random-set\""),
+            _ => has_masses.then_some("masses of evidence"),
+        };
+        if let (Some(_), Some(of)) = (method, of) {
+            self.complain(&StudyProblem::RareOfSets { entry: table.path.describe(), of }, &entry);
             return None;
         }
         Some(method)

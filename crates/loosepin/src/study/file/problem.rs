@@ -245,9 +245,18 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// A small probability of which only sums over focal elements, or belief and plausibility, are wanted.
+    #[error("{entry}: a method finds where the probability is largest over fixed values; it knows no {of}")]
+    RareOfSets {
+        /// The entry.
+        entry: String,
+        /// What of: a reading or masses.
+        of: &'static str,
+    },
     /// Something to loosen that is no interval and has no standard deviation.
     #[error(
-        "'{path}' under [allow] is no interval of [epistemic] and no normal, lognormal or truncated_normal of [random]"
+        "'{path}' under [allow] is neither a plain interval of [epistemic] nor a normal, lognormal or truncated_normal of [random] \
+         with a known standard deviation"
     )]
     AllowedInput {
         /// The path.
@@ -350,6 +359,7 @@ impl Problem for StudyProblem {
             | Self::MethodOfQuantile { .. }
             | Self::NothingRandom { .. }
             | Self::RareCurve { .. }
+            | Self::RareOfSets { .. }
             | Self::AllowedInput { .. }
             | Self::AllowedRange { .. }
             | Self::Costs { .. }
@@ -403,7 +413,7 @@ impl Problem for StudyProblem {
             Self::NothingRequired => Some("add [[require]]".to_owned()),
             Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
-            Self::NothingRandom { .. } => Some("leave 'method' out".to_owned()),
+            Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
             Self::RareCurve { .. } => {
                 Some("write reduce = \"maximum_absolute\" for anywhere in the cycle, or name poses".to_owned())
             }
