@@ -13,6 +13,7 @@ use super::random_set::RandomSet;
 use super::sample::Sample;
 use super::search::{Branch, Direction, SEARCH_RESOLUTION, Search, extreme_among, smoothed};
 use super::search_box::{Place, Region};
+use super::smooth::probability_of_index;
 use super::statistic::Statistic;
 use super::structure::{Element, Level};
 use super::table::{Purpose, SampleTable};
@@ -43,6 +44,7 @@ impl DoubleLoop {
             return Err(PlanError::NoRuns);
         }
         self.check_points(&pool)?;
+        let pool = pool.with_polynomials(self.inner_basis());
         let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table };
         let mut levels = evidence.levels();
         let pairs = levels.first().map(|level| level.pairs.clone()).unwrap_or_default();
@@ -294,7 +296,7 @@ impl MeasureKind {
             (Self::Plain, Direction::Maximum) => high + margin,
             (Self::Deviation, Direction::Minimum) => 0.0,
             (Self::Deviation, Direction::Maximum) => 0.5 * (high - low) + margin,
-            (Self::Probability(_), _) => unlimited,
+            (Self::Probability(_) | Self::SmoothProbability(_), _) => unlimited,
         }
     }
 
@@ -303,7 +305,7 @@ impl MeasureKind {
         match self {
             Self::Plain => value,
             Self::Deviation => value.max(0.0),
-            Self::Probability(_) => value.clamp(0.0, 1.0),
+            Self::Probability(_) | Self::SmoothProbability(_) => value.clamp(0.0, 1.0),
         }
     }
 }
@@ -394,6 +396,13 @@ impl<'a> Modelled<'a> {
         match self.measure.kind {
             MeasureKind::Plain => beyond(most(), attained),
             MeasureKind::Deviation => beyond(most().max(0.0).sqrt(), attained),
+            MeasureKind::SmoothProbability(event) => {
+                if !event.can_change(samples) {
+                    return attained;
+                }
+                let further = probability_of_index(most()) - probability_of_index(at_witness);
+                beyond(attained + further, attained).clamp(0.0, 1.0)
+            }
             MeasureKind::Probability(event) => {
                 if !event.can_change(samples) {
                     return attained;
@@ -428,6 +437,9 @@ impl<'a> Modelled<'a> {
 
 /// The share of `sample`, moved by `shift`, for which `event` holds; failed runs count towards `direction`.
 fn shifted_share(sample: &Sample, event: Event, shift: f64, direction: Direction) -> f64 {
+    if let Some(smooth) = sample.smooth() {
+        return smooth.probability(event, shift).value;
+    }
     let hits = sample.values().iter().filter(|&&value| event.holds(value + shift)).count();
     let failed = if direction == Direction::Maximum { sample.failed() } else { 0 };
     (hits + failed) as f64 / sample.runs() as f64

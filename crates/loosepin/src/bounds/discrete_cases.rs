@@ -53,7 +53,7 @@ fn analytic_sum_of_a_normal_variable_and_one_of_a_list() {
     assert_eq!((bounds.runs, bounds.rounds, bounds.centre_point), (3 * 1024, 1, 0));
     assert_eq!((witness(&bounds.pairs[0].lower), witness(&bounds.pairs[0].upper)), (&[-0.5][..], &[2.0][..]));
     assert_eq!((witness(&bounds.pairs[3].lower), witness(&bounds.pairs[3].upper)), (&[-0.5][..], &[2.0][..]));
-    assert_eq!(bounds.pairs[0].lower.guarantee, Guarantee::Sampled { confidence: 0.95 });
+    assert_eq!(bounds.pairs[0].lower.guarantee, Guarantee::Sampled { confidence: 0.99 });
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn analytic_sum_of_a_normal_variable_and_an_interval() {
     check(&bounds.pairs[5], (beyond(0.0), beyond(1.0)), 0.008);
     let witness = |bound: &super::Bound| bound.witness.as_ref().unwrap().epistemic[0];
     assert_eq!((witness(&bounds.pairs[2].lower), witness(&bounds.pairs[2].upper)), (-1.0, 1.0));
-    assert_eq!(bounds.pairs[0].lower.guarantee, Guarantee::Sampled { confidence: 0.95 });
+    assert_eq!(bounds.pairs[0].lower.guarantee, Guarantee::Sampled { confidence: 0.99 });
 }
 
 #[test]
@@ -235,7 +235,7 @@ fn analytic_failed_runs_are_taken_as_unknown() {
     let bounds = evaluate(problem(&[uniform], &[(0.0, 0.5)], &statistics), &Failing).unwrap();
     check(&bounds.pairs[0], (0.3, 0.9), 0.02);
     assert!(bounds.pairs[0].failed_runs > 0 && !bounds.pairs[0].unbounded_by_failures);
-    check(&bounds.pairs[1], (0.45, 0.95), 0.02);
+    check(&bounds.pairs[1], (0.45, 0.95), 0.03);
     assert!(bounds.pairs[1].unbounded_by_failures);
     // The median of all runs: failures below everything, or above everything.
     check(&bounds.pairs[2], (0.4, 1.0), 0.03);

@@ -5,6 +5,7 @@ use super::probability::share;
 use super::quantile::quantile;
 use super::sample::{Confidence, Estimate, Sample};
 use super::search::{Direction, SEARCH_RESOLUTION, Target, extreme_point};
+use super::smooth::index_resolution;
 use super::statistic::Statistic;
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
@@ -12,6 +13,12 @@ const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
 
 /// The same for a probability.
 const PROBABILITY_RESOLUTION: f64 = 1e-3;
+
+/// The same for a probability of smooth responses, as a share of its range.
+const SMOOTH_PROBABILITY_RESOLUTION: f64 = 1e-6;
+
+/// Where a response hardly scatters its probability still has a scale: this share of the range of all responses.
+const LEAST_SCALE: f64 = 1e-6;
 
 /// A property of a value, whose probability is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +65,8 @@ pub(super) enum MeasureKind {
     Deviation,
     /// A probability.
     Probability(Event),
+    /// A probability of responses that are smooth in the random inputs; the target is its index.
+    SmoothProbability(Event),
 }
 
 /// The distance of a column's mean from a limit, in its standard deviations; grows with the probability of the event.
@@ -110,9 +119,22 @@ impl Measure {
     pub fn probability(samples: &[&Sample], event: Event, confidence: &Confidence) -> Self {
         let (low, high): (Vec<Estimate>, Vec<Estimate>) = samples
             .iter()
-            .map(|sample| share(sample, confidence, |value| event.holds(value)))
-            .map(|at| (at.low, at.high))
+            .map(|sample| match sample.smooth() {
+                Some(smooth) => {
+                    let at = smooth.probability(event, 0.0);
+                    (at, at)
+                }
+                None => {
+                    let at = share(sample, confidence, |value| event.holds(value));
+                    (at.low, at.high)
+                }
+            })
             .unzip();
+        if let Some(target) = index_target(samples, event, &low, confidence) {
+            let target_errors = vec![(0.0, 0.0); low.len()];
+            let kind = MeasureKind::SmoothProbability(event);
+            return Self { kind, low, high, target_errors, target, margin: None };
+        }
         let mut target = target(&low, confidence);
         target.resolutions = target.resolutions.map(|resolution| resolution.max(PROBABILITY_RESOLUTION));
         let margin = Margin::new(samples, event, confidence);
@@ -179,6 +201,23 @@ impl Margin {
             }
         }
     }
+}
+
+/// The index of the probability of `event` as something to search; nothing where the response is not smooth, or scatters nowhere.
+fn index_target(samples: &[&Sample], event: Event, shares: &[Estimate], confidence: &Confidence) -> Option<Target> {
+    let spread = |sample: &&Sample| sample.ends().map_or(0.0, |(low, high)| high - low);
+    if samples.iter().all(|sample| spread(sample) == 0.0) {
+        return None;
+    }
+    let means: Vec<f64> = samples.iter().map(|sample| mean(sample, confidence).value).collect();
+    let largest_spread = samples.iter().map(spread).fold(0.0, f64::max);
+    let least_scale = LEAST_SCALE * (range(&means) + largest_spread);
+    let index = |sample: &&Sample| Some(sample.smooth()?.index(event, least_scale, sample, confidence));
+    let values: Vec<f64> = samples.iter().map(index).collect::<Option<_>>()?;
+    let change = SMOOTH_PROBABILITY_RESOLUTION * range(&shares.iter().map(|share| share.value).collect::<Vec<f64>>());
+    let resolutions =
+        Direction::BOTH.map(|direction| index_resolution(super::search::extreme(&values, direction), change));
+    Some(Target { values, noise_variance: 0.0, resolutions })
 }
 
 /// Estimates as something to search the extremes of.

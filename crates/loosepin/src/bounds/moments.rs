@@ -4,6 +4,9 @@ use super::sample::{Confidence, Estimate, Sample, replicate_error, variance_of_m
 
 /// Mean over the finished runs; its error from the means of the replicates ([`replicate_error`]).
 pub(super) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
+    if let Some(smooth) = sample.smooth() {
+        return smooth.mean(confidence);
+    }
     let Some(value) = plain_mean(sample.values()).filter(|mean| mean.is_finite()) else { return Estimate::UNDEFINED };
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
@@ -20,6 +23,11 @@ pub(super) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
 /// scrambled nets, whose mean is far better known, nearly N. The error is that of ln v, from the replicates'
 /// mean (y - m)² divided by v: variances of few runs are skewed, and their logarithms less so.
 pub(super) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
+    if let Some(smooth) = sample.smooth() {
+        let squares = smooth.squares(sample.values(), smooth.mean(confidence).value);
+        let value = squares.iter().sum::<f64>() / squares.len() as f64 + smooth.variance_of_mean();
+        return with_error_of_logarithm(value.max(0.0), &squares, confidence);
+    }
     let Some(mean) = plain_mean(sample.values()) else { return Estimate::UNDEFINED };
     if sample.runs() == 1 {
         return Estimate::symmetric(0.0, 0.0);
@@ -28,7 +36,12 @@ pub(super) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     let squares: Vec<f64> = sample.replicates().map(square).collect();
     let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
     let value = square(sample.values()) + variance_of_mean(&means);
-    let (below, above) = replicate_error(&squares, confidence);
+    with_error_of_logarithm(value, &squares, confidence)
+}
+
+/// A variance of which each replicate has an estimate.
+fn with_error_of_logarithm(value: f64, squares: &[f64], confidence: &Confidence) -> Estimate {
+    let (below, above) = replicate_error(squares, confidence);
     if !value.is_finite() {
         return Estimate::UNDEFINED;
     }

@@ -1,24 +1,29 @@
 //! Which runs come next.
 
 use std::collections::BTreeSet;
+use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 use thiserror::Error;
 
 use super::bound::Reading;
+use super::inner_basis::InnerBasis;
 use super::measure::{Measure, target};
 use super::moments::mean;
+use super::orthogonal::Axis;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
 use super::problem::{MOST_POINTS, Problem, ProblemError, Request};
 use super::random_set::{run_target, values_by_run};
 use super::sample::{Confidence, Estimate};
-use super::search::{Direction, Search, Target};
+use super::search::{Direction, MOST_LOCATED_TARGETS, Search, Target};
 use super::search_box::{Place, Region, SearchBox};
 use super::statistic::Statistic;
 use super::structure::{Element, Structure};
 use super::table::{Purpose, RunInputs, SampleTable};
-use crate::uncertainty::{EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash};
+use crate::uncertainty::{
+    Distribution, EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash,
+};
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
@@ -46,6 +51,8 @@ pub struct DoubleLoop {
     confidence: Confidence,
     /// Every inner run.
     inner: Vec<InnerRun>,
+    /// Polynomials on them; nothing where they are too few.
+    inner_basis: Option<Arc<InnerBasis>>,
     /// The random inputs whose values differ from one u to another, since parameters are among the epistemic inputs.
     moving: Vec<usize>,
     epistemic_box: SearchBox,
@@ -61,6 +68,8 @@ pub struct DoubleLoop {
     first_outer: Vec<Place>,
     first_extreme: Vec<Place>,
     mixture: ScrambledSobol,
+    /// Polynomials on the points of the mixture, worked out when they are needed.
+    mixture_basis: OnceLock<Option<Arc<InnerBasis>>>,
 }
 
 /// A point of the random inputs, the same at every u.
@@ -153,6 +162,7 @@ impl DoubleLoop {
         };
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
+            inner_basis: inner_basis(&problem)?.map(Arc::new),
             inner: inner_runs(&problem)?,
             moving: problem.inputs_with_parameters(),
             candidates: epistemic_candidates,
@@ -169,6 +179,7 @@ impl DoubleLoop {
             structure,
             first_extreme: first(joint, sampling.extreme)?,
             mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.inputs().len())?,
+            mixture_basis: OnceLock::new(),
             epistemic_box,
             joint_box,
             problem,
@@ -241,6 +252,9 @@ impl DoubleLoop {
         let mut runs = Vec::new();
         let outer = Pool::gather(table, Purpose::DoubleLoop, self.searched().iter().map(|search| search.0.column));
         self.check_points(&outer)?;
+        // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
+        let is_curve = self.searched().len() > MOST_LOCATED_TARGETS;
+        let outer = if is_curve { outer } else { outer.with_polynomials(self.inner_basis()) };
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
@@ -297,7 +311,7 @@ impl DoubleLoop {
             targets.extend(self.single_runs(table));
         }
         let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, &self.searched_elements, count, MOST_POINTS)
+        next_or_confirming(&search, &targets, &self.searched_elements, count)
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
@@ -325,7 +339,7 @@ impl DoubleLoop {
             .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
         let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
-        search.next_points(&targets, &self.whole_joint_box, count, MOST_POINTS)
+        next_or_confirming(&search, &targets, &self.whole_joint_box, count)
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -391,6 +405,26 @@ impl DoubleLoop {
         &self.confidence
     }
 
+    /// Polynomials on the inner points; nothing where these are too few.
+    pub(super) fn inner_basis(&self) -> Option<&InnerBasis> {
+        self.inner_basis.as_deref()
+    }
+
+    /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop where that is the same;
+    /// nothing where these are too few.
+    pub(super) fn mixture_basis(&self) -> Option<&InnerBasis> {
+        if !self.has_mixture() {
+            return self.inner_basis();
+        }
+        let basis = || {
+            let axes: Vec<Axis> =
+                random_axes(&self.problem).chain(self.problem.epistemic.iter().map(|_| Axis::Legendre)).collect();
+            let points: Vec<Vec<f64>> = self.mixture_points().map(|(_, _, point)| point).collect();
+            InnerBasis::new(&axes, &points, self.problem.sampling.replicates).map(Arc::new)
+        };
+        self.mixture_basis.get_or_init(basis).as_deref()
+    }
+
     pub(super) fn candidates(&self) -> &[Vec<f64>] {
         &self.candidates
     }
@@ -443,17 +477,24 @@ impl DoubleLoop {
     }
 
     fn mixture_runs(&self) -> impl Iterator<Item = RunInputs> {
+        self.mixture_points().map(|(replicate, index, point)| {
+            let (random, epistemic) = point.split_at(self.problem.random.len());
+            let epistemic = self.problem.epistemic.iter().zip(epistemic);
+            let epistemic: Vec<f64> = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
+            let random = self.problem.random_at(&epistemic, &self.problem.levels(random));
+            RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
+        })
+    }
+
+    /// Replicate, index and point of the unit cube of every run of the probability-only treatment.
+    fn mixture_points(&self) -> impl Iterator<Item = (u32, u32, Vec<f64>)> {
         let per_replicate = (self.problem.sampling.mixture / self.problem.sampling.replicates) as u32;
         let replicates = 0..self.problem.sampling.replicates as u32;
         replicates.flat_map(move |replicate| {
             (0..per_replicate).map(move |index| {
                 let mut point = vec![0.0; self.mixture.dimensions()];
                 self.mixture.write_point(replicate, index, &mut point);
-                let (random, epistemic) = point.split_at(self.problem.random.len());
-                let epistemic = self.problem.epistemic.iter().zip(epistemic);
-                let epistemic: Vec<f64> = epistemic.map(|(variable, &fraction)| variable.at(fraction)).collect();
-                let random = self.problem.random_at(&epistemic, &self.problem.levels(random));
-                RunInputs { round: 0, purpose: Purpose::Mixture, point: 0, replicate, index, random, epistemic }
+                (replicate, index, point)
             })
         })
     }
@@ -482,6 +523,20 @@ impl DoubleLoop {
     }
 }
 
+/// Where two slopes meet and where models promise more than was attained; where neither does, the surroundings of what was attained.
+fn next_or_confirming(
+    search: &Search<'_>,
+    targets: &[(Target, Vec<Direction>)],
+    elements: &[Element],
+    count: usize,
+) -> Vec<Place> {
+    let mut places = search.kinks(targets, elements, count, MOST_POINTS);
+    if places.len() < count {
+        places.extend(search.next_points(targets, elements, count - places.len(), MOST_POINTS));
+    }
+    if places.is_empty() { search.confirming_points(targets, elements, count, MOST_POINTS) } else { places }
+}
+
 /// How many of `budget` points the first round takes: the corners, the centre, and about half of the budget.
 fn first_count(dimensions: usize, budget: usize) -> usize {
     if dimensions == 0 { 1 } else { budget.min((budget / 2).max(structural_point_count(dimensions) + 2 * dimensions)) }
@@ -507,24 +562,49 @@ fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
         return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), levels: Vec::new() }]);
     }
     let moving = problem.inputs_with_parameters();
+    let run = |(replicate, index, point): (u32, u32, Vec<f64>)| {
+        let levels = problem.levels(&point);
+        InnerRun {
+            replicate,
+            index,
+            random: problem.random.iter().zip(&levels).map(|(variable, &level)| variable.at(level)).collect(),
+            levels: moving.iter().map(|&input| levels[input]).collect(),
+        }
+    };
+    Ok(inner_points(problem)?.into_iter().map(run).collect())
+}
+
+/// Replicate, index and point of the unit cube of every inner run.
+fn inner_points(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError> {
     let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
     let replicates = problem.sampling.replicates;
     let per_replicate = (problem.sampling.inner / replicates) as u32;
-    let mut runs = Vec::with_capacity(problem.sampling.inner);
-    let mut point = vec![0.0; problem.random.len()];
-    for replicate in 0..replicates as u32 {
-        for index in 0..per_replicate {
-            sobol.write_point(replicate, index, &mut point);
-            let levels = problem.levels(&point);
-            runs.push(InnerRun {
-                replicate,
-                index,
-                random: problem.random.iter().zip(&levels).map(|(variable, &level)| variable.at(level)).collect(),
-                levels: moving.iter().map(|&input| levels[input]).collect(),
-            });
-        }
+    let indices = (0..replicates as u32).flat_map(|replicate| (0..per_replicate).map(move |index| (replicate, index)));
+    let points = indices.map(|(replicate, index)| {
+        let mut point = vec![0.0; problem.random.len()];
+        sobol.write_point(replicate, index, &mut point);
+        (replicate, index, point)
+    });
+    Ok(points.collect())
+}
+
+/// In what a response may be smooth: a uniform input in its own probability; what else there is, and what is correlated, in the standard
+/// normal variable of the same rank.
+fn random_axes(problem: &Problem) -> impl Iterator<Item = Axis> {
+    problem.random.iter().map(|variable| match variable.distribution() {
+        Distribution::Uniform { .. } if problem.copula.is_none() => Axis::Legendre,
+        _ => Axis::Hermite,
+    })
+}
+
+/// Polynomials of the random inputs on the inner points.
+fn inner_basis(problem: &Problem) -> Result<Option<InnerBasis>, SobolError> {
+    if problem.random.is_empty() {
+        return Ok(None);
     }
-    Ok(runs)
+    let axes: Vec<Axis> = random_axes(problem).collect();
+    let points: Vec<Vec<f64>> = inner_points(problem)?.into_iter().map(|(_, _, point)| point).collect();
+    Ok(InnerBasis::new(&axes, &points, problem.sampling.replicates))
 }
 
 #[cfg(test)]

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::bound::Witness;
+use super::inner_basis::InnerBasis;
 use super::sample::Sample;
+use super::smooth::smooth;
 use super::table::{Purpose, SampleTable};
 
 /// The runs of one purpose, point by point, for some of the columns.
@@ -63,6 +65,20 @@ impl Pool {
             })
             .collect();
         Self { slots, points }
+    }
+
+    /// The same with polynomials of `basis`, column by column, where the response is smooth in the random inputs. The runs at each
+    /// point are those that the basis was made of.
+    pub fn with_polynomials(mut self, basis: Option<&InnerBasis>) -> Self {
+        let Some(basis) = basis else { return self };
+        let mut columns: Vec<Vec<&mut Sample>> = self.slots.keys().map(|_| Vec::new()).collect();
+        for point in &mut self.points {
+            for (column, sample) in columns.iter_mut().zip(&mut point.samples) {
+                column.push(sample);
+            }
+        }
+        columns.par_iter_mut().for_each(|samples| smooth(basis, samples));
+        self
     }
 
     /// The sample of `column` at each point; none for a column that was not gathered.

@@ -73,9 +73,13 @@ impl ProbabilityBox {
         for i in (1..lower.len()).rev() {
             lower[i - 1].widened = lower[i - 1].widened.min(lower[i].widened);
         }
-        let mixture = Pool::gather(table, Purpose::Mixture, [column]);
+        let mixture = Pool::gather(table, Purpose::Mixture, [column]).with_polynomials(evidence.plan.mixture_basis());
         let probability_only = mixture.samples(column).first().map(|sample| {
-            values.iter().map(|&value| sample.count_up_to(value) as f64 / sample.runs() as f64).collect()
+            let share = |&value: &f64| match sample.smooth() {
+                Some(smooth) => smooth.probability(Event::UpTo(value), 0.0).value,
+                None => sample.count_up_to(value) as f64 / sample.runs() as f64,
+            };
+            values.iter().map(share).collect()
         });
         Self { column, values, probability_only, lower, upper }
     }

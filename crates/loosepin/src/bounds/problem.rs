@@ -37,13 +37,13 @@ pub struct Sampling {
     pub extreme: usize,
     /// Seed of every random number. Default: 1.
     pub seed: u64,
-    /// Confidence of each sampling error, in (0, 1). Default: 0.95.
+    /// Confidence of each sampling error, in (0, 1). Default: 0.99.
     pub confidence: f64,
 }
 
 impl Default for Sampling {
     fn default() -> Self {
-        Self { outer: 64, inner: 256, replicates: 8, mixture: 1024, extreme: 128, seed: 1, confidence: 0.95 }
+        Self { outer: 64, inner: 256, replicates: 8, mixture: 1024, extreme: 128, seed: 1, confidence: 0.99 }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Quantiles with errors from order statistics.
 
+use super::moments::{standard_deviation, variance};
 use super::probability::{effective_runs, wilson};
 use super::sample::{Confidence, Estimate, Sample};
 
@@ -29,6 +30,13 @@ pub(super) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
     if sample.runs() == 1 {
         let exact = Estimate::symmetric(sorted[0], 0.0);
         return QuantileAt { low: exact, high: exact };
+    }
+    if let Some(smooth) = sample.smooth() {
+        let near = interpolate(sorted, probability * sorted.len() as f64);
+        let deviation = standard_deviation(variance(sample, confidence)).value;
+        if let Some(at) = smooth.quantile(probability, near, deviation) {
+            return QuantileAt { low: at, high: at };
+        }
     }
     let (runs, failed) = (sample.runs() as f64, sample.failed() as f64);
     let central = interpolate(sorted, probability * sorted.len() as f64);

@@ -1,5 +1,6 @@
 //! One column at one u: the finished values, replicate by replicate.
 
+use super::smooth::Smooth;
 use crate::uncertainty::{normal_quantile, student_factor};
 
 /// The values of one column that belong together, in the order of the plan.
@@ -8,6 +9,7 @@ pub(super) struct Sample {
     values: Vec<f64>,
     replicate_ends: Vec<usize>,
     failed: usize,
+    smooth: Option<Smooth>,
 }
 
 impl Sample {
@@ -25,18 +27,31 @@ impl Sample {
             replicate_ends.push(values.len());
         }
         values.shrink_to_fit();
-        Self { values, replicate_ends, failed }
+        Self { values, replicate_ends, failed, smooth: None }
     }
 
-    /// The same runs with another value each; finished ones stay finished where `change` is finite.
+    /// The same runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
     pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
-        Self { values: self.values.iter().map(|&value| change(value)).collect(), ..self.clone() }
+        let values: Vec<f64> = self.values.iter().map(|&value| change(value)).collect();
+        let smooth = self.smooth.as_ref().map(|smooth| smooth.refitted(&values));
+        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth }
     }
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
     pub fn joined(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
         let pairs = self.values.iter().zip(&other.values);
-        Self { values: pairs.map(|(&a, &b)| of(a, b)).collect(), ..self.clone() }
+        let values = pairs.map(|(&a, &b)| of(a, b)).collect();
+        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth: None }
+    }
+
+    /// Its polynomials where the response is smooth in the random inputs.
+    pub fn smooth(&self) -> Option<&Smooth> {
+        self.smooth.as_ref()
+    }
+
+    /// Tells that the response is smooth in the random inputs.
+    pub fn set_smooth(&mut self, smooth: Smooth) {
+        self.smooth = Some(smooth);
     }
 
     /// Finished values.

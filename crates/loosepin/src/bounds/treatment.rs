@@ -57,7 +57,8 @@ impl TreatmentComparison {
             return Vec::new();
         }
         let plan = evidence.plan;
-        let mixture = gather(table, plan.has_mixture(), Purpose::Mixture, columns);
+        let mixture =
+            gather(table, plan.has_mixture(), Purpose::Mixture, columns).with_polynomials(plan.mixture_basis());
         let extremes = gather(table, plan.has_extremes(), Purpose::Extreme, columns);
         let mixed = mixed_ends(evidence, columns);
         let probability_only = probability_only_ends(evidence, &mixture, columns);

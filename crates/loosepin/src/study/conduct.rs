@@ -31,7 +31,7 @@ const EXTREME_RUNS_PER_INPUT: usize = 8;
 /// Each random input is cut at this many standard deviations where it is taken as an interval.
 const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
 /// Confidence of every sampling error.
-const CONFIDENCE: f64 = 0.95;
+const CONFIDENCE: f64 = 0.99;
 
 /// Why a study has no result.
 #[derive(Debug, Error)]
