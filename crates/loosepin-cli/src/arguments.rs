@@ -158,13 +158,24 @@ pub struct SimulateArguments {
 #[command(
     after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
     for any number of threads. Ctrl-C ends it and keeps the finished runs.\n\n\
+    With --accuracy the samples of the study grow, round by round, until its bounds are widened by no more than that; \
+    it is of all bounds that measure what it measures, or of an output or one of its statistics. Where the budget ends it \
+    before, the study says what is reached and what it would take; that is no error.\n\n\
     Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
-    Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds"
+    Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds\n  \
+    loosepin study study.toml --accuracy 1um --budget 30min\n  \
+    loosepin study study.toml --accuracy slider.mean=1um --accuracy 0.5% --budget 200000runs"
 )]
 pub struct StudyArguments {
     /// Study file
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
+    /// What bounds are widened by at most, with its unit; may be repeated
+    #[arg(long, value_name = "[OUTPUT[.STATISTIC]=]VALUE", allow_hyphen_values = true)]
+    pub accuracy: Vec<String>,
+    /// Where to end although bounds are not as near: runs, a time, or rounds [default with an accuracy: 100 times the runs without, a gibibyte at most]
+    #[arg(long, value_name = "RUNS|TIME|ROUNDS", allow_hyphen_values = true)]
+    pub budget: Option<String>,
     /// Threads to run on, 1 to 1024 [default: as many as the machine has]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,

@@ -142,3 +142,85 @@ fn check_tells_what_is_one_of_a_list() {
     // Six combinations of 16 runs; 1024 where all is random; 128 of each combination where nothing is.
     assert!(said.contains("At most 1888 runs"), "{said}");
 }
+
+#[test]
+fn an_accuracy_is_reached_or_it_is_said_what_it_would_take() {
+    let desk = desk(&format!("{SHORT_STUDY}{KEPT}"));
+    let reached = desk.succeed(&["study", "study.toml", "--accuracy", "slider.mean=20um", "--out", "near"]);
+    assert!(reached.output.contains("\nAccuracy\n\n- All bounds are as near as asked, after "), "{}", reached.output);
+    assert!(reached.output.contains(", asked 20 µm."), "{}", reached.output);
+    // Not reached is said and is no error; nothing is lost.
+    let ended = desk.succeed(&["study", "study.toml", "--accuracy", "1nm", "--budget", "2500 runs", "--out", "ended"]);
+    assert!(
+        ended.output.contains("- Not as near as asked: 1 of 1 accuracies. The study ended after "),
+        "{}",
+        ended.output
+    );
+    assert!(ended.output.contains("have gone beyond the budget of 2,500 runs."), "{}", ended.output);
+    assert!(
+        ended.output.contains("- Nothing is lost: the bounds are those of all runs that were made."),
+        "{}",
+        ended.output
+    );
+    let summary: serde_json::Value = serde_json::from_str(&desk.read("ended/summary.json")).expect("JSON");
+    let accuracy = &summary["accuracy"];
+    assert_eq!((&accuracy["stop"], &accuracy["budget"]["runs"]), (&"budget".into(), &2500.into()));
+    assert_eq!(accuracy["runs"], summary["counts"]["runs"]);
+    // As many rounds as it made make the same runs.
+    let rounds = format!("{} rounds", accuracy["rounds"]);
+    desk.succeed(&["study", "study.toml", "--accuracy", "1nm", "--budget", &rounds, "--out", "again"]);
+    for file in ["bounds.csv", "runs.parquet"] {
+        let bytes = |folder: &str| fs::read(desk.path(folder).join(file)).expect("written");
+        assert!(bytes("ended") == bytes("again"), "{file} differs");
+    }
+}
+
+#[test]
+fn accuracies_and_budgets_are_complained_about_with_the_column_in_their_text() {
+    let desk = desk(SHORT_STUDY);
+    for (argument, value, messages) in [
+        (
+            "--accuracy",
+            "1kg",
+            "--accuracy:1:1: error[E0304]: the accuracy is a mass; must be a length\n\
+             hint: an accuracy is measured as the bounds are; of probabilities it is a number such as 0.01",
+        ),
+        ("--accuracy", "-1um", "--accuracy:1:1: error[E0501]: the accuracy is -1 µm; must be > 0"),
+        (
+            "--accuracy",
+            "0.01",
+            "--accuracy:1:1: error[E0303]: the accuracy is 0.01 without a unit; must be a length\nhint: for example 0.5 mm",
+        ),
+        (
+            "--accuracy",
+            "slidr.mean=1um",
+            "--accuracy:1:1: error[E0401]: nothing is asked of an output 'slidr'\nhint: did you mean 'slider'?",
+        ),
+        (
+            "--accuracy",
+            "slider.maen=1um",
+            "--accuracy:1:8: error[E0204]: 'maen' is no statistic with an accuracy\nhint: did you mean 'mean'?",
+        ),
+        (
+            "--accuracy",
+            "slider.quantile=1um",
+            "--accuracy:1:8: error[E0401]: the quantile of 'slider' is not asked for\n\
+             hint: asked is mean; others go into the statistics of an [[ask]]",
+        ),
+        (
+            "--accuracy",
+            "slider.mean=1 uum",
+            "--accuracy:1:15: error[E0302]: unknown unit 'uum'\nhint: did you mean 'um'?",
+        ),
+        (
+            "--budget",
+            "soon",
+            "--budget:1:1: error[E0301]: 'soon' is no budget of runs, time or rounds\n\
+             hint: for example 20000 runs, 30 min or 12 rounds",
+        ),
+        ("--budget", "-5 min", "--budget:1:1: error[E0501]: a budget is -5 min; must be > 0"),
+    ] {
+        desk.fail(&["study", "study.toml", argument, value], messages);
+    }
+    assert!(!desk.path("results").exists(), "nothing is left behind");
+}

@@ -22,11 +22,17 @@ use crate::progress::Bar;
 
 /// Conducts the study, or shows the one that is there.
 pub fn run(arguments: &StudyArguments) -> Ending {
-    let study = read_study(&arguments.study)?;
+    let mut study = read_study(&arguments.study)?;
+    for accuracy in &arguments.accuracy {
+        study.add_accuracy(accuracy)?;
+    }
+    if let Some(budget) = &arguments.budget {
+        study.set_budget(budget)?;
+    }
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
-        inputs: inputs(&study),
+        inputs: inputs(arguments, &study),
         place: place(&arguments.output),
         with_force: arguments.output.force,
     };
@@ -94,9 +100,15 @@ fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
     Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
 }
 
-fn inputs(study: &Study) -> InputsHash {
+fn inputs(arguments: &StudyArguments, study: &Study) -> InputsHash {
     let mut hasher = InputsHasher::new(ResultKind::Study);
     add_study(&mut hasher, study);
     add_model(&mut hasher, &study.model);
+    for accuracy in &arguments.accuracy {
+        hasher.add("accuracy", accuracy);
+    }
+    if let Some(budget) = &arguments.budget {
+        hasher.add("budget", budget);
+    }
     hasher.finish()
 }

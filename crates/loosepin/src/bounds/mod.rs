@@ -15,7 +15,8 @@
 //!
 //! Planning and running are separate: [`DoubleLoop::next_round`] says which runs come next, given the [`SampleTable`] of
 //! all rounds before; whoever calls it runs them in any order and on any machine, and adds them in the order given.
-//! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate()`] does all of it in one call.
+//! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate()`] does all of it in one call. [`Refinement`] makes
+//! the samples larger until the bounds are as near as they are asked to be.
 
 mod assemble;
 mod bound;
@@ -39,6 +40,7 @@ mod problem;
 mod quantile;
 mod random_inputs;
 mod random_set;
+mod refinement;
 mod sample;
 mod search;
 mod search_box;
@@ -58,6 +60,7 @@ pub use pinching::{PinchedInput, Pinching};
 pub use plan::{DoubleLoop, PlanError};
 pub use probability_box::ProbabilityBox;
 pub use problem::{Problem, ProblemError, Request, Sampling};
+pub use refinement::{Assessment, Goal, Refinement, Standing};
 pub use statistic::Statistic;
 pub use table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use treatment::{Band, TreatmentComparison};

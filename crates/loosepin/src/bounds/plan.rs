@@ -186,6 +186,11 @@ impl DoubleLoop {
         })
     }
 
+    /// The same plan with sampling errors at another confidence than the stated one.
+    pub(super) fn with_errors_at(self, confidence: f64) -> Self {
+        Self { confidence: Confidence::new(confidence, self.problem.sampling.replicates), ..self }
+    }
+
     /// The problem.
     pub fn problem(&self) -> &Problem {
         &self.problem
@@ -237,9 +242,15 @@ impl DoubleLoop {
         outer * self.inner.len() + mixture + extreme
     }
 
+    /// Inner runs at each outer point.
+    pub fn inner_runs(&self) -> usize {
+        self.inner.len()
+    }
+
     /// The runs of the next round, in their order; empty when the plan is finished.
     ///
-    /// Depends only on the problem and on the results in `table`, which must hold every run of the rounds before.
+    /// Depends only on the problem and on the results in `table`, which must hold every run of the rounds before. These may be
+    /// those of a plan of the same problem with smaller samples: then what its points lack comes first.
     ///
     /// # Errors
     ///
@@ -251,6 +262,17 @@ impl DoubleLoop {
         };
         let mut runs = Vec::new();
         let outer = Pool::gather(table, Purpose::DoubleLoop, self.searched().iter().map(|search| search.0.column));
+        if let Some([replicates, each]) = self.smaller_sample(table, &outer) {
+            let of_point = |point: &PoolPoint| self.runs_at(round, point.point, point.epistemic.clone());
+            let wanted = outer.points.iter().flat_map(of_point);
+            let mut runs: Vec<RunInputs> =
+                wanted.filter(|inputs| inputs.replicate >= replicates || inputs.index >= each).collect();
+            if self.has_mixture() {
+                let more = self.mixture_runs().filter(|inputs| inputs.replicate >= replicates);
+                runs.extend(more.map(|inputs| RunInputs { round, ..inputs }));
+            }
+            return Ok(runs);
+        }
         self.check_points(&outer)?;
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
         let is_curve = self.searched().len() > MOST_LOCATED_TARGETS;
@@ -260,7 +282,7 @@ impl DoubleLoop {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
             for place in self.next_outer(table, &outer, count) {
                 let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
-                runs.extend(self.runs_at(round, point, &place));
+                runs.extend(self.runs_at(round, point, self.epistemic_box.values_at(&place)));
             }
         }
         if self.has_extremes() {
@@ -281,7 +303,7 @@ impl DoubleLoop {
     fn first_round(&self) -> Vec<RunInputs> {
         let mut runs: Vec<RunInputs> = Vec::new();
         for (point, place) in self.first_outer.iter().enumerate() {
-            runs.extend(self.runs_at(0, point as u32, place));
+            runs.extend(self.runs_at(0, point as u32, self.epistemic_box.values_at(place)));
         }
         if self.has_mixture() {
             runs.extend(self.mixture_runs());
@@ -455,8 +477,8 @@ impl DoubleLoop {
         (budget - first.len()).div_ceil(REFINING_ROUNDS)
     }
 
-    fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
-        let epistemic = self.epistemic_box.values_at(place);
+    /// Every inner run at the outer point `point`.
+    pub(super) fn runs_at(&self, round: u32, point: u32, epistemic: Vec<f64>) -> impl Iterator<Item = RunInputs> {
         let moved: Vec<(usize, Option<RandomVariable>)> =
             self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();
         self.inner.iter().map(move |run| {
@@ -511,6 +533,21 @@ impl DoubleLoop {
         } else {
             Err(PlanError::OtherColumns { found: table.columns(), expected: self.problem.columns })
         }
+    }
+
+    /// Replicates, and runs in each, at the outer points of `pool`, where the plan has more of either: `table` is then that of a
+    /// plan with a smaller sample, whose runs are the first ones of these.
+    fn smaller_sample(&self, table: &SampleTable, pool: &Pool) -> Option<[u32; 2]> {
+        let known = pool.points.first()?;
+        let own = table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::DoubleLoop);
+        let [replicates, each] =
+            own.filter(|inputs| inputs.point == known.point).fold([0; 2], |[replicates, each], inputs| {
+                [replicates.max(inputs.replicate + 1), each.max(inputs.index + 1)]
+            });
+        let is_whole = known.runs == replicates as usize * each as usize;
+        let is_smaller = known.runs < self.inner.len() && replicates as usize <= self.problem.sampling.replicates;
+        let is_same = |point: &PoolPoint| point.runs == known.runs;
+        (is_whole && is_smaller && pool.points.iter().all(is_same)).then_some([replicates, each])
     }
 
     /// Whether every outer point of `pool` has all its inner runs.

@@ -43,19 +43,19 @@ pub(super) struct RandomSet {
     elements: Vec<Ends>,
 }
 
-/// Every finished value of a column, by outer point, in the order of the inner runs; not a number where a run failed.
+/// Every value of a column, by outer point, in the order of the inner runs, and the replicate of each of these; not a number where
+/// a run failed. A sample that has grown lies in the table in parts.
 pub(super) fn values_by_run(table: &SampleTable, column: usize) -> (Vec<u32>, Vec<Vec<f64>>) {
-    let (mut replicates, mut points): (Vec<u32>, BTreeMap<u32, Vec<f64>>) = (Vec::new(), BTreeMap::new());
+    let mut points: BTreeMap<u32, BTreeMap<(u32, u32), f64>> = BTreeMap::new();
     for (run, inputs) in table.inputs().iter().enumerate() {
         if inputs.purpose == Purpose::DoubleLoop {
             let values = points.entry(inputs.point).or_default();
-            if replicates.len() == values.len() {
-                replicates.push(inputs.replicate);
-            }
-            values.push(table.values(run)[column]);
+            values.insert((inputs.replicate, inputs.index), table.values(run)[column]);
         }
     }
-    (replicates, points.into_values().collect())
+    let first = points.values().next();
+    let replicates = first.map_or_else(Vec::new, |values| values.keys().map(|&(replicate, _)| replicate).collect());
+    (replicates, points.into_values().map(|values| values.into_values().collect()).collect())
 }
 
 /// The response at one inner run over the outer points, as something to search.

@@ -1,6 +1,7 @@
 //! Self-contained HTML pages and terminal tables from results. This module only reads; it computes nothing that is not
 //! in the result, except how to show it.
 
+mod accuracy_text;
 mod answer;
 mod cases_page;
 mod chart;

@@ -2,6 +2,7 @@
 
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
 
+use super::accuracy_text::accuracy_sentences;
 use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
 use super::contributors_text::contributors_text;
 use super::inverse::{inverse_sentences, rare_sentences};
@@ -63,6 +64,7 @@ pub fn study_text(result: &StudyResult) -> String {
         }
     }
     for (title, sentences) in [
+        ("Accuracy", accuracy_sentences(result, &writer)),
         ("Small probabilities", rare_sentences(result, &writer)),
         ("What the requirements allow", inverse_sentences(result, &writer)),
     ] {

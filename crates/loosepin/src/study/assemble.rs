@@ -13,10 +13,10 @@ use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
 use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::result::{
-    AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, CutBounds, DeviationKind,
-    FORMAT, GuaranteeKind, IntervalReading, NumericalError, ProbabilityBox, RareEnd, RareRecord, RequirementOutcome,
-    ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict, Witness,
-    WitnessValue,
+    AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, CutBounds,
+    DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError, ProbabilityBox, RareEnd, RareRecord,
+    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind,
+    Verdict, Witness, WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
@@ -34,6 +34,7 @@ pub(super) struct Material<'m> {
 
 /// What is not made from the runs of the double loop.
 pub(super) struct Extra {
+    pub accuracy: Option<AccuracyRecord>,
     pub contributors: Vec<Contributors>,
     pub allowances: Vec<AllowanceRecord>,
     pub allocation: Option<AllocationRecord>,
@@ -55,6 +56,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         cycle: describe::cycle(material),
         outputs: describe::outputs(material),
         counts: summary::counts(material),
+        accuracy: extra.accuracy,
         failures: summary::failures(material),
         settled_share: summary::settled_share(material),
         requirements: requirements(material),
@@ -110,7 +112,7 @@ impl Material<'_> {
 
     /// Both ends of the bounds of `statistic` of `column`, narrowed by what is known of the largest deviation of the whole
     /// recorded part: no pose departs further, so |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|.
-    fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
+    pub fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
         let pair = self.pair(column, statistic)?;
         let (mut lower, mut upper) = (self.end(&pair.lower), self.end(&pair.upper));
         let planned = self.plan().columns[column];
@@ -217,7 +219,7 @@ fn guarantee(guarantee: Guarantee) -> GuaranteeKind {
 }
 
 /// The statistic for the record; the whole distribution function has its own place.
-fn statistic_kind(statistic: Statistic) -> Option<StatisticKind> {
+pub(super) fn statistic_kind(statistic: Statistic) -> Option<StatisticKind> {
     Some(match statistic {
         Statistic::Mean => StatisticKind::Mean,
         Statistic::StandardDeviation => StatisticKind::StandardDeviation,

@@ -20,7 +20,7 @@ impl Problem for StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Code::AskNotPossible,
-            Self::Plan(_) | Self::Contributors(_) => Code::SamplingNotPossible,
+            Self::Plan(_) | Self::Contributors(_) | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
             Self::Interrupted { .. } => Code::Interrupted,
@@ -44,6 +44,9 @@ impl Problem for StudyError {
             Self::Prepare(PrepareError::PoseNotRecorded { .. }) => {
                 Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
             }
+            Self::BudgetTooSmall { least, .. } => Some(format!(
+                "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
+            )),
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Table(_) | Self::Loosened { .. } => None,
@@ -77,7 +80,9 @@ impl StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
-            Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => Complaint::error(self, None),
+            Self::BudgetTooSmall { .. } | Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => {
+                Complaint::error(self, None)
+            }
         }
     }
 }

@@ -1,14 +1,17 @@
 //! Running a study: rounds of runs on all threads, with progress and an emergency stop.
 
+use super::accuracy::{Ended, Watch, budget, goals, record};
 use super::allow::{allocation, allowances, most_studies, runs_of_a_study};
 use super::assemble::{Extra, Material, assemble};
 use super::contributors::{ContributorPlan, contributors};
-use super::file::Study;
+use super::file::{Budget, Study};
 use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
-use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, RunInputs, SampleTable, Sampling, TableError};
+use crate::bounds::{
+    DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, TableError,
+};
 use crate::contributors::IndexPlanError;
 use crate::math::Vectors;
 use crate::simulate::RunFailure;
@@ -58,6 +61,14 @@ pub enum StudyError {
     /// The threads could not be started.
     #[error("the threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    /// A budget that the runs which nothing can be said without go beyond.
+    #[error("a budget of {budget} runs; the first round and what follows it take at most {least}")]
+    BudgetTooSmall {
+        /// The budget.
+        budget: u64,
+        /// Runs of the first round and of what follows the rounds.
+        least: usize,
+    },
     /// A row did not fit.
     #[error(transparent)]
     Table(#[from] TableError),
@@ -94,15 +105,23 @@ pub struct Conducted {
     pub runs: RunsTable,
 }
 
-/// How many runs `study` comes to at most.
+/// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.
 ///
 /// # Errors
-/// The study cannot begin or its sampling is not possible.
+/// The study cannot begin, its sampling is not possible, or its budget does not suffice for anything.
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    Ok(most_runs(study, &response, &plan, contributor_plan.as_ref()))
+    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref());
+    let reserved = most_runs - plan.most_runs();
+    if let Some(Budget::Runs(budget)) = study.budget {
+        let least = plan.next_round(&SampleTable::new(response.row_length()))?.len() + reserved;
+        if (least as u64) > budget {
+            return Err(StudyError::BudgetTooSmall { budget, least });
+        }
+    }
+    Ok(Watch::new(budget(study, most_runs, response.row_length()), reserved).most_runs(most_runs))
 }
 
 /// The runs of all parts.
@@ -168,27 +187,52 @@ pub fn conduct(
     stop: &AtomicBool,
 ) -> Result<Conducted, StudyError> {
     let response = StudyResponse::new(study)?;
-    let plan = DoubleLoop::try_new(problem(study, &response))?;
-    let contributor_plan = ContributorPlan::new(study, &plan)?;
-    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref());
-    let mut table = SampleTable::with_capacity(response.row_length(), plan.most_runs());
+    let goals = goals(study, &response.shared.plan);
+    let mut refinement = Refinement::try_new(problem(study, &response), goals)?;
+    let mut table = SampleTable::new(response.row_length());
+    let stated = refinement.plan(&table);
+    let contributor_plan = ContributorPlan::new(study, stated)?;
+    let stated_runs = most_runs(study, &response, stated, contributor_plan.as_ref());
+    let reserved = stated_runs - stated.most_runs();
+    table = SampleTable::with_capacity(response.row_length(), stated.most_runs());
+    let budget = budget(study, stated_runs, response.row_length());
+    let watch = Watch::new(budget, reserved);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let before = AtomicUsize::new(0);
-    let runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs, before: &before };
+    let most_runs = watch.most_runs(stated_runs);
+    let mut runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs, before: &before };
     progress.runs(0, most_runs);
-    let mut round = plan.next_round(&table)?;
-    while !round.is_empty() {
+    let mut rounds = 0;
+    let mut round = refinement.next_round(&table)?;
+    while !round.is_empty() && watch.allows(round.len(), table.len(), rounds) {
+        runner.most_runs = watch.most_runs(stated_runs.max(table.len() + round.len() + reserved));
         runner.run(&round, &mut table)?;
-        round = pool.install(|| plan.next_round(&table))?;
+        rounds += 1;
+        round = pool.install(|| refinement.next_round(&table))?;
     }
+    if table.is_empty() {
+        let budget = study.budget.map_or(0, |budget| if let Budget::Runs(runs) = budget { runs } else { 0 });
+        return Err(StudyError::BudgetTooSmall { budget, least: round.len() + reserved });
+    }
+    let left = Some(round.len()).filter(|runs| *runs > 0);
+    let ended = Ended::new(&refinement, left, (rounds, table.len()), budget);
     if table.failed() == table.len() {
         return Err(all_failed(&response, &table));
     }
+    let plan = refinement.plan(&table).clone();
     let bounds = pool.install(|| plan.results(&table))?;
+    // What the samples have become.
+    let grown = plan.problem().sampling;
+    let mut refined = study.clone();
+    refined.sampling.outer = grown.outer;
+    refined.sampling.inner = grown.inner;
+    refined.sampling.replicates = grown.replicates;
+    let runner = Runner { study: &refined, ..runner };
     if let Some(contributor_plan) = &contributor_plan {
         runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
     }
     let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
+    let runner = Runner { study, ..runner };
     // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
     runner.advance(table.len());
     let kept = |error: StudyError| match error {
@@ -200,11 +244,18 @@ pub fn conduct(
     };
     let allowances = allowances(&runner).map_err(kept)?;
     let allocation = allocation(&runner).map_err(kept)?;
-    let material =
-        Material { study, response: &response, table: &table, bounds: &bounds, pairs: &bounds.pairs, rare: &rare };
+    let material = Material {
+        study: &refined,
+        response: &response,
+        table: &table,
+        bounds: &bounds,
+        pairs: &bounds.pairs,
+        rare: &rare,
+    };
     let result = pool.install(|| {
         let contributors = contributors(&material, &plan, contributor_plan.as_ref());
-        assemble(&material, input_hash, Extra { contributors, allowances, allocation })
+        let accuracy = record(&material, &ended);
+        assemble(&material, input_hash, Extra { accuracy, contributors, allowances, allocation })
     });
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }

@@ -1,5 +1,6 @@
 //! From the text of a study file to a study, with all its complaints at once.
 
+mod accuracy;
 mod allow;
 mod ask;
 mod check;
@@ -18,6 +19,9 @@ mod tolerance;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use accuracy::WrittenAccuracies;
+pub(super) use accuracy::statistic_name;
+pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
 pub use description::{
     Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
     RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, UncertainParameter, Where,
@@ -132,7 +136,7 @@ fn read(
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
-    let sampling = file.sampling(&root);
+    let (sampling, written_accuracies, budget) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -141,7 +145,9 @@ fn read(
     }
     let correlation = file.read_correlations(&root);
     file.read_reading(&root);
-    let asks = file.read_asks(&root);
+    let (asks, of_asks) = file.read_asks(&root);
+    let mut accuracy = file.targets(written_accuracies, &asks, None);
+    accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
     file.check_whole(&root);
@@ -164,6 +170,8 @@ fn read(
         asks,
         requirements,
         allowances,
+        accuracy,
+        budget,
         warnings,
         source: file.reader.source,
         tables: file.tables,
@@ -215,10 +223,11 @@ impl StudyReader {
         self.reading = written.unwrap_or(Reading::FixedButUnknown);
     }
 
-    fn sampling(&mut self, root: &Table<'_>) -> Sampling {
+    /// How many runs; how near the bounds are to be, and what that may cost.
+    fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<Budget>) {
         let mut sampling = Sampling { outer: OUTER, inner: INNER, replicates: REPLICATES, tolerance_m: TOLERANCE_M };
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
-            return sampling;
+            return (sampling, WrittenAccuracies::default(), None);
         };
         for (key, count) in
             [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
@@ -229,7 +238,8 @@ impl StudyReader {
             sampling.tolerance_m =
                 self.reader.measured(&entry, Dimension::LENGTH, Rule::Positive).unwrap_or(sampling.tolerance_m);
         }
-        sampling
+        let accuracies = self.accuracies(&table);
+        (sampling, accuracies, self.budget(&table))
     }
 
     /// Complains about an entry.

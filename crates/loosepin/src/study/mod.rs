@@ -1,5 +1,6 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
 
+mod accuracy;
 mod allow;
 mod assemble;
 mod columns;
@@ -22,9 +23,9 @@ pub mod runs;
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use distribution_words::distribution_words;
 pub use file::{
-    Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
-    RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, StudyProblem,
-    UncertainParameter, Where, study_schema,
+    AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
+    EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
+    StatedCorrelation, Study, StudyProblem, UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};
 pub use iso_286::FitError;

@@ -87,6 +87,7 @@ pub fn worn_pin() -> StudyResult {
     let centre = outer(within(CLEARANCE_M, 0.5), within(RESTITUTION_RANGE, 0.5), &poses);
     let pooled_largest = pooled(outers.iter().map(|outer| &outer.largest));
     StudyResult {
+        accuracy: None,
         format: FORMAT,
         name: "worn pin at 5000 rpm".to_owned(),
         model: "slider-crank with a worn pin".to_owned(),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
+use loosepin::study::{Budget, CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
 use loosepin::uncertainty::{Distribution, EpistemicVariable};
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -55,7 +55,12 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         study.sampling.tolerance_m
     );
     let time = duration(run_s * most_runs as f64 / threads as f64);
-    let _ = writeln!(text, "At most {most_runs} runs: about {time} on {}", counted(threads, "thread", "threads"));
+    let before = match study.budget {
+        Some(Budget::Time { .. } | Budget::Rounds(_)) if !study.accuracy.is_empty() => " before its samples grow",
+        _ => "",
+    };
+    let _ =
+        writeln!(text, "At most {most_runs} runs{before}: about {time} on {}", counted(threads, "thread", "threads"));
     Ok(text)
 }
 

@@ -12,6 +12,7 @@ use maud::{Markup, html};
 pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
 pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
+use super::accuracy_text::accuracy_sentences;
 use super::answer::{Answer, answer, limits_words, output_unit, verdict_headline};
 use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
@@ -32,6 +33,7 @@ pub fn study_page(result: &StudyResult) -> String {
         sections.push(Section::new("requirements", "Requirements", requirements(result, &writer)));
     }
     for (id, title, sentences) in [
+        ("accuracy", "How near the bounds are", accuracy_sentences(result, &writer)),
         ("allowed", "What the requirements allow", inverse_sentences(result, &writer)),
         ("rare", "Small probabilities", rare_sentences(result, &writer)),
     ] {

@@ -1,6 +1,7 @@
 //! Questions and requirements.
 
 use super::StudyReader;
+use super::accuracy::AccuracyTarget;
 use super::description::{Ask, Deviation, Limit, RareMethod, Reduction, Requirement, Where};
 use super::keys::{
     ASK_KEYS, DEVIATIONS, LIMITS, METHODS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS,
@@ -44,16 +45,19 @@ fn choices<T: Copy, const N: usize>(words: [&'static str; N], meanings: [T; N]) 
 }
 
 impl StudyReader {
-    /// Reads the questions.
-    pub fn read_asks(&mut self, root: &Table<'_>) -> Vec<Ask> {
+    /// Reads the questions, and how near their bounds are to be.
+    pub fn read_asks(&mut self, root: &Table<'_>) -> (Vec<Ask>, Vec<AccuracyTarget>) {
         let entries = self.double_brackets(root, "ask");
-        entries
-            .iter()
-            .filter_map(|entry| {
-                let table = self.reader.table(entry, &ASK_KEYS)?;
-                self.ask(&table)
-            })
-            .collect()
+        let (mut asks, mut accuracy) = (Vec::new(), Vec::new());
+        for entry in &entries {
+            let Some(table) = self.reader.table(entry, &ASK_KEYS) else { continue };
+            let written = self.accuracies(&table);
+            if let Some(ask) = self.ask(&table) {
+                asks.push(ask);
+                accuracy.extend(self.targets(written, &asks, Some(asks.len() - 1)));
+            }
+        }
+        (asks, accuracy)
     }
 
     /// The tables under `[[key]]`.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::accuracy::{AccuracyTarget, Budget};
 use crate::bounds::{Reading, Statistic};
 use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
@@ -39,6 +40,10 @@ pub struct Study {
     pub requirements: Vec<Requirement>,
     /// What may be loosened as far as the requirements allow, in file order.
     pub allowances: Vec<Allowance>,
+    /// How near the bounds are to be; empty where the samples are as stated.
+    pub accuracy: Vec<AccuracyTarget>,
+    /// Where the study ends although its bounds are not yet as near.
+    pub budget: Option<Budget>,
     /// What is allowed in model and study and yet looks like an oversight.
     pub warnings: Vec<Complaint>,
     pub(super) source: Arc<Source>,

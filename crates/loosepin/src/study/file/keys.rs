@@ -13,6 +13,9 @@ const MOST_INNER: u64 = 1 << 24;
 /// Randomisations, at most.
 const MOST_REPLICATES: u64 = 1024;
 
+/// A value, or several of different dimensions.
+const ACCURACY: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]);
+
 pub(super) static STUDY_CYCLE_KEYS: Keys =
     Keys::new("what is run and recorded, where it differs from the model", &CYCLE_NUMBERS);
 
@@ -38,6 +41,18 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
             "independent randomisations, which tell the sampling error; 4 if left out",
         ),
         optional("tolerance", Kind::AnyQuantity, "\"1e-8 m\"", "accuracy of positions in a run; 1e-8 m if left out"),
+        optional(
+            "accuracy",
+            ACCURACY,
+            "\"1 um\"",
+            "what all bounds that measure the same are widened by at most: the samples grow until they are; a value or a list",
+        ),
+        optional(
+            "budget",
+            Kind::AnyQuantity,
+            "\"30 min\"",
+            "where the study ends although bounds are not yet as near: runs, a time, or \"12 rounds\"",
+        ),
     ],
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
@@ -427,6 +442,12 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
             Kind::List(&Kind::AnyOf(&[Kind::Choice(&PLAIN_STATISTICS), Kind::Table(&STATISTIC_KEYS)])),
             "[\"mean\", { quantile = 0.975 }]",
             "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond; contributors",
+        ),
+        optional(
+            "accuracy",
+            ACCURACY,
+            "\"1 um\"",
+            "what these bounds are widened by at most: the samples grow until they are; a value or a list",
         ),
     ],
 )

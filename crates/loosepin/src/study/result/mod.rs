@@ -1,5 +1,6 @@
 //! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
 
+mod accuracy;
 mod allowances;
 mod bound;
 mod contributors;
@@ -9,6 +10,7 @@ mod rare;
 
 use serde::{Deserialize, Serialize};
 
+pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
 pub use allowances::{AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened};
 pub use bound::{
     BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, Reduction, ResponsePoint,
@@ -63,6 +65,9 @@ pub struct StudyResult {
     pub outputs: Vec<OutputDescription>,
     /// How many runs, and how many of them failed.
     pub counts: RunCounts,
+    /// How near the bounds were to be and are; absent where neither accuracy nor budget was stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<AccuracyRecord>,
     /// The failed runs by reason, most frequent first.
     pub failures: Vec<FailureGroup>,
     /// Share of the runs whose motion had settled into a period, 0 to 1; absent where it was not examined.
