@@ -21,7 +21,6 @@ mod assemble;
 mod bound;
 mod combine;
 mod coverage;
-mod dense;
 mod evaluate;
 mod gaussian_process;
 mod measure;
