@@ -9,6 +9,8 @@ use serde::{Deserialize, Serialize};
 /// First weights that are tried, and how many of the trained networks are kept: those with the largest evidence.
 const STARTS: usize = 4;
 const KEPT: usize = 2;
+/// Numbers of neurons that are tried.
+const SIZES: [usize; 4] = [3, 6, 10, 16];
 
 /// Networks of an output that was scaled to mean 0 and standard deviation 1.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,11 +29,13 @@ impl Ensemble {
         Self { networks: trained.into_iter().take(KEPT).map(|trained| trained.network).collect() }
     }
 
-    /// Sizes that are compared by their held-out error for that many inputs and runs, the smallest first.
-    pub(super) fn sizes(inputs: usize, runs: usize) -> Vec<usize> {
+    /// Sizes that are compared by their held-out error for that many inputs and runs, the smallest first and none above
+    /// `most`.
+    pub(super) fn sizes(inputs: usize, runs: usize, most: usize) -> Vec<usize> {
         // More weights than three times the runs only cost time: most of them would be switched off.
-        let largest = (3 * runs / (inputs + 2)).max(2);
-        [3, 6, 10, 16].into_iter().filter(|neurons| *neurons <= largest).collect()
+        let largest = (3 * runs / (inputs + 2)).min(most);
+        let sizes: Vec<usize> = SIZES.into_iter().filter(|neurons| *neurons <= largest).collect();
+        if sizes.is_empty() { vec![SIZES[0]] } else { sizes }
     }
 
     /// Neurons of each network.

@@ -27,6 +27,7 @@ pub(super) struct Runs<'a> {
     pub modes: Modes,
     pub folds: Vec<Fold>,
     pub seed: u64,
+    most_neurons: usize,
 }
 
 /// One part of the runs that is held out from the rest.
@@ -68,7 +69,7 @@ impl<'a> Runs<'a> {
                 Fold { held_out, learned, modes }
             })
             .collect();
-        Self { design, curves, noise, modes, folds, seed }
+        Self { design, curves, noise, modes, folds, seed, most_neurons: options.most_neurons }
     }
 
     /// Score number `mode` of a run; 0 where there are fewer modes.
@@ -81,7 +82,7 @@ impl<'a> Runs<'a> {
         let values: Vec<f64> = (0..self.curves.len()).map(|run| self.score(&self.modes, run, mode)).collect();
         let seed = hash(self.seed, mode as u64);
         if kind == Kind::Network {
-            let sizes = Ensemble::sizes(self.design.inputs(), values.len());
+            let sizes = Ensemble::sizes(self.design.inputs(), values.len(), self.most_neurons);
             let mut best: Option<(usize, Vec<(f64, f64)>, f64)> = None;
             for neurons in sizes {
                 let (held_out, square) = self.hold_out(mode, kind, &Like::Neurons(neurons), seed, 1.0)?;

@@ -23,11 +23,13 @@ pub struct Options {
     pub left_share: f64,
     /// Most modes of a curve; 20 by default.
     pub most_modes: usize,
+    /// Most neurons of a network; 16 by default. Training takes the third power of it.
+    pub most_neurons: usize,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { choice: Choice::Auto, seed: 1, left_share: 1e-5, most_modes: 20 }
+        Self { choice: Choice::Auto, seed: 1, left_share: 1e-5, most_modes: 20, most_neurons: 16 }
     }
 }
 
