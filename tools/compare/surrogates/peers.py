@@ -63,7 +63,7 @@ def openturns_chaos(x, y, where):
     law = ot.JointDistribution([ot.Uniform(-1, 1)] * inputs)
     enumerate_ = ot.HyperbolicAnisotropicEnumerateFunction(inputs, 0.75)
     basis = ot.OrthogonalProductPolynomialFactory([ot.LegendreFactory()] * inputs, enumerate_)
-    degree = 10 if inputs < 10 else 4
+    degree = 10 if inputs < 10 else 3
     size = enumerate_.getBasisSizeFromTotalDegree(degree)
     strategy = ot.FixedStrategy(basis, size)
     selection = ot.LeastSquaresMetaModelSelectionFactory(ot.LARS(), ot.CorrectedLeaveOneOut())
