@@ -322,7 +322,7 @@ fn identity_derivatives_of_a_network_are_difference_quotients() {
 fn analytic_known_noise_is_not_taken_for_the_response() {
     // Half of the runs carry noise three times as large as the response; told so, the process trusts the others.
     let at = points(&mixed_inputs(), 11, 0, 60);
-    let deviation = |run: usize| if run % 2 == 0 { 3.0 } else { 1e-3 };
+    let deviation = |run: usize| if run.is_multiple_of(2) { 3.0 } else { 1e-3 };
     let values: Vec<f64> = at.iter().enumerate().map(|(run, x)| smooth(x) + deviation(run) * noise(run)).collect();
     let test = inner_points(&mixed_inputs(), 200);
     let fitted = |output: TrainingOutput| {

@@ -18,6 +18,9 @@ const LEAVE_ONE_OUT_BELOW: usize = 16;
 const MORE_FOLDS_BELOW: usize = 80;
 const MORE_FOLDS: usize = 10;
 
+/// Value and spread of a score for each run, when it was held out.
+type HeldOut = Vec<(f64, f64)>;
+
 /// Runs of one output: their points, their curves, and how they are split.
 pub(super) struct Runs<'a> {
     pub design: Design,
@@ -83,7 +86,7 @@ impl<'a> Runs<'a> {
         let seed = hash(self.seed, mode as u64);
         if kind == Kind::Network {
             let sizes = Ensemble::sizes(self.design.inputs(), values.len(), self.most_neurons);
-            let mut best: Option<(usize, Vec<(f64, f64)>, f64)> = None;
+            let mut best: Option<(usize, HeldOut, f64)> = None;
             for neurons in sizes {
                 let (held_out, square) = self.hold_out(mode, kind, &Like::Neurons(neurons), seed, 1.0)?;
                 // A larger network that is no better ends the search: the next one costs eight times as much.
@@ -103,14 +106,7 @@ impl<'a> Runs<'a> {
 
     /// Held-out value and spread of the score of every run, and the sum of squared errors, where the fits see only the share
     /// `share` of the runs that they may learn from.
-    pub fn hold_out(
-        &self,
-        mode: usize,
-        kind: Kind,
-        like: &Like,
-        seed: u64,
-        share: f64,
-    ) -> Option<(Vec<(f64, f64)>, f64)> {
+    pub fn hold_out(&self, mode: usize, kind: Kind, like: &Like, seed: u64, share: f64) -> Option<(HeldOut, f64)> {
         let mut held_out = vec![(0.0, 0.0); self.curves.len()];
         let mut square = 0.0;
         for fold in &self.folds {

@@ -191,7 +191,7 @@ mod tests {
     use super::{Kernel, Observations};
 
     fn points() -> Vec<Vec<f64>> {
-        (0..14).map(|i| f64::from(i)).map(|i| vec![libm::sin(1.7 * i), libm::cos(2.9 * i + 0.4)]).collect()
+        (0..14).map(f64::from).map(|i: f64| vec![libm::sin(1.7 * i), libm::cos(2.9 * i + 0.4)]).collect()
     }
 
     fn observe<'a>(points: &'a [Vec<f64>], values: &'a [f64], noise: &'a [f64]) -> Observations<'a> {
@@ -235,7 +235,8 @@ mod tests {
             observe(&points, &values, &noise).solve(Kernel::Matern52, &at).unwrap().leave_one_out();
         for i in 0..points.len() {
             let (mut others, mut rest) = (points.clone(), values.clone());
-            (others.remove(i), rest.remove(i));
+            others.remove(i);
+            rest.remove(i);
             let process = super::super::kriging::process_with(&others, &rest, &noise[1..], 1, Kernel::Matern52, &at);
             let (value, deviation) = process.predict(&points[i]);
             let variance = deviation * deviation + libm::exp(at[3]);

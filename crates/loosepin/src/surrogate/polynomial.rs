@@ -87,8 +87,10 @@ mod tests {
         }
     }
 
+    type Quantile = fn(f64) -> f64;
+
     /// Means over the quantiles at midpoints, or for a normal variable the trapezoidal rule on its density.
-    fn mean_products(family: Family, quantile: Option<fn(f64) -> f64>) -> [[f64; 5]; 5] {
+    fn mean_products(family: Family, quantile: Option<Quantile>) -> [[f64; 5]; 5] {
         let count = 20_000_u32;
         let mut means = [[0.0; 5]; 5];
         for i in 0..count {
@@ -111,7 +113,7 @@ mod tests {
         // The width of a cell, 5e-5, squared, times the second derivative of a polynomial of degree eight, below 1e4.
         const TOLERANCE: f64 = 1e-4;
         // Beta(2, 1) has the density 2x on [0, 1], so a = 0, b = 1 and x = √p.
-        let cases: [(Family, Option<fn(f64) -> f64>); 4] = [
+        let cases: [(Family, Option<Quantile>); 4] = [
             (Family::Hermite, None),
             (Family::LEGENDRE, Some(|p| 2.0 * p - 1.0)),
             (Family::CHEBYSHEV, Some(|p| -libm::cos(core::f64::consts::PI * p))),
