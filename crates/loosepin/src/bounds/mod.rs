@@ -19,6 +19,7 @@
 
 mod assemble;
 mod bound;
+mod by_surrogate;
 mod combine;
 mod coverage;
 mod evaluate;
@@ -47,6 +48,10 @@ mod treatment;
 mod trend;
 
 pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading, Treatment, Witness};
+pub use by_surrogate::{
+    ColumnGroup, Confirmation, GroupBounds, Learned, LearnedGroup, SurrogateBounds, SurrogateInput, SurrogatePair,
+    SurrogatePlan, SurrogatePlanError, SurrogateSection, SurrogateSettings,
+};
 pub use coverage::{Coverage, CoveragePoint};
 pub use evaluate::{EvaluateError, Response, evaluate, execute};
 pub use pinching::{PinchedInput, Pinching};

@@ -421,7 +421,8 @@ impl DoubleLoop {
         (budget - first.len()).div_ceil(REFINING_ROUNDS)
     }
 
-    fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
+    /// The inner runs at one u.
+    pub(super) fn runs_at(&self, round: u32, point: u32, place: &Place) -> impl Iterator<Item = RunInputs> {
         let epistemic = self.epistemic_box.values_at(place);
         let moved: Vec<(usize, Option<RandomVariable>)> =
             self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();

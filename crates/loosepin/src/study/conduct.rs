@@ -8,7 +8,10 @@ use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
-use crate::bounds::{DoubleLoop, Failure, PlanError, Problem, RunInputs, SampleTable, Sampling, TableError};
+use super::surrogate::{most_surrogate_runs, surrogate_bounds, surrogate_plan};
+use crate::bounds::{
+    DoubleLoop, Failure, PlanError, Problem, RunInputs, SampleTable, Sampling, SurrogatePlanError, TableError,
+};
 use crate::contributors::IndexPlanError;
 use crate::math::Vectors;
 use crate::simulate::RunFailure;
@@ -42,6 +45,9 @@ pub enum StudyError {
     /// Its sampling is not possible.
     #[error(transparent)]
     Plan(#[from] PlanError),
+    /// The runs of its surrogate are not possible.
+    #[error("surrogate: {0}")]
+    Surrogate(#[from] SurrogatePlanError),
     /// Shares of the variance are not possible.
     #[error(transparent)]
     Contributors(#[from] IndexPlanError),
@@ -102,7 +108,8 @@ pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    Ok(most_runs(study, &response, &plan, contributor_plan.as_ref()))
+    let surrogates = surrogate_plan(study, &response)?.map_or(0, |plan| most_surrogate_runs(study, &plan));
+    Ok(most_runs(study, &response, &plan, contributor_plan.as_ref()) + surrogates)
 }
 
 /// The runs of all parts.
@@ -170,7 +177,9 @@ pub fn conduct(
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref());
+    let surrogate_plan = surrogate_plan(study, &response)?;
+    let surrogate_runs = surrogate_plan.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
+    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref()) + surrogate_runs;
     let mut table = SampleTable::with_capacity(response.row_length(), plan.most_runs());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let before = AtomicUsize::new(0);
@@ -189,6 +198,10 @@ pub fn conduct(
         runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
     }
     let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
+    let surrogate = match &surrogate_plan {
+        Some(plan) => Some(surrogate_bounds(&runner, plan, &bounds, &mut table)?),
+        None => None,
+    };
     // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
     runner.advance(table.len());
     let kept = |error: StudyError| match error {
@@ -204,7 +217,7 @@ pub fn conduct(
         Material { study, response: &response, table: &table, bounds: &bounds, pairs: &bounds.pairs, rare: &rare };
     let result = pool.install(|| {
         let contributors = contributors(&material, &plan, contributor_plan.as_ref());
-        assemble(&material, input_hash, Extra { contributors, allowances, allocation })
+        assemble(&material, input_hash, Extra { contributors, allowances, allocation, surrogate })
     });
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }

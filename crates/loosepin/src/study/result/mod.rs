@@ -6,6 +6,7 @@ mod contributors;
 mod figures;
 mod inputs;
 mod rare;
+mod surrogate;
 
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +26,9 @@ pub use inputs::{
 };
 
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
+pub use surrogate::{
+    SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord, SurrogateVerdict,
+};
 
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};
@@ -84,6 +88,9 @@ pub struct StudyResult {
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,
+    /// Bounds by surrogates beside the direct ones; absent where none was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surrogate: Option<SurrogateRecord>,
     /// What contributes to the answers that were asked so.
     #[serde(default)]
     pub contributors: Vec<Contributors>,
