@@ -2,7 +2,7 @@
 //! that is known only roughly (epistemic: an interval).
 //!
 //! Two wings and one bridge. Physics: [`contact`], [`model`], [`mechanism`], [`dynamics`], [`simulate`], [`accuracy`];
-//! it knows nothing of probability. Uncertainty: [`uncertainty`], [`bounds`]; it knows nothing of mechanisms.
+//! it knows nothing of probability. Uncertainty: [`uncertainty`], [`surrogate`], [`bounds`]; it knows nothing of mechanisms.
 //! [`study`] joins them, [`sweep`] varies one number without either, [`cases`] holds the program against answers that are
 //! known, [`report`] only reads results. [`import`] makes models of drawings, [`measured`] lays measured curves over a run.
 //! `docs/architecture.md` says who may import whom.
@@ -27,6 +27,7 @@ pub mod report;
 pub mod results;
 pub mod simulate;
 pub mod study;
+pub mod surrogate;
 pub mod sweep;
 pub mod templates;
 pub mod trace;

@@ -18,6 +18,8 @@ pub enum Guarantee {
         /// Confidence in (0, 1).
         confidence: f64,
     },
+    /// Not confirmed everywhere: the true range is at least about this wide.
+    Inner,
 }
 
 /// How the kinds of uncertainty are treated.

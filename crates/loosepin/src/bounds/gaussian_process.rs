@@ -11,8 +11,8 @@
 
 use std::sync::OnceLock;
 
-use super::dense::{Cholesky, LowerTriangle, dot, multiply};
 use super::trend::{Trend, gram};
+use crate::math::dense::{Cholesky, LowerTriangle, dot, multiply};
 
 /// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -19,10 +19,10 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::dense::{Cholesky, dot};
 use super::orthogonal::Axis;
 use super::preintegration::Rest;
 use super::trend::gram;
+use crate::math::dense::{Cholesky, dot};
 
 /// Highest degree of a polynomial.
 const MOST_DEGREE: usize = 12;

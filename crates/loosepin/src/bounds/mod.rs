@@ -20,9 +20,9 @@
 
 mod assemble;
 mod bound;
+mod by_surrogate;
 mod combine;
 mod coverage;
-mod dense;
 mod evaluate;
 mod gaussian_process;
 mod inner_basis;
@@ -54,6 +54,10 @@ mod treatment;
 mod trend;
 
 pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading, Treatment, Witness};
+pub use by_surrogate::{
+    ColumnGroup, Confirmation, GroupBounds, Learned, LearnedGroup, SurrogateBounds, SurrogateInput, SurrogatePair,
+    SurrogatePlan, SurrogatePlanError, SurrogateSection, SurrogateSettings,
+};
 pub use coverage::{Coverage, CoveragePoint};
 pub use evaluate::{EvaluateError, Response, evaluate, execute};
 pub use pinching::{PinchedInput, Pinching};

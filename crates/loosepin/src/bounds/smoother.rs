@@ -19,9 +19,9 @@
 
 use rayon::prelude::*;
 
-use super::dense::{Cholesky, dot};
 use super::gaussian_process::{Kernel, Model, Smoothness};
 use super::trend::Trend;
+use crate::math::dense::{Cholesky, dot};
 
 /// Length scales ℓ of the grid, in units of the diagonal of the box.
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];

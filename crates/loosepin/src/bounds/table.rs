@@ -15,6 +15,10 @@ pub enum Purpose {
     Contributors,
     /// A small probability at a fixed u: X around design points or in chains.
     Rare,
+    /// Something for a surrogate to learn from: X and u together.
+    Training,
+    /// A surrogate held against the response: X sampled at the u of a bound.
+    Confirming,
 }
 
 /// The inputs of one run, and its place in the plan.

@@ -1,6 +1,6 @@
 //! The polynomial part of a model.
 
-use super::dense::Cholesky;
+use crate::math::dense::Cholesky;
 
 /// Degree of the polynomial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 
 mod angle;
 mod arctangent;
+pub mod dense;
 mod dual;
 mod exponential;
 mod gram;

@@ -20,6 +20,8 @@ mod section_figure;
 mod simulation_page;
 mod still_figures;
 mod study_page;
+mod surrogate_figure;
+mod surrogate_text;
 mod sweep_page;
 mod terminal;
 mod wording;

@@ -16,13 +16,13 @@ const MARGIN: f64 = 18.0;
 const TICKS: f64 = 6.0;
 
 /// The part of an axis that is shown, in display units.
-struct Axis {
+pub(super) struct Axis {
     from: f64,
     to: f64,
 }
 
 impl Axis {
-    fn over(values: impl Iterator<Item = f64>) -> Axis {
+    pub fn over(values: impl Iterator<Item = f64>) -> Axis {
         let finite = values.filter(|value| value.is_finite());
         let (from, to) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         if to > from {
@@ -35,17 +35,17 @@ impl Axis {
         }
     }
 
-    fn wider(self) -> Axis {
+    pub fn wider(self) -> Axis {
         let room = 0.04 * (self.to - self.from);
         Axis { from: self.from - room, to: self.to + room }
     }
 
-    fn share(&self, value: f64) -> f64 {
+    pub fn share(&self, value: f64) -> f64 {
         (value - self.from) / (self.to - self.from)
     }
 
     /// Round numbers within the axis: 1, 2 or 5 times a power of ten apart.
-    fn ticks(&self) -> Vec<f64> {
+    pub fn ticks(&self) -> Vec<f64> {
         let rough = (self.to - self.from) / TICKS;
         let power = 10_f64.powf(rough.log10().floor());
         let spacing = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough).unwrap_or(rough);
@@ -113,7 +113,7 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
     }
 }
 
-fn tick_text(tick: f64) -> String {
+pub(super) fn tick_text(tick: f64) -> String {
     // Ticks are multiples of 1, 2 or 5 times a power of ten: twelve digits clear the round-off, never a digit.
     let text = format!("{:.12}", tick);
     let text = text.trim_end_matches('0').trim_end_matches('.');

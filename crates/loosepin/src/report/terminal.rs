@@ -9,6 +9,7 @@ use super::inverse::{inverse_sentences, rare_sentences};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
+use super::surrogate_text::surrogate_text;
 use super::wording::{
     EQUALLY_PROBABLE, count, counted, deviation_words, has_lists, output_words, place_words, statistic_words,
     treatment_words, unknown_words,
@@ -75,6 +76,7 @@ pub fn study_text(result: &StudyResult) -> String {
             text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
         }
     }
+    text.push_str(&surrogate_text(result, &writer));
     text.push_str(&contributors_text(result, &writer));
     for comparison in &result.treatments {
         text.push_str(&format!(
@@ -372,7 +374,7 @@ fn with_plain_spaces(text: String) -> String {
     text.replace('\u{a0}', " ")
 }
 
-fn wrapped(sentence: &str, bullet: &str) -> String {
+pub(super) fn wrapped(sentence: &str, bullet: &str) -> String {
     let indent = " ".repeat(bullet.len());
     let options =
         textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent(bullet).subsequent_indent(&indent);

@@ -6,6 +6,7 @@ mod drawing;
 mod runs_table;
 mod summary;
 
+pub(super) use describe::unit;
 pub use runs_table::runs_table;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
@@ -15,8 +16,8 @@ use super::response::StudyResponse;
 use super::result::{
     AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, CutBounds,
     DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError, ProbabilityBox, RareEnd, RareRecord,
-    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind,
-    Verdict, Witness, WitnessValue,
+    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
+    TreatmentKind, Verdict, Witness, WitnessValue,
 };
 use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
@@ -38,6 +39,7 @@ pub(super) struct Extra {
     pub contributors: Vec<Contributors>,
     pub allowances: Vec<AllowanceRecord>,
     pub allocation: Option<AllocationRecord>,
+    pub surrogate: Option<SurrogateRecord>,
 }
 
 /// Puts the result together.
@@ -65,6 +67,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         bounds: asked_bounds(material),
         cuts: cuts(material),
         rare: rare_records(material),
+        surrogate: extra.surrogate,
         contributors: extra.contributors,
         treatments: treatments(material),
         energy: summary::energy(material),
@@ -171,7 +174,8 @@ fn narrow(end: &mut BoundEnd, limit_si: f64) {
         let room = outward * (limit_si - end.value_si);
         end.widened_si = limit_si;
         end.error.sampling_si = end.error.sampling_si.min(room);
-        end.error.optimisation_si = room - end.error.sampling_si;
+        end.error.surrogate_si = end.error.surrogate_si.min(room - end.error.sampling_si);
+        end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
     }
 }
 
@@ -215,6 +219,7 @@ fn guarantee(guarantee: Guarantee) -> GuaranteeKind {
         Guarantee::Enclosure => GuaranteeKind::Enclosure,
         Guarantee::Optimised => GuaranteeKind::Optimised,
         Guarantee::Sampled { confidence } => GuaranteeKind::Sampled { confidence },
+        Guarantee::Inner => GuaranteeKind::Inner,
     }
 }
 
@@ -243,7 +248,7 @@ fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
 }
 
 /// Every bound that was asked for, in the order of the asks; within a curve pose by pose.
-fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
+pub(super) fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
     let mut records = Vec::new();
     for planned in &material.plan().asks {
         let in_curve = planned.ask.location == Where::Cycle;

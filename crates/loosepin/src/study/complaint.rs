@@ -20,7 +20,9 @@ impl Problem for StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Code::AskNotPossible,
-            Self::Plan(_) | Self::Contributors(_) | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::BudgetTooSmall { .. } => {
+                Code::SamplingNotPossible
+            }
             Self::Threads(_) => Code::NoThreads,
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
             Self::Interrupted { .. } => Code::Interrupted,
@@ -49,7 +51,7 @@ impl Problem for StudyError {
             )),
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
-            Self::Plan(_) | Self::Contributors(_) | Self::Table(_) | Self::Loosened { .. } => None,
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
 }
@@ -63,8 +65,9 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_) | Self::Contributors(_) => {
-                let mut complaint = Complaint::error(self, Some(place_of_sampling(study)));
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) => {
+                let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
+                let mut complaint = Complaint::error(self, Some(place_of(key, study)));
                 // These errors bring their way out with them.
                 if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
                     complaint.message = message.to_owned();
@@ -87,11 +90,10 @@ impl StudyError {
     }
 }
 
-/// The header of `[sampling]`; the top of the file where all its numbers are left out.
-fn place_of_sampling(study: &Study) -> Place {
-    let span = parse_toml(study.source())
-        .ok()
-        .and_then(|toml| toml.get_ref().get_key_value("sampling").map(|(key, _)| key.span()));
+/// The header of a table; the top of the file where all of it is left out.
+fn place_of(key: &str, study: &Study) -> Place {
+    let span =
+        parse_toml(study.source()).ok().and_then(|toml| toml.get_ref().get_key_value(key).map(|(key, _)| key.span()));
     Place::new(study.source(), span.unwrap_or_default())
 }
 

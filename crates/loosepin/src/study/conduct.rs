@@ -9,8 +9,10 @@ use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
+use super::surrogate::{most_surrogate_runs, surrogate_bounds, surrogate_plan};
 use crate::bounds::{
-    DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, TableError,
+    DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, SurrogatePlanError,
+    TableError,
 };
 use crate::contributors::IndexPlanError;
 use crate::math::Vectors;
@@ -45,6 +47,9 @@ pub enum StudyError {
     /// Its sampling is not possible.
     #[error(transparent)]
     Plan(#[from] PlanError),
+    /// The runs of its surrogate are not possible.
+    #[error("surrogate: {0}")]
+    Surrogate(#[from] SurrogatePlanError),
     /// Shares of the variance are not possible.
     #[error(transparent)]
     Contributors(#[from] IndexPlanError),
@@ -113,7 +118,8 @@ pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref());
+    let surrogates = surrogate_plan(study, &response)?.map_or(0, |plan| most_surrogate_runs(study, &plan));
+    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref()) + surrogates;
     let reserved = most_runs - plan.most_runs();
     if let Some(Budget::Runs(budget)) = study.budget {
         let least = plan.next_round(&SampleTable::new(response.row_length()))?.len() + reserved;
@@ -192,7 +198,9 @@ pub fn conduct(
     let mut table = SampleTable::new(response.row_length());
     let stated = refinement.plan(&table);
     let contributor_plan = ContributorPlan::new(study, stated)?;
-    let stated_runs = most_runs(study, &response, stated, contributor_plan.as_ref());
+    let surrogate_plan = surrogate_plan(study, &response)?;
+    let surrogate_runs = surrogate_plan.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
+    let stated_runs = most_runs(study, &response, stated, contributor_plan.as_ref()) + surrogate_runs;
     let reserved = stated_runs - stated.most_runs();
     table = SampleTable::with_capacity(response.row_length(), stated.most_runs());
     let budget = budget(study, stated_runs, response.row_length());
@@ -232,6 +240,10 @@ pub fn conduct(
         runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
     }
     let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
+    let surrogate = match &surrogate_plan {
+        Some(plan) => Some(surrogate_bounds(&runner, plan, &bounds, &mut table)?),
+        None => None,
+    };
     let runner = Runner { study, ..runner };
     // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
     runner.advance(table.len());
@@ -255,7 +267,7 @@ pub fn conduct(
     let result = pool.install(|| {
         let contributors = contributors(&material, &plan, contributor_plan.as_ref());
         let accuracy = record(&material, &ended);
-        assemble(&material, input_hash, Extra { accuracy, contributors, allowances, allocation })
+        assemble(&material, input_hash, Extra { accuracy, contributors, allowances, allocation, surrogate })
     });
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }

@@ -14,6 +14,7 @@ mod parameter;
 mod problem;
 mod random;
 mod random_problem;
+mod surrogate;
 mod tolerance;
 
 use std::path::{Path, PathBuf};
@@ -24,7 +25,8 @@ pub(super) use accuracy::statistic_name;
 pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
 pub use description::{
     Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
-    RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, UncertainParameter, Where,
+    RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate,
+    UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
@@ -150,6 +152,7 @@ fn read(
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
+    let surrogate = file.read_surrogate(&root, sampling.replicates, sampling.inner);
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -163,6 +166,7 @@ fn read(
         seed,
         cycle,
         sampling,
+        surrogate,
         reading: file.reading,
         random: file.random,
         correlation,

@@ -19,13 +19,14 @@ mod recorder;
 mod response;
 pub mod result;
 pub mod runs;
+mod surrogate;
 
 pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use distribution_words::distribution_words;
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
-    StatedCorrelation, Study, StudyProblem, UncertainParameter, Where, study_schema,
+    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};
 pub use iso_286::FitError;

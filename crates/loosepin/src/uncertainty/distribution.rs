@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A distribution, parameters in the unit of the variable.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Distribution {
     /// Normal.
     Normal {
@@ -108,8 +109,10 @@ pub enum Distribution {
         /// The distribution before the cut.
         of: Box<Distribution>,
         /// Lower end, or minus infinity.
+        #[serde(with = "super::open_end::lower")]
         lower: f64,
         /// Upper end, > lower, or infinity.
+        #[serde(with = "super::open_end::upper")]
         upper: f64,
     },
 }

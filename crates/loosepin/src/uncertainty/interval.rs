@@ -1,9 +1,11 @@
 //! An epistemic input: a number known to lie between two ends, and nothing else.
 
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A closed interval, in the unit of the variable.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "(f64, f64)", into = "(f64, f64)")]
 pub struct Interval {
     lower: f64,
     upper: f64,
@@ -75,6 +77,20 @@ impl Interval {
     pub fn fraction_of(&self, value: f64) -> f64 {
         let width = self.upper - self.lower;
         if width > 0.0 { ((value - self.lower) / width).clamp(0.0, 1.0) } else { 0.5 }
+    }
+}
+
+impl TryFrom<(f64, f64)> for Interval {
+    type Error = IntervalError;
+
+    fn try_from((lower, upper): (f64, f64)) -> Result<Self, IntervalError> {
+        Self::try_new(lower, upper)
+    }
+}
+
+impl From<Interval> for (f64, f64) {
+    fn from(interval: Interval) -> Self {
+        (interval.lower, interval.upper)
     }
 }
 

@@ -16,6 +16,7 @@ mod incomplete_gamma;
 mod interval;
 mod linear_correlation;
 mod normal;
+mod open_end;
 mod parameter;
 mod random_variable;
 mod sample_fit;

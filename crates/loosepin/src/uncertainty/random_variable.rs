@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::distribution::{Distribution, DistributionError};
 use super::family::{
     Beta, Discrete, Empirical, Exponential, Family, Gamma, Gumbel, Lognormal, Normal, Tails, Triangular, Truncated,
@@ -9,7 +11,8 @@ use super::family::{
 };
 
 /// A distribution whose parameters have been checked, with what its quantile function needs worked out.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(try_from = "Distribution", into = "Distribution")]
 pub struct RandomVariable {
     distribution: Distribution,
     family: Arc<dyn Family>,
@@ -91,6 +94,20 @@ impl RandomVariable {
     /// Values in increasing order with their probabilities, where no others are possible.
     pub(super) fn atoms(&self) -> Option<Vec<(f64, f64)>> {
         self.family.atoms()
+    }
+}
+
+impl TryFrom<Distribution> for RandomVariable {
+    type Error = DistributionError;
+
+    fn try_from(distribution: Distribution) -> Result<Self, DistributionError> {
+        Self::try_new(distribution)
+    }
+}
+
+impl From<RandomVariable> for Distribution {
+    fn from(variable: RandomVariable) -> Self {
+        variable.distribution
     }
 }
 

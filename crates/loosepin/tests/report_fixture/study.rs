@@ -133,6 +133,7 @@ pub fn worn_pin() -> StudyResult {
         bounds: bounds(&outers, &poses),
         cuts: Vec::new(),
         rare: Vec::new(),
+        surrogate: None,
         contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
         energy: Some(energy()),

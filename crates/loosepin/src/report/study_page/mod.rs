@@ -5,6 +5,7 @@ mod contributors;
 mod curves;
 mod cuts;
 mod provenance;
+mod surrogate;
 mod treatments;
 
 use maud::{Markup, html};
@@ -43,6 +44,10 @@ pub fn study_page(result: &StudyResult) -> String {
     }
     if !result.bounds.is_empty() {
         sections.push(Section::new("bounds", "The numbers", bounds_table::bounds_table(result, &writer)));
+    }
+    if let Some(record) = &result.surrogate {
+        let markup = surrogate::surrogate(result, record, &writer);
+        sections.push(Section::new("surrogate", "The same by surrogate", markup));
     }
     if !result.cuts.is_empty() {
         sections.push(Section::new("degrees", "By degree of possibility", cuts::cuts(result, &writer)));

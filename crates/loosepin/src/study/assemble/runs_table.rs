@@ -22,6 +22,8 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
         Purpose::Extreme => "interval_only",
         Purpose::Contributors => "contributors",
         Purpose::Rare => "rare",
+        Purpose::Training => "training",
+        Purpose::Confirming => "confirming",
     };
     let text = |f: &dyn Fn(usize) -> String| RunData::Text(rows.clone().map(f).collect());
     let count = |f: &dyn Fn(usize) -> u64| RunData::U64(rows.clone().map(f).collect());

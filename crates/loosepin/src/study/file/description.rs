@@ -8,6 +8,7 @@ use crate::bounds::{Reading, Statistic};
 use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
+use crate::surrogate::Choice;
 use crate::uncertainty::{EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable};
 use crate::units::{Dimension, SiUnit, format_value};
 
@@ -26,6 +27,8 @@ pub struct Study {
     pub cycle: Cycle,
     /// How many runs, and how accurate.
     pub sampling: Sampling,
+    /// The surrogate whose bounds stand beside the direct ones; nothing where none is asked for.
+    pub surrogate: Option<StudySurrogate>,
     /// How an interval is read.
     pub reading: Reading,
     /// Random inputs in file order.
@@ -109,6 +112,17 @@ pub struct Sampling {
     pub replicates: usize,
     /// Accuracy of positions in a run, m (default: 1e-8).
     pub tolerance_m: f64,
+}
+
+/// A surrogate, and the runs that it is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StudySurrogate {
+    /// Which kind (default: automatic).
+    pub choice: Choice,
+    /// Runs to learn from, for each combination of the members of lists (default: 25 for each uncertain input, at least 100).
+    pub training_runs: usize,
+    /// Direct runs at each witness (default: 16 in each replicate).
+    pub confirming_runs: usize,
 }
 
 /// A quantity that scatters with a known distribution.

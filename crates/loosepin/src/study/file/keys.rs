@@ -57,6 +57,35 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
 
+/// Kinds of surrogates.
+const SURROGATES: [&str; 5] = ["auto", "chaos", "kriging", "network", "none"];
+/// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
+const MOST_TRAINING: u64 = 2000;
+
+pub(super) static SURROGATE_KEYS: Keys = Keys::new(
+    "bounds from a function learned from few runs, beside the direct ones",
+    &[
+        optional(
+            "kind",
+            Kind::Choice(&SURROGATES),
+            "\"auto\"",
+            "auto (if left out) takes for each output what has the least held-out error",
+        ),
+        optional(
+            "training_runs",
+            Kind::Count { least: 4, most: MOST_TRAINING },
+            "100",
+            "runs to learn from; 25 for each uncertain input and at least 100 if left out",
+        ),
+        optional(
+            "confirming_runs",
+            Kind::Count { least: 2, most: MOST_INNER },
+            "64",
+            "direct runs at each witness, a multiple of the replicates; 16 in each if left out",
+        ),
+    ],
+);
+
 /// What is known of a parameter of a distribution.
 pub(super) static PARAMETER_KEYS: Keys = Keys::new(
     "what is known of a parameter of a distribution; with it the distribution is a probability box",
@@ -507,6 +536,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             "what is run and recorded, where it differs from the model",
         ),
         optional("sampling", Kind::Table(&SAMPLING_KEYS), "", "how many runs, and how accurate"),
+        optional(
+            "surrogate",
+            Kind::AnyOf(&[Kind::Choice(&SURROGATES), Kind::Table(&SURROGATE_KEYS)]),
+            "\"auto\"",
+            "bounds from a function learned from few runs, beside the direct ones; none if left out",
+        ),
         optional(
             "random",
             Kind::Tables { keys: &RANDOM_KEYS, except: &[] },

@@ -7,6 +7,7 @@ mod contributors;
 mod figures;
 mod inputs;
 mod rare;
+mod surrogate;
 
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,9 @@ pub use inputs::{
 };
 
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
+pub use surrogate::{
+    SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord, SurrogateVerdict,
+};
 
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};
@@ -89,6 +93,9 @@ pub struct StudyResult {
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,
+    /// Bounds by surrogates beside the direct ones; absent where none was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surrogate: Option<SurrogateRecord>,
     /// What contributes to the answers that were asked so.
     #[serde(default)]
     pub contributors: Vec<Contributors>,

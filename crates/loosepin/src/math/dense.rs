@@ -1,10 +1,11 @@
 //! Small dense symmetric matrices: Cholesky factor and inverse, in a fixed order of operations.
 //!
-//! A library would choose its instructions at run time, and with them the last bits of every search that follows.
+//! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
+//! follows.
 
 /// A symmetric positive definite matrix, factorised as L Lᵀ.
 #[derive(Debug, Clone)]
-pub(super) struct Cholesky {
+pub struct Cholesky {
     order: usize,
     /// Rows of L, full storage.
     factor: Vec<f64>,
@@ -90,7 +91,7 @@ impl Cholesky {
 
 /// A lower triangular matrix.
 #[derive(Debug, Clone)]
-pub(super) struct LowerTriangle {
+pub struct LowerTriangle {
     order: usize,
     /// Rows, full storage, zero above the diagonal.
     entries: Vec<f64>,
@@ -113,6 +114,22 @@ impl LowerTriangle {
         product
     }
 
+    /// TᵀT, row by row, its lower triangle; the rest is zero.
+    pub fn gram(&self) -> Vec<f64> {
+        let order = self.order;
+        let mut product = vec![0.0; order * order];
+        for row in self.rows() {
+            for (i, factor) in row.iter().enumerate() {
+                if *factor != 0.0 {
+                    for (sum, entry) in product[i * order..=i * order + i].iter_mut().zip(row) {
+                        *sum += factor * entry;
+                    }
+                }
+            }
+        }
+        product
+    }
+
     /// Sum of squares of each column.
     pub fn column_squares(&self) -> Vec<f64> {
         let mut squares = vec![0.0; self.order];
@@ -130,7 +147,7 @@ impl LowerTriangle {
 }
 
 /// Scalar product, in eight partial sums so that it can be vectorised, always in this order.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
     let (a_blocks, b_blocks) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(x, y)| x * y).sum();
@@ -144,7 +161,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// The product of a matrix (row by row) and a vector.
-pub(super) fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
+pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     matrix.chunks(vector.len().max(1)).map(|row| dot(row, vector)).collect()
 }
 

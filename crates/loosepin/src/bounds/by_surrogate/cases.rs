@@ -1,0 +1,253 @@
+//! Bounds by surrogates of responses whose bounds are known.
+
+use super::super::exact_cases::{Function, STANDARD_NORMAL, problem};
+use super::super::{
+    BoundPair, Failure, Problem, Request, Response, SampleTable, Sampling, Statistic, evaluate, execute,
+};
+use super::{
+    ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateSettings,
+};
+use crate::surrogate::{Choice, Kind, SurrogateError, Verdict};
+use crate::uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash};
+
+/// Of numbers about 1.
+const ROUND_OFF: f64 = 1e-12;
+
+fn settings(kind: Kind, training: usize) -> SurrogateSettings {
+    let groups = vec![ColumnGroup { name: "y".into(), columns: vec![0] }];
+    SurrogateSettings { choice: Choice::Only(kind), training, confirming: 16, groups }
+}
+
+fn small(problem: Problem, seed: u64) -> Problem {
+    Problem { sampling: Sampling { outer: 16, inner: 64, seed, ..Sampling::default() }, ..problem }
+}
+
+fn bounds(problem: Problem, settings: SurrogateSettings, response: &impl Response) -> SurrogateBounds {
+    let plan = SurrogatePlan::try_new(problem, settings).unwrap();
+    let mut table = SampleTable::new(plan.problem().columns);
+    execute(plan.training_round(0).unwrap(), response, &mut table).unwrap();
+    let learned = plan.learn(&table);
+    let confirmation = plan.confirmation(&learned, 1).unwrap();
+    execute(confirmation.round.clone(), response, &mut table).unwrap();
+    plan.results(learned, &confirmation, &table).unwrap()
+}
+
+fn holds(pair: &SurrogatePair, exact: (f64, f64)) {
+    let [lower, upper] = [&pair.pair.lower, &pair.pair.upper];
+    let held = lower.widened <= exact.0 + ROUND_OFF && upper.widened >= exact.1 - ROUND_OFF;
+    assert!(held, "exact {exact:?}: {:?}", pair.pair);
+    for (bound, sign) in [(lower, -1.0), (upper, 1.0)] {
+        let error = bound.error;
+        assert!(error.sampling >= 0.0 && error.optimisation >= 0.0 && error.surrogate >= 0.0, "{bound:?}");
+        assert!(sign * (bound.widened - bound.value) >= 0.0, "{bound:?}");
+    }
+}
+
+fn verdict(group: &GroupBounds) -> Verdict {
+    group.learned.surrogates.as_ref().unwrap()[0].outputs()[0].residual.verdict
+}
+
+/// The direct bounds of the same problem: the same inner runs, so only the surrogate may make a difference.
+fn direct(problem: Problem, response: &impl Response) -> Vec<BoundPair> {
+    evaluate(problem, response).unwrap().pairs
+}
+
+#[test]
+fn identity_what_a_polynomial_gives_exactly_has_the_direct_bounds() {
+    const TOLERANCE: f64 = 1e-9; // round-off of a least-squares fit
+    let statistics = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.975)];
+    let of = || small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
+    let response = Function(|x: &[f64], u: &[f64]| x[0] + 2.0 * u[0] * u[0]);
+    let found = bounds(of(), settings(Kind::Chaos, 20), &response);
+    for (pair, direct) in found.groups[0].pairs.iter().zip(direct(of(), &response)) {
+        for (own, direct) in [(&pair.pair.lower, &direct.lower), (&pair.pair.upper, &direct.upper)] {
+            assert!((own.value - direct.value).abs() < TOLERANCE, "{own:?} {direct:?}");
+            assert!(own.error.surrogate < TOLERANCE, "{own:?}");
+        }
+    }
+    let confirmed: Vec<[bool; 2]> = found.groups[0].pairs.iter().map(|pair| pair.is_confirmed).collect();
+    assert_eq!(confirmed, [[true; 2], [false; 2], [false; 2]]);
+    assert_eq!((found.training_runs, found.failed_runs), (20, 0));
+    assert!(found.confirming_runs >= 2 * 16 && found.confirming_runs.is_multiple_of(16));
+}
+
+/// The slider-crank with play of the closed form: y = r cos θ + sqrt(l² - (r sin θ + c sin ψ)²) + c cos ψ - s, θ = 60°, mm.
+fn slider(x: &[f64], u: &[f64]) -> f64 {
+    let (sine, cosine) = (0.75_f64.sqrt(), 0.5);
+    let height = x[0] * sine + u[0] * libm::sin(u[1]);
+    x[0] * cosine + (x[1] * x[1] - height * height).sqrt() + u[0] * libm::cos(u[1]) - 136.915_146_427_996_96
+}
+
+#[test]
+fn analytic_a_slider_crank_with_play_from_a_hundred_runs() {
+    const MOST_WIDTH: f64 = 1.03; // of the true width of the mean
+    let normal = |mean, standard_deviation| Distribution::Normal { mean, standard_deviation };
+    let statistics = [
+        (Statistic::Mean, (-0.536_290_6, 0.535_951_9)),
+        (Statistic::StandardDeviation, (0.032_290_24, 0.032_382_72)),
+        (Statistic::ProbabilityBeyond(0.45), (0.0, 0.996_176_4)),
+        (Statistic::ProbabilityBeyond(0.60), (0.0, 0.024_466_6)),
+    ];
+    for seed in [5, 6] {
+        let of = problem(
+            &[normal(50.0, 0.02), normal(120.0, 0.03)],
+            &[(0.1, 0.5), (0.0, core::f64::consts::TAU)],
+            &statistics.map(|(statistic, _)| statistic),
+        );
+        let of = Problem { sampling: Sampling { outer: 32, inner: 128, seed, ..Sampling::default() }, ..of };
+        let found = bounds(of, settings(Kind::Chaos, 100), &Function(slider));
+        for (pair, (_, exact)) in found.groups[0].pairs.iter().zip(statistics) {
+            holds(pair, exact);
+        }
+        let mean = &found.groups[0].pairs[0].pair;
+        let width = (mean.upper.widened - mean.lower.widened) / (0.535_951_9 + 0.536_290_6);
+        assert!(width < MOST_WIDTH, "seed {seed}: {width}");
+    }
+}
+
+/// A number between -1 and 1 that no function of the inputs is likely to give.
+fn noise(x: &[f64], u: &[f64]) -> f64 {
+    let key = x.iter().chain(u).fold(17, |key, value| hash(key, value.to_bits()));
+    2.0 * (hash(key, 1) >> 11) as f64 / (1_u64 << 53) as f64 - 1.0
+}
+
+#[test]
+fn analytic_white_noise_is_recognised_and_its_scatter_kept() {
+    const TOLERANCE: f64 = 0.25; // of a quantile: 60 errors stand for the noise, and their mean over u is not quite 0
+    let statistics = [Statistic::Mean, Statistic::ProbabilityAbove(0.4), Statistic::Quantile(0.8)];
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
+    let found = bounds(of, settings(Kind::Kriging, 60), &Function(noise));
+    let group = &found.groups[0];
+    assert!(matches!(verdict(group), Verdict::Nothing | Verdict::Floor), "{:?}", verdict(group));
+    assert!(group.learned.keeps_residual());
+    for (pair, exact) in group.pairs.iter().zip([(0.0, 0.0), (0.3, 0.3), (0.6, 0.6)]) {
+        holds(pair, exact);
+    }
+    let quantile = &group.pairs[2].pair;
+    assert!(
+        (quantile.upper.value - 0.6).abs() < TOLERANCE && (quantile.lower.value - 0.6).abs() < TOLERANCE,
+        "{quantile:?}"
+    );
+}
+
+#[test]
+fn analytic_a_step_is_recognised_and_its_bounds_hold() {
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
+    let step = Function(|x: &[f64], u: &[f64]| if u[0] > -0.3 { 2.3 } else { 0.4 } + 0.05 * x[0]);
+    let found = bounds(of, settings(Kind::Kriging, 80), &step);
+    assert!(found.groups[0].learned.keeps_residual(), "{:?}", verdict(&found.groups[0]));
+    holds(&found.groups[0].pairs[0], (0.4, 2.3));
+}
+
+#[test]
+fn analytic_a_constant_has_no_width() {
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean, Statistic::StandardDeviation]), 3);
+    let found = bounds(of, settings(Kind::Chaos, 9), &Function(|_: &[f64], _: &[f64]| 0.3));
+    assert_eq!(verdict(&found.groups[0]), Verdict::Constant);
+    for (pair, exact) in found.groups[0].pairs.iter().zip([0.3, 0.0]) {
+        holds(pair, (exact, exact));
+        assert!((pair.pair.upper.widened - pair.pair.lower.widened).abs() < ROUND_OFF, "{pair:?}");
+    }
+}
+
+#[test]
+fn analytic_an_interval_alone_is_enough() {
+    const TOLERANCE: f64 = 1e-3; // of a polynomial through 24 points
+    let of = small(problem(&[], &[(0.4, 5.5)], &[Statistic::Mean]), 3);
+    let found = bounds(of, settings(Kind::Chaos, 24), &Function(|_: &[f64], u: &[f64]| libm::sin(u[0])));
+    let pair = &found.groups[0].pairs[0];
+    holds(pair, (-1.0, 1.0));
+    assert!(pair.pair.upper.widened < 1.0 + TOLERANCE && pair.pair.lower.widened > -1.0 - TOLERANCE, "{pair:?}");
+    // Each witness is one direct run.
+    assert_eq!(found.confirming_runs, 2);
+}
+
+#[test]
+fn analytic_members_of_lists_have_surrogates_of_their_own() {
+    let mut of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
+    of.epistemic.push(Members::try_new(vec![2.0, 7.0]).unwrap().into());
+    // No function of the member as a number between 2 and 7: another sign altogether.
+    let response = Function(|x: &[f64], u: &[f64]| if u[1] == 2.0 { x[0] + u[0] } else { 3.5 - u[0] * u[0] });
+    let found = bounds(of, settings(Kind::Chaos, 20), &response);
+    assert_eq!((found.training_runs, found.groups[0].learned.surrogates.as_ref().unwrap().len()), (40, 2));
+    holds(&found.groups[0].pairs[0], (-1.5, 3.5));
+}
+
+#[test]
+fn identity_a_mean_that_is_only_known_within_an_interval_has_the_direct_bounds() {
+    const TOLERANCE: f64 = 1e-9; // round-off of a least-squares fit
+    let of = || {
+        let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean, Statistic::Quantile(0.8)]), 3);
+        let parameters = vec![EpistemicParameter { random: 0, parameter: Parameter::Mean, epistemic: 0 }];
+        Problem { parameters, ..of }
+    };
+    let response = Function(|x: &[f64], _: &[f64]| 2.0 * x[0]);
+    let found = bounds(of(), settings(Kind::Chaos, 30), &response);
+    for (pair, direct) in found.groups[0].pairs.iter().zip(direct(of(), &response)) {
+        for (own, direct) in [(&pair.pair.lower, &direct.lower), (&pair.pair.upper, &direct.upper)] {
+            assert!((own.value - direct.value).abs() < TOLERANCE, "{own:?} {direct:?}");
+        }
+    }
+}
+
+/// Fails where u is large; a mean then has no bound.
+struct FailsSometimes;
+
+impl Response for FailsSometimes {
+    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        columns[0] = random[0] + epistemic[0];
+        // The second column is there in a single run in a hundred.
+        columns[1] = if epistemic[0] > 0.699 { 0.3 } else { f64::NAN };
+        if epistemic[0] > 0.6 && random[0] > 0.0 { Err(Failure(7)) } else { Ok(()) }
+    }
+}
+
+#[test]
+fn analytic_an_output_that_failed_in_some_runs_or_in_nearly_all() {
+    let mut of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
+    of.columns = 2;
+    of.requests.push(Request { column: 1, statistic: Statistic::Mean });
+    let mut settings = settings(Kind::Chaos, 40);
+    settings.groups.push(ColumnGroup { name: "rare".into(), columns: vec![1] });
+    let found = bounds(of, settings, &FailsSometimes);
+    let pair = &found.groups[0].pairs[0].pair;
+    assert!(pair.unbounded_by_failures && pair.failed_runs > 0 && found.failed_runs > 0);
+    let problem = found.groups[1].learned.surrogates.as_ref().err().unwrap();
+    assert!(matches!(problem, SurrogateError::TooFewRuns { different: 1..=3, runs: 40, .. }), "{problem}");
+    assert!(found.groups[1].pairs.is_empty());
+}
+
+#[test]
+fn what_cannot_be_learned_from_is_refused() {
+    let of = || small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
+    let refused = |settings: SurrogateSettings| SurrogatePlan::try_new(of(), settings).unwrap_err();
+    assert_eq!(
+        refused(settings(Kind::Chaos, 1)).to_string(),
+        "1 training runs; must be at least 4\nhint: 30 for each uncertain input are a start"
+    );
+    let uneven = SurrogateSettings { confirming: 20, ..settings(Kind::Chaos, 20) };
+    assert_eq!(
+        refused(uneven).to_string(),
+        "20 confirming runs; must be a multiple of the 8 replicates, at least 2 in each, and at most the 64 inner runs"
+    );
+    let nothing = SurrogateSettings { groups: Vec::new(), ..settings(Kind::Chaos, 20) };
+    assert_eq!(refused(nothing), SurrogatePlanError::NotLearned { column: 0 });
+    // Nothing varies but a parameter of no distribution: there is no input to learn from.
+    let fixed = small(problem(&[], &[(0.4, 0.4)], &[Statistic::Mean]), 3);
+    let found = bounds(fixed, settings(Kind::Chaos, 9), &Function(|_: &[f64], u: &[f64]| u[0]));
+    assert_eq!(found.groups[0].learned.surrogates.as_ref().err(), Some(&SurrogateError::NoInput));
+}
+
+#[test]
+fn identity_the_same_bits_for_any_number_of_threads() {
+    let ends = [1, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Quantile(0.9)]), 3);
+            let response = Function(|x: &[f64], u: &[f64]| libm::exp(0.3 * x[0]) * libm::cos(u[0]));
+            let pair = bounds(of, settings(Kind::Kriging, 20), &response).groups.remove(0).pairs.remove(0).pair;
+            [pair.lower.widened.to_bits(), pair.upper.widened.to_bits(), pair.upper.value.to_bits()]
+        })
+    });
+    assert_eq!(ends[0], ends[1]);
+}

@@ -1,0 +1,165 @@
+//! The steps of a plan with surrogates.
+
+use thiserror::Error;
+
+use super::super::evaluate::EvaluateError;
+use super::super::plan::{DoubleLoop, PlanError};
+use super::super::problem::Problem;
+use super::super::table::{Purpose, RunInputs, SampleTable};
+use super::confirm::Confirmation;
+use super::learned::Learned;
+use super::results::{FIRST_REACH, SurrogateBounds};
+use super::search::search_all;
+use super::space::TrainingSpace;
+use crate::surrogate::{Choice, FEWEST_RUNS};
+
+/// Columns that are learned together: a number, or a curve place by place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnGroup {
+    /// Name, as in messages.
+    pub name: String,
+    /// Columns of the response.
+    pub columns: Vec<usize>,
+}
+
+/// How surrogates are made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurrogateSettings {
+    /// Which kind.
+    pub choice: Choice,
+    /// Runs to learn from, for each combination of the members of lists; at least [`FEWEST_RUNS`].
+    pub training: usize,
+    /// Direct runs at each witness: a multiple of the replicates, two in each at least, and no more than the inner runs.
+    pub confirming: usize,
+    /// What is learned; every column that is asked for stands in one group.
+    pub groups: Vec<ColumnGroup>,
+}
+
+/// Why there are no bounds by surrogates.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SurrogatePlanError {
+    /// The problem, or its runs.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The double loop on a surrogate.
+    #[error(transparent)]
+    Evaluate(#[from] EvaluateError),
+    /// Too few runs to learn from.
+    #[error("{training} training runs; must be at least {FEWEST_RUNS}\nhint: 30 for each uncertain input are a start")]
+    TooFewTraining {
+        /// Value given.
+        training: usize,
+    },
+    /// Direct runs that cannot be spread over the replicates.
+    #[error(
+        "{confirming} confirming runs; must be a multiple of the {replicates} replicates, at least 2 in each, and at most the \
+         {inner} inner runs"
+    )]
+    Confirming {
+        /// Value given.
+        confirming: usize,
+        /// Replicates.
+        replicates: usize,
+        /// Inner runs.
+        inner: usize,
+    },
+    /// A column that is asked for and not learned.
+    #[error("column {column} is asked for and in none of the groups that are learned")]
+    NotLearned {
+        /// The column.
+        column: usize,
+    },
+}
+
+/// A checked problem, and what is to be learned of it.
+#[derive(Debug, Clone)]
+pub struct SurrogatePlan {
+    pub(super) direct: DoubleLoop,
+    pub(super) settings: SurrogateSettings,
+    pub(super) space: TrainingSpace,
+}
+
+impl SurrogatePlan {
+    /// Checks `problem` and `settings`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError`] where either breaks a rule.
+    pub fn try_new(problem: Problem, settings: SurrogateSettings) -> Result<Self, SurrogatePlanError> {
+        let direct = DoubleLoop::try_new(problem)?;
+        let problem = direct.problem();
+        let SurrogateSettings { training, confirming, .. } = settings;
+        if training < FEWEST_RUNS {
+            return Err(SurrogatePlanError::TooFewTraining { training });
+        }
+        let (replicates, inner) = (problem.sampling.replicates, problem.sampling.inner);
+        let is_spread = confirming.is_multiple_of(replicates) && confirming >= 2 * replicates && confirming <= inner;
+        if !problem.random.is_empty() && !is_spread {
+            return Err(SurrogatePlanError::Confirming { confirming, replicates, inner });
+        }
+        let is_learned = |column: &usize| settings.groups.iter().any(|group| group.columns.contains(column));
+        if let Some(column) = direct.needed_columns().into_iter().find(|column| !is_learned(column)) {
+            return Err(SurrogatePlanError::NotLearned { column });
+        }
+        let space = TrainingSpace::new(problem);
+        Ok(Self { direct, settings, space })
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Problem {
+        self.direct.problem()
+    }
+
+    /// What is to be learned.
+    pub fn settings(&self) -> &SurrogateSettings {
+        &self.settings
+    }
+
+    /// The runs to learn from, as round `round` of a table.
+    ///
+    /// # Errors
+    ///
+    /// More inputs than Sobol' points have dimensions.
+    pub fn training_round(&self, round: u32) -> Result<Vec<RunInputs>, SurrogatePlanError> {
+        let places = self.space.places(self.problem(), self.settings.training).map_err(PlanError::from)?;
+        let run = |(point, (random, epistemic)): (usize, (Vec<f64>, Vec<f64>))| RunInputs {
+            round,
+            purpose: Purpose::Training,
+            point: point as u32,
+            replicate: 0,
+            index: 0,
+            random,
+            epistemic,
+        };
+        Ok(places.into_iter().enumerate().map(run).collect())
+    }
+
+    /// Learns from the training runs in `table`.
+    pub fn learn(&self, table: &SampleTable) -> Learned {
+        Learned::new(self.problem(), &self.space, &self.settings, table)
+    }
+
+    /// The double loop on the surrogates, and the direct runs that its bounds are to be held against, as round `round`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn confirmation(&self, learned: &Learned, round: u32) -> Result<Confirmation, SurrogatePlanError> {
+        let searched = search_all(self, learned, |_| FIRST_REACH)?;
+        Ok(Confirmation::new(self, searched, round))
+    }
+
+    /// Bounds from the surrogates, with the runs of `confirmation` in `table`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn results(
+        &self,
+        learned: Learned,
+        confirmation: &Confirmation,
+        table: &SampleTable,
+    ) -> Result<SurrogateBounds, SurrogatePlanError> {
+        SurrogateBounds::new(self, learned, confirmation, table)
+    }
+}

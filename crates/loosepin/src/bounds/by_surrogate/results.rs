@@ -1,0 +1,191 @@
+//! Bounds put together from surrogates and direct runs.
+
+use super::super::bound::{Bound, BoundError, BoundPair, Guarantee};
+use super::super::probability_box::ProbabilityBox;
+use super::super::problem::Request;
+use super::super::search::Direction;
+use super::super::statistic::Statistic;
+use super::super::table::{Purpose, SampleTable};
+use super::super::treatment::TreatmentComparison;
+use super::confirm::{Confirmation, Confirmed, confirmed};
+use super::learned::{Aspect, Learned, LearnedGroup};
+use super::plan::{SurrogatePlan, SurrogatePlanError};
+use super::search::{Searched, search_group};
+
+/// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
+pub(super) const FIRST_REACH: f64 = 3.0;
+/// k is at least so many times the largest error that direct runs have shown, in σ.
+const MARGIN: f64 = 1.5;
+
+/// Bounds of one requested statistic by a surrogate.
+#[derive(Debug, Clone)]
+pub struct SurrogatePair {
+    /// The bounds; the witnesses are those on the surrogate.
+    pub pair: BoundPair,
+    /// Whether the value of the lower and of the upper bound is corrected by direct runs at its witness.
+    pub is_confirmed: [bool; 2],
+}
+
+/// Everything about one group of columns.
+#[derive(Clone)]
+pub struct GroupBounds {
+    /// What was learned, or why nothing was.
+    pub learned: LearnedGroup,
+    /// k: by how many of its standard deviations the surrogate is taken to err.
+    pub reach: f64,
+    /// The largest error at the witnesses, in σ.
+    pub largest_ratio: f64,
+    /// Bounds of what is possible at all, in the order of the requests; empty where nothing was learned.
+    pub pairs: Vec<SurrogatePair>,
+    /// The same to every degree, where an input is a fuzzy number.
+    pub levels: Vec<(f64, Vec<SurrogatePair>)>,
+    /// Distribution functions of the surrogate itself.
+    pub boxes: Vec<ProbabilityBox>,
+    /// The three treatments on the surrogate itself.
+    pub comparisons: Vec<TreatmentComparison>,
+}
+
+/// Bounds by surrogates.
+#[derive(Clone)]
+pub struct SurrogateBounds {
+    /// One entry a group, in their order.
+    pub groups: Vec<GroupBounds>,
+    /// Runs to learn from.
+    pub training_runs: usize,
+    /// Direct runs at witnesses.
+    pub confirming_runs: usize,
+    /// Failed ones of both.
+    pub failed_runs: usize,
+}
+
+impl SurrogateBounds {
+    pub(super) fn new(
+        plan: &SurrogatePlan,
+        learned: Learned,
+        confirmation: &Confirmation,
+        table: &SampleTable,
+    ) -> Result<Self, SurrogatePlanError> {
+        let count = |purpose: Purpose| table.inputs().iter().filter(|inputs| inputs.purpose == purpose).count();
+        let is_own = |run: &usize| matches!(table.inputs()[*run].purpose, Purpose::Training | Purpose::Confirming);
+        let groups = learned.groups.into_iter().zip(&confirmation.searched);
+        Ok(Self {
+            groups: groups
+                .map(|(group, searched)| {
+                    let confirmed = confirmed(plan, &group, confirmation, table);
+                    group_bounds(plan, group, searched, &confirmed)
+                })
+                .collect::<Result<_, _>>()?,
+            training_runs: count(Purpose::Training),
+            confirming_runs: count(Purpose::Confirming),
+            failed_runs: (0..table.len()).filter(is_own).filter(|&run| table.failure(run).is_some()).count(),
+        })
+    }
+
+    /// The bounds of `statistic` of `column`.
+    pub fn pair(&self, column: usize, statistic: Statistic) -> Option<&SurrogatePair> {
+        let mut pairs = self.groups.iter().flat_map(|group| &group.pairs);
+        pairs.find(|pair| pair.pair.column == column && pair.pair.statistic == statistic)
+    }
+}
+
+fn group_bounds(
+    plan: &SurrogatePlan,
+    learned: LearnedGroup,
+    searched: &[Searched],
+    confirmed: &[Confirmed],
+) -> Result<GroupBounds, SurrogatePlanError> {
+    let largest_ratio = confirmed.iter().map(Confirmed::ratio).fold(0.0, f64::max);
+    let reach = FIRST_REACH.max(MARGIN * largest_ratio);
+    // The values stay those whose witnesses were looked at; only what is conceded grows.
+    let again = if reach > FIRST_REACH { Some(search_group(plan, &learned, reach)?) } else { None };
+    let wide = again.as_deref().unwrap_or(searched);
+    let failed = learned.failed + confirmed.iter().map(Confirmed::failed).sum::<usize>();
+    let mut levels: Vec<(Option<f64>, Vec<SurrogatePair>)> = Vec::new();
+    for (near, far) in searched.iter().zip(wide) {
+        for (level, ((alpha, pairs), (_, far_pairs))) in near.levels().into_iter().zip(far.levels()).enumerate() {
+            if levels.len() <= level {
+                levels.push((alpha, Vec::new()));
+            }
+            for (request, pair) in near.values(pairs) {
+                let place = learned.group.columns.iter().position(|&column| column == request.column).unwrap_or(0);
+                let end = |bound: &Bound, direction| {
+                    let furthest = far.furthest(far_pairs, request, direction);
+                    put_together(plan, bound, furthest, confirmed, (place, request), direction)
+                };
+                let (mut lower, is_lower) = end(&pair.lower, Direction::Minimum);
+                let (mut upper, is_upper) = end(&pair.upper, Direction::Maximum);
+                if !(is_lower && is_upper) {
+                    (lower.guarantee, upper.guarantee) = (Guarantee::Inner, Guarantee::Inner);
+                }
+                let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
+                let pair = BoundPair {
+                    column: request.column,
+                    statistic: request.statistic,
+                    lower,
+                    upper,
+                    estimates: pair.estimates.clone(),
+                    failed_runs: failed,
+                    unbounded_by_failures: has_no_bound && failed > 0,
+                };
+                levels[level].1.push(SurrogatePair { pair, is_confirmed: [is_lower, is_upper] });
+            }
+        }
+    }
+    let mut levels = levels.into_iter();
+    let pairs = levels.next().map(|(_, pairs)| pairs).unwrap_or_default();
+    let column_of =
+        |searched: &Searched, column: usize| learned.group.columns[searched.places[column / Aspect::ALL.len()]];
+    let boxes = searched.iter().flat_map(|searched| {
+        let own = searched.bounds.boxes.iter().cloned();
+        own.map(|found| ProbabilityBox { column: column_of(searched, found.column), ..found })
+    });
+    let comparisons = searched.iter().flat_map(|searched| {
+        let own = searched.bounds.comparisons.iter().cloned();
+        own.map(|found| TreatmentComparison { column: column_of(searched, found.column), ..found })
+    });
+    Ok(GroupBounds {
+        reach,
+        largest_ratio,
+        pairs,
+        levels: levels.filter_map(|(alpha, pairs)| Some((alpha?, pairs))).collect(),
+        boxes: boxes.collect(),
+        comparisons: comparisons.collect(),
+        learned,
+    })
+}
+
+/// A bound on the surrogate's value with what direct runs and the band say: whether it was corrected, too.
+fn put_together(
+    plan: &SurrogatePlan,
+    bound: &Bound,
+    furthest: f64,
+    confirmed: &[Confirmed],
+    (place, request): (usize, Request),
+    direction: Direction,
+) -> (Bound, bool) {
+    let sign = direction.sign();
+    let at_witness = bound.witness.as_ref().and_then(|witness| {
+        let confirmed = confirmed.iter().find(|confirmed| confirmed.is_at(&witness.epistemic))?;
+        confirmed.corrected(place, request.statistic, plan.direct.confidence())
+    });
+    let is_confirmed = at_witness.is_some();
+    let (value, sampling) = at_witness.map_or((bound.value, bound.error.sampling), |corrected| {
+        let own = if direction == Direction::Minimum { corrected.below } else { corrected.above };
+        // Where the direct runs show no difference they may have missed one: the surrogate's own error stays.
+        let is_mean = request.statistic == Statistic::Mean;
+        (corrected.value, if is_mean { own } else { own.max(bound.error.sampling) })
+    });
+    let known = sampling + bound.error.optimisation;
+    let surrogate = (sign * (furthest - value) - known).max(0.0);
+    let surrogate = if surrogate.is_nan() { f64::INFINITY } else { surrogate };
+    let error = BoundError { sampling, optimisation: bound.error.optimisation, surrogate };
+    let widened = value + sign * error.total();
+    let widened = match request.statistic {
+        Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) | Statistic::ProbabilityBeyond(_) => {
+            widened.clamp(0.0, 1.0)
+        }
+        Statistic::StandardDeviation => widened.max(0.0),
+        _ => widened,
+    };
+    (Bound { value, widened, witness: bound.witness.clone(), error, guarantee: bound.guarantee }, is_confirmed)
+}

@@ -1,0 +1,132 @@
+//! The double loop on the surrogates of a group.
+
+use super::super::bound::{Bound, BoundPair, Bounds};
+use super::super::evaluate::{EvaluateError, evaluate};
+use super::super::problem::{Problem, Request};
+use super::super::search::Direction;
+use super::super::statistic::Statistic;
+use super::learned::{Aspect, Learned, LearnedGroup, LearnedResponse};
+use super::plan::SurrogatePlan;
+use crate::surrogate::Surrogate;
+
+/// Places of a curve that go through the double loop together, so that its table stays small.
+const MOST_PLACES: usize = 64;
+
+/// What was found for some places of a group.
+pub(super) struct Searched {
+    /// Positions within the group.
+    pub places: Vec<usize>,
+    /// What each pair of the bounds is: a request of the problem, on an aspect.
+    asked: Vec<(Request, Aspect)>,
+    /// Columns are those of the aspects.
+    pub bounds: Bounds,
+}
+
+/// Searches all groups that were learned; `reach` is k of each of them.
+pub(super) fn search_all(
+    plan: &SurrogatePlan,
+    learned: &Learned,
+    reach: impl Fn(usize) -> f64,
+) -> Result<Vec<Vec<Searched>>, EvaluateError> {
+    let groups = learned.groups.iter().enumerate();
+    groups.map(|(index, group)| search_group(plan, group, reach(index))).collect()
+}
+
+/// Searches one group, a number of places at a time; nothing where it was not learned.
+pub(super) fn search_group(
+    plan: &SurrogatePlan,
+    group: &LearnedGroup,
+    reach: f64,
+) -> Result<Vec<Searched>, EvaluateError> {
+    let Ok(surrogates) = &group.surrogates else { return Ok(Vec::new()) };
+    let needed = plan.direct.needed_columns();
+    let places: Vec<usize> =
+        (0..group.group.columns.len()).filter(|&place| needed.contains(&group.group.columns[place])).collect();
+    places.chunks(MOST_PLACES).map(|places| search_places(plan, group, surrogates, places, reach)).collect()
+}
+
+fn search_places(
+    plan: &SurrogatePlan,
+    group: &LearnedGroup,
+    surrogates: &[Surrogate],
+    places: &[usize],
+    reach: f64,
+) -> Result<Searched, EvaluateError> {
+    let direct = plan.problem();
+    let column_of = |slot: usize, aspect: Aspect| {
+        slot * Aspect::ALL.len() + Aspect::ALL.iter().position(|a| *a == aspect).unwrap_or(0)
+    };
+    let slot_of = |column: usize| places.iter().position(|&place| group.group.columns[place] == column);
+    let mut requests = Vec::new();
+    let mut asked = Vec::new();
+    for request in &direct.requests {
+        let Some(slot) = slot_of(request.column) else { continue };
+        for (aspect, statistic) in aspects(request.statistic) {
+            requests.push(Request { column: column_of(slot, aspect), statistic });
+            if statistic != Statistic::Cdf {
+                asked.push((*request, aspect));
+            }
+        }
+    }
+    let compared = direct.compared_columns.iter().filter_map(|&column| slot_of(column));
+    let problem = Problem {
+        columns: places.len() * Aspect::ALL.len(),
+        requests,
+        compared_columns: compared.map(|slot| column_of(slot, Aspect::Value)).collect(),
+        ..direct.clone()
+    };
+    let response = LearnedResponse { space: &plan.space, surrogates, places, reach };
+    Ok(Searched { places: places.to_vec(), asked, bounds: evaluate(problem, &response)? })
+}
+
+/// What is asked of a surrogate for a statistic: of its value first, then of what its error can make of it.
+fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
+    let error = match statistic {
+        Statistic::Cdf => Vec::new(),
+        Statistic::StandardDeviation => vec![(Aspect::Square, Statistic::Mean)],
+        Statistic::ProbabilityBeyond(_) => vec![(Aspect::Near, statistic), (Aspect::Far, statistic)],
+        Statistic::Mean | Statistic::Quantile(_) | Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) => {
+            vec![(Aspect::Low, statistic), (Aspect::High, statistic)]
+        }
+    };
+    [(Aspect::Value, statistic)].into_iter().chain(error).collect()
+}
+
+impl Searched {
+    /// The pairs of what is possible at all, and those of every degree.
+    pub fn levels(&self) -> Vec<(Option<f64>, &[BoundPair])> {
+        let all = (None, &self.bounds.pairs[..]);
+        [all].into_iter().chain(self.bounds.levels.iter().map(|level| (level.alpha, &level.pairs[..]))).collect()
+    }
+
+    /// The requests of these places, without those for whole distribution functions, each with the bounds on the surrogate's value.
+    pub fn values<'p>(&self, pairs: &'p [BoundPair]) -> impl Iterator<Item = (Request, &'p BoundPair)> {
+        let own = self.asked.iter().zip(pairs).filter(|((_, aspect), _)| *aspect == Aspect::Value);
+        own.map(|((request, _), pair)| (*request, pair)).collect::<Vec<_>>().into_iter()
+    }
+
+    /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ.
+    pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
+        let end = |pair: &BoundPair| -> Bound {
+            match direction {
+                Direction::Minimum => pair.lower.clone(),
+                Direction::Maximum => pair.upper.clone(),
+            }
+        };
+        let own = self.asked.iter().zip(pairs).filter(|((of, _), _)| *of == request);
+        let mut furthest = f64::NAN;
+        let mut square = 0.0;
+        for ((_, aspect), pair) in own {
+            if *aspect == Aspect::Square {
+                square = pair.upper.widened.max(0.0);
+                continue;
+            }
+            let widened = end(pair).widened;
+            if furthest.is_nan() || direction.is_beyond(widened, furthest) {
+                furthest = widened;
+            }
+        }
+        let furthest = furthest + direction.sign() * square.sqrt();
+        if request.statistic == Statistic::StandardDeviation { furthest.max(0.0) } else { furthest }
+    }
+}

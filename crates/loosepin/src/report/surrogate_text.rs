@@ -1,0 +1,179 @@
+//! What surrogates learned and what they save: sentences and tables for pages and terminals.
+
+use super::answer::output_unit;
+use super::number::{NumberWriter, Rounding};
+use super::study_page::bound_value;
+use super::terminal::{push_table, table, wrapped};
+use super::wording::{count, counted, deviation_words, listed, output_words, place_words, statistic_words};
+use crate::study::result::{
+    BoundRecord, ResponsePoint, StudyResult, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
+};
+
+/// Rows of a table; the others stand in `summary.json`.
+pub(super) const MOST_ROWS: usize = 24;
+
+/// How many runs the surrogates needed, beside the direct bounds.
+pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> String {
+    let failed =
+        if record.failed > 0 { format!(", {} of which failed", count(record.failed, writer)) } else { String::new() };
+    format!(
+        "Learned from {} and held against {} more at the values that attain the bounds{failed}; the direct bounds took {}.",
+        counted(record.training_runs, "run", writer),
+        count(record.confirming_runs, writer),
+        count(record.direct_runs, writer)
+    )
+}
+
+/// One sentence or more for each output: what was learned, how well, and what more runs would do.
+pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Vec<String> {
+    let is_asked = |output: &&SurrogateOutput| {
+        output.at == ResponsePoint::Whole
+            || record
+                .bounds
+                .iter()
+                .any(|bound| bound.output == output.output && bound.of == output.of && bound.at == output.at)
+    };
+    // What nothing was learned of has no bounds, and is said all the same.
+    let shown = record.outputs.iter().filter(|output| output.problem.is_some() || is_asked(output));
+    shown.map(|output| output_sentence(result, output, writer)).collect()
+}
+
+fn output_sentence(result: &StudyResult, output: &SurrogateOutput, writer: &NumberWriter) -> String {
+    let subject = format!(
+        "{}, {}, {}",
+        output_words(&output.output, &result.outputs),
+        deviation_words(output.of),
+        if output.at == ResponsePoint::Whole { "over the cycle".to_owned() } else { place_words(output.at, writer) }
+    );
+    if let Some(problem) = &output.problem {
+        let problem = problem.split("\nhint:").next().unwrap_or_default();
+        return format!("{subject}: no surrogate. {problem}.");
+    }
+    let q2 = output.q2.map_or(String::new(), |q2| {
+        format!(", {} of the variance is explained", writer.percent(q2.max(0.0), Rounding::Down))
+    });
+    let size = |si: f64| writer.rounded(si, &output.unit, 2, Rounding::Up);
+    let mut sentence = format!(
+        "{subject}: {} from {}; held-out error {}{q2}. {}",
+        kinds(output),
+        counted(output.runs, "run", writer),
+        size(output.held_out_si),
+        verdict_words(output, &size, writer)
+    );
+    if output.missing > 0 {
+        sentence.push_str(&format!(" {} gave no value.", counted(output.missing, "training run", writer)));
+    }
+    if output.largest_ratio > 0.0 {
+        sentence.push_str(&format!(
+            " Direct runs at the bounds differ by up to {:.1} standard deviations of it; {:.1} are conceded.",
+            output.largest_ratio, output.reach
+        ));
+    }
+    sentence
+}
+
+/// "polynomial chaos", or "4 modes by polynomial chaos and Kriging".
+fn kinds(output: &SurrogateOutput) -> String {
+    let mut different: Vec<String> = Vec::new();
+    for kind in &output.kinds {
+        if !different.contains(kind) {
+            different.push(kind.clone());
+        }
+    }
+    match (output.at, output.kinds.len()) {
+        (ResponsePoint::Whole, 1) => format!("1 mode by {}", listed(&different)),
+        (ResponsePoint::Whole, modes) => format!("{modes} modes by {}", listed(&different)),
+        _ => listed(&different),
+    }
+}
+
+fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer: &NumberWriter) -> String {
+    let learned: Vec<String> = output
+        .learning
+        .iter()
+        .map(|step| format!("{} from {}", size(step.held_out_si), count(step.runs, writer)))
+        .collect();
+    let learned = if learned.is_empty() { String::new() } else { format!(" ({})", listed(&learned)) };
+    match output.verdict {
+        Some(SurrogateVerdict::Constant) => "All runs gave the same.".to_owned(),
+        Some(SurrogateVerdict::Resolved) => "Nothing is left that would matter.".to_owned(),
+        Some(SurrogateVerdict::Falling) => format!("The error falls with more runs{learned}."),
+        Some(SurrogateVerdict::Floor) => format!(
+            "What is left does not fall with more runs{learned}: it is no error of the surrogate but a property of the response, \
+             and is part of its scatter here."
+        ),
+        Some(SurrogateVerdict::Nothing) => format!(
+            "Nothing was learned{learned}: as a function of the inputs this is noise, and the surrogate saves nothing for it. Ask \
+             for statistics of the cycle (reduce = \"rms\" or \"mean\") instead of single poses, or rely on the direct bounds."
+        ),
+        Some(SurrogateVerdict::Jump) => format!(
+            "A few errors are large and most are small{learned}: the response jumps, and near the jump the surrogate is wrong. What \
+             is left is part of its scatter here; rely on the direct bounds."
+        ),
+        Some(SurrogateVerdict::Unknown) | None => {
+            "Too few runs to tell whether more would help; what is left is taken as scatter.".to_owned()
+        }
+    }
+}
+
+/// The direct bound of the same statistic.
+pub(super) fn direct_bound<'r>(result: &'r StudyResult, bound: &BoundRecord) -> Option<&'r BoundRecord> {
+    result.bounds.iter().find(|direct| {
+        (&direct.output, direct.of, direct.at, direct.statistic, direct.treatment)
+            == (&bound.output, bound.of, bound.at, bound.statistic, bound.treatment)
+    })
+}
+
+/// The bounds that are not points of curves.
+pub(super) fn single_bounds(record: &SurrogateRecord) -> Vec<&BoundRecord> {
+    record.bounds.iter().filter(|bound| !matches!(bound.at, ResponsePoint::Curve { .. })).collect()
+}
+
+/// "-0.55 mm to 0.55 mm".
+pub(super) fn range_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    format!(
+        "{} to {}",
+        bound_value(&bound.lower, bound, Rounding::Down, writer),
+        bound_value(&bound.upper, bound, Rounding::Up, writer)
+    )
+}
+
+/// The larger part of the error that the surrogate does not know.
+pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error = bound.lower.error.surrogate_si.max(bound.upper.error.surrogate_si);
+    if bound.statistic.is_probability() {
+        writer.percent(error.min(1.0), Rounding::Up)
+    } else {
+        writer.error(error, &bound.unit)
+    }
+}
+
+/// The surrogates of a study for a terminal; empty where there are none.
+pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> String {
+    let Some(record) = &result.surrogate else { return String::new() };
+    let mut text = format!("\nThe same by surrogate\n\n{}\n", wrapped(&runs_sentence(record, writer), ""));
+    for sentence in output_sentences(result, record, writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+    }
+    let shown = single_bounds(record);
+    let mut rows = table(&["statistic", "direct", "by surrogate", "± surrogate"], &[1, 2, 3]);
+    for bound in shown.iter().take(MOST_ROWS) {
+        let direct = direct_bound(result, bound);
+        let name = format!(
+            "{} {}",
+            bound.output,
+            statistic_words(bound.statistic, &output_unit(result, &bound.output), writer)
+        );
+        rows.add_row([
+            name,
+            direct.map_or("-".to_owned(), |direct| range_words(direct, writer)),
+            range_words(bound, writer),
+            surrogate_error(bound, writer),
+        ]);
+    }
+    push_table(&mut text, &rows);
+    if shown.len() > MOST_ROWS {
+        text.push_str(&format!("\n{} more in summary.json\n", shown.len() - MOST_ROWS));
+    }
+    text
+}

@@ -1,0 +1,48 @@
+//! The surrogate of a study: which kind, and from how many runs.
+
+use super::StudyReader;
+use super::description::StudySurrogate;
+use super::keys::SURROGATE_KEYS;
+use crate::document::Table;
+use crate::surrogate::{Choice, Kind};
+
+/// Words for kinds; nothing stands for no surrogate.
+const KINDS: [(&str, Option<Choice>); 5] = [
+    ("auto", Some(Choice::Auto)),
+    ("chaos", Some(Choice::Only(Kind::Chaos))),
+    ("kriging", Some(Choice::Only(Kind::Kriging))),
+    ("network", Some(Choice::Only(Kind::Network))),
+    ("none", None),
+];
+/// Training runs for each uncertain input, and at least, where the file does not say.
+const TRAINING_PER_INPUT: usize = 25;
+const LEAST_TRAINING: usize = 100;
+/// Direct runs at a witness in each replicate, where the file does not say.
+const CONFIRMING_PER_REPLICATE: usize = 16;
+
+impl StudyReader {
+    /// Reads what stands behind `surrogate`: a kind, or a table.
+    pub fn read_surrogate(&mut self, root: &Table<'_>, replicates: usize, inner: usize) -> Option<StudySurrogate> {
+        let entry = root.get("surrogate")?;
+        let inputs = self.random.len() + self.epistemic.len();
+        let mut surrogate = StudySurrogate {
+            choice: Choice::Auto,
+            training_runs: (TRAINING_PER_INPUT * inputs).max(LEAST_TRAINING),
+            confirming_runs: (CONFIRMING_PER_REPLICATE * replicates).min(inner),
+        };
+        if entry.is_text() {
+            surrogate.choice = self.reader.choice(&entry, &KINDS)??;
+            return Some(surrogate);
+        }
+        let table = self.reader.table(&entry, &SURROGATE_KEYS)?;
+        if let Some(kind) = table.get("kind") {
+            surrogate.choice = self.reader.choice(&kind, &KINDS)??;
+        }
+        for (key, count) in
+            [("training_runs", &mut surrogate.training_runs), ("confirming_runs", &mut surrogate.confirming_runs)]
+        {
+            *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
+        }
+        Some(surrogate)
+    }
+}

@@ -1,0 +1,133 @@
+//! Surrogates: what they learned, how well, and the bounds that they give.
+
+use serde::{Deserialize, Serialize};
+
+use super::bound::{BoundRecord, DeviationKind, ResponsePoint};
+use crate::units::{SiUnit, extended};
+
+/// Bounds by surrogates, beside the direct ones.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SurrogateRecord {
+    /// Runs to learn from.
+    pub training_runs: u64,
+    /// Direct runs at the witnesses of the bounds.
+    pub confirming_runs: u64,
+    /// Failed ones of both.
+    pub failed: u64,
+    /// Runs of the direct double loop, for comparison.
+    pub direct_runs: u64,
+    /// What was learned, one entry for each number and each curve.
+    pub outputs: Vec<SurrogateOutput>,
+    /// The bounds, for as much of [`super::StudyResult::bounds`] as was learned.
+    pub bounds: Vec<BoundRecord>,
+}
+
+/// What was learned of a number or a curve; where laws or members of lists have surrogates of their own, of that with the
+/// largest error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SurrogateOutput {
+    /// Name of the output.
+    pub output: String,
+    /// Which deviation.
+    pub of: DeviationKind,
+    /// Where in the cycle; [`ResponsePoint::Whole`] for a curve.
+    pub at: ResponsePoint,
+    /// Unit of the output.
+    pub unit: SiUnit,
+    /// Why nothing was learned; the fields below are then empty.
+    pub problem: Option<String>,
+    /// Kind of the surrogate of each mode of a curve; one for a number: constant, polynomial chaos, Kriging, neural network.
+    pub kinds: Vec<String>,
+    /// Runs that it learned from, and training runs that did not deliver it.
+    pub runs: u64,
+    /// Runs without this output.
+    pub missing: u64,
+    /// Root mean square of the held-out errors, over runs and along a curve.
+    #[serde(with = "extended")]
+    pub held_out_si: f64,
+    /// 1 - Σ error²/Σ (y - mean)² of held-out runs; nothing for a constant.
+    #[serde(with = "extended")]
+    pub q2: Option<f64>,
+    /// What the held-out errors say about the response.
+    pub verdict: Option<SurrogateVerdict>,
+    /// Held-out error from fewer runs.
+    pub learning: Vec<SurrogateLearning>,
+    /// By how many of its standard deviations the surrogate is taken to err in the bounds.
+    #[serde(with = "extended")]
+    pub reach: f64,
+    /// The largest error that direct runs at witnesses have shown, root mean square, in its standard deviations.
+    #[serde(with = "extended")]
+    pub largest_ratio: f64,
+    /// Held-out error along a curve.
+    pub along: Option<SurrogateAlong>,
+    /// Runs against the input that matters most, with the surrogate.
+    pub picture: Option<SurrogatePicture>,
+}
+
+/// Whether more runs would make the error smaller.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SurrogateVerdict {
+    /// All runs gave the same.
+    Constant,
+    /// Nothing is left that would matter.
+    Resolved,
+    /// The error falls with more runs.
+    Falling,
+    /// Part is learned, and the rest does not fall with more runs.
+    Floor,
+    /// Nothing is learned.
+    Nothing,
+    /// The response jumps.
+    Jump,
+    /// Too few runs to tell.
+    Unknown,
+}
+
+/// Held-out error from a number of runs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SurrogateLearning {
+    /// Runs learned from.
+    pub runs: u64,
+    /// Root mean square of the held-out errors.
+    #[serde(with = "extended")]
+    pub held_out_si: f64,
+}
+
+/// Held-out error along a curve.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SurrogateAlong {
+    /// Angles of the drive.
+    #[serde(with = "extended")]
+    pub pose_rad: Vec<f64>,
+    /// Root mean square of the held-out errors there.
+    #[serde(with = "extended")]
+    pub held_out_si: Vec<f64>,
+}
+
+/// Training runs against one input, moved along the surrogate to the middle of all others, and the surrogate there.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SurrogatePicture {
+    /// Path of the input.
+    pub path: String,
+    /// Its unit.
+    pub input_unit: SiUnit,
+    /// Angle of the drive on a curve, where its error is largest.
+    #[serde(with = "extended")]
+    pub pose_rad: Option<f64>,
+    /// The runs: values of the input.
+    #[serde(with = "extended")]
+    pub run_input_si: Vec<f64>,
+    /// The runs: values of the output.
+    #[serde(with = "extended")]
+    pub run_output_si: Vec<f64>,
+    /// The surrogate: values of the input.
+    #[serde(with = "extended")]
+    pub input_si: Vec<f64>,
+    /// The surrogate: its value.
+    #[serde(with = "extended")]
+    pub output_si: Vec<f64>,
+    /// The surrogate: by how much it is taken to err.
+    #[serde(with = "extended")]
+    pub half_width_si: Vec<f64>,
+}

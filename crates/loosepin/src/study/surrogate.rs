@@ -1,0 +1,179 @@
+//! The surrogate of a study: its runs, and its bounds beside the direct ones.
+
+use super::assemble::{Material, asked_bounds, deviation_kind};
+use super::columns::{ColumnPlan, Spot};
+use super::conduct::{Runner, StudyError, problem};
+use super::file::{Study, StudySurrogate, Where};
+use super::response::StudyResponse;
+use super::result::{
+    ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
+    SurrogateVerdict,
+};
+use crate::bounds::{
+    BoundPair, Bounds, ColumnGroup, GroupBounds, SampleTable, SurrogateInput, SurrogatePlan, SurrogateSettings,
+};
+use crate::surrogate::{OutputSurrogate, Verdict};
+
+/// The most witnesses at which direct runs are made; `bounds` looks at no more.
+const MOST_WITNESSES: usize = 24;
+
+/// The plan of the surrogates of `study`; nothing where it asks for none.
+///
+/// # Errors
+/// The numbers of runs are not possible.
+pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<SurrogatePlan>, StudyError> {
+    let Some(StudySurrogate { choice, training_runs, confirming_runs }) = study.surrogate else { return Ok(None) };
+    let mut problem = problem(study, response);
+    // Distribution functions and treatments are shown of the direct runs.
+    problem.requests.retain(|request| request.statistic != crate::bounds::Statistic::Cdf);
+    problem.compared_columns.clear();
+    let groups = groups(&response.shared.plan);
+    let settings = SurrogateSettings { choice, training: training_runs, confirming: confirming_runs, groups };
+    Ok(Some(SurrogatePlan::try_new(problem, settings)?))
+}
+
+/// How many runs `plan` comes to at most.
+pub(super) fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize {
+    let combinations: usize = study.epistemic.iter().map(|input| input.variable.choices()).product();
+    plan.settings().training * combinations + plan.settings().confirming * MOST_WITNESSES
+}
+
+/// A group for each curve, then one for each other column.
+fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
+    let mut groups: Vec<ColumnGroup> = Vec::new();
+    let name = |column: usize| {
+        let of = deviation_kind(plan.columns[column].deviation).word();
+        format!("{} {of}", plan.outputs[plan.columns[column].output].name)
+    };
+    let is_known = |groups: &[ColumnGroup], column: &usize| groups.iter().any(|group| group.columns.contains(column));
+    for planned in plan.asks.iter().filter(|planned| planned.ask.location == Where::Cycle) {
+        let columns: Vec<usize> = planned.columns.iter().copied().filter(|column| !is_known(&groups, column)).collect();
+        if let Some(&first) = columns.first() {
+            groups.push(ColumnGroup { name: name(first), columns });
+        }
+    }
+    for column in 0..plan.columns.len() {
+        if !is_known(&groups, &column) {
+            groups.push(ColumnGroup { name: name(column), columns: vec![column] });
+        }
+    }
+    groups
+}
+
+/// Makes the runs of `plan`, adds them to `table`, and gives the bounds.
+///
+/// # Errors
+/// The study was interrupted.
+pub(super) fn surrogate_bounds(
+    runner: &Runner<'_>,
+    plan: &SurrogatePlan,
+    bounds: &Bounds,
+    table: &mut SampleTable,
+) -> Result<SurrogateRecord, StudyError> {
+    let round = table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0);
+    runner.run(&plan.training_round(round)?, table)?;
+    let learned = runner.pool.install(|| plan.learn(table));
+    let confirmation = runner.pool.install(|| plan.confirmation(&learned, round + 1))?;
+    runner.run(&confirmation.round, table)?;
+    let found = runner.pool.install(|| plan.results(learned, &confirmation, table))?;
+    let pairs: Vec<BoundPair> =
+        found.groups.iter().flat_map(|group| group.pairs.iter().map(|pair| pair.pair.clone())).collect();
+    let material = Material { study: runner.study, response: runner.response, table, bounds, pairs: &pairs, rare: &[] };
+    let outputs = found.groups.iter().map(|group| output(&material, plan, group)).collect();
+    Ok(SurrogateRecord {
+        training_runs: found.training_runs as u64,
+        confirming_runs: found.confirming_runs as u64,
+        failed: found.failed_runs as u64,
+        direct_runs: bounds.runs as u64,
+        outputs,
+        bounds: asked_bounds(&material),
+    })
+}
+
+fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) -> SurrogateOutput {
+    let columns = &group.learned.group.columns;
+    let column = columns[0];
+    let is_curve = columns.len() > 1;
+    let mut record = SurrogateOutput {
+        output: material.name_of(column),
+        of: deviation_kind(material.response.shared.plan.columns[column].deviation),
+        at: if is_curve { ResponsePoint::Whole } else { material.point_of(column, false) },
+        unit: material.unit_of(column),
+        problem: None,
+        kinds: Vec::new(),
+        runs: 0,
+        missing: group.learned.failed as u64,
+        held_out_si: f64::NAN,
+        q2: None,
+        verdict: None,
+        learning: Vec::new(),
+        reach: group.reach,
+        largest_ratio: group.largest_ratio,
+        along: None,
+        picture: None,
+    };
+    let surrogates = match &group.learned.surrogates {
+        Ok(surrogates) => surrogates,
+        Err(error) => {
+            record.problem = Some(error.to_string());
+            return record;
+        }
+    };
+    let outputs: Vec<&OutputSurrogate> =
+        surrogates.iter().filter_map(|surrogate| surrogate.outputs().first()).collect();
+    let worst =
+        |most: usize, next: usize| if outputs[next].quality.rms > outputs[most].quality.rms { next } else { most };
+    let combination = (0..outputs.len()).fold(0, worst);
+    let Some(learned) = outputs.get(combination) else { return record };
+    record.kinds = learned.kinds().into_iter().map(|kind| kind.name().to_owned()).collect();
+    record.runs = learned.quality.runs as u64;
+    record.held_out_si = learned.quality.rms;
+    record.q2 = learned.quality.q2;
+    record.verdict = Some(verdict(learned.residual.verdict));
+    let learning = learned.residual.learning.iter();
+    record.learning =
+        learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
+    let pose = |column: usize| match material.response.shared.plan.columns[column].spot {
+        Spot::Pose { angle_rad, .. } => Some(angle_rad),
+        Spot::Reduced(_) => None,
+    };
+    record.along = is_curve.then(|| SurrogateAlong {
+        pose_rad: columns.iter().map(|&column| pose(column).unwrap_or(f64::NAN)).collect(),
+        held_out_si: learned.quality.rms_along.clone(),
+    });
+    record.picture = plan.section(group, combination, material.table).map(|section| {
+        let (path, input_unit) = match section.input {
+            SurrogateInput::Random(index) => {
+                let input = &material.study.random[index];
+                (input.path.clone(), super::assemble::unit(&material.study.model.quantities, input.quantity))
+            }
+            SurrogateInput::Epistemic(index) => {
+                let input = &material.study.epistemic[index];
+                (input.path.clone(), input.unit(&material.study.model))
+            }
+        };
+        SurrogatePicture {
+            path,
+            input_unit,
+            pose_rad: if is_curve { pose(columns[section.place]) } else { None },
+            run_input_si: section.runs.iter().map(|run| run[0]).collect(),
+            run_output_si: section.runs.iter().map(|run| run[1]).collect(),
+            input_si: section.line.iter().map(|point| point[0]).collect(),
+            output_si: section.line.iter().map(|point| point[1]).collect(),
+            half_width_si: section.line.iter().map(|point| point[2]).collect(),
+        }
+    });
+    record
+}
+
+fn verdict(verdict: Verdict) -> SurrogateVerdict {
+    match verdict {
+        Verdict::Constant => SurrogateVerdict::Constant,
+        Verdict::Resolved => SurrogateVerdict::Resolved,
+        Verdict::Falling => SurrogateVerdict::Falling,
+        Verdict::Floor => SurrogateVerdict::Floor,
+        Verdict::Nothing => SurrogateVerdict::Nothing,
+        Verdict::Jump => SurrogateVerdict::Jump,
+        Verdict::Unknown => SurrogateVerdict::Unknown,
+    }
+}
