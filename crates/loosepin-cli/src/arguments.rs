@@ -157,7 +157,8 @@ pub struct SimulateArguments {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
-    for any number of threads. Ctrl-C ends it and keeps the finished runs.\n\n\
+    for any number of threads. Every finished run is on disk within a second: after Ctrl-C, a crash or a power failure --resume \
+    goes on, and the results are the same as those of a study that nothing disturbed.\n\n\
     Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
     Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds"
 )]
@@ -165,6 +166,9 @@ pub struct StudyArguments {
     /// Study file
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
+    /// Go on with the finished runs of the same command, where it was stopped
+    #[arg(long, conflicts_with = "force")]
+    pub resume: bool,
     /// Threads to run on, 1 to 1024 [default: as many as the machine has]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,

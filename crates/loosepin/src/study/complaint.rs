@@ -22,6 +22,7 @@ impl Problem for StudyError {
             | Self::Loosened { .. } => Code::AskNotPossible,
             Self::Plan(_) | Self::Contributors(_) => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
+            Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
             Self::Interrupted { .. } => Code::Interrupted,
         }
@@ -45,7 +46,8 @@ impl Problem for StudyError {
                 Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
             }
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
-            Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
+            Self::Store(error) => error.hint(),
+            Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
@@ -77,7 +79,9 @@ impl StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
-            Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => Complaint::error(self, None),
+            Self::Threads(_) | Self::Store(_) | Self::Table(_) | Self::Interrupted { .. } => {
+                Complaint::error(self, None)
+            }
         }
     }
 }

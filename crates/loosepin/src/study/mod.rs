@@ -12,6 +12,7 @@ pub mod files;
 mod ideal_curve;
 mod input_file;
 mod iso_286;
+mod keep;
 mod lanes;
 mod rare;
 mod recorder;
@@ -19,7 +20,7 @@ mod response;
 pub mod result;
 pub mod runs;
 
-pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
+pub use conduct::{Conducted, Means, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use distribution_words::distribution_words;
 pub use file::{
     Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
