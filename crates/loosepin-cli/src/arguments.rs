@@ -157,7 +157,8 @@ pub struct SimulateArguments {
 #[derive(Debug, Args)]
 #[command(
     after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
-    for any number of threads. Ctrl-C ends it and keeps the finished runs.\n\n\
+    for any number of threads. Every finished run is on disk within a second: after Ctrl-C, a crash or a power failure --resume \
+    goes on, and the results are the same as those of a study that nothing disturbed.\n\n\
     With --accuracy the samples of the study grow, round by round, until its bounds are widened by no more than that; \
     it is of all bounds that measure what it measures, or of an output or one of its statistics. Where the budget ends it \
     before, the study says what is reached and what it would take; that is no error.\n\n\
@@ -170,6 +171,9 @@ pub struct StudyArguments {
     /// Study file
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
+    /// Go on with the finished runs of the same command, where it was stopped
+    #[arg(long, conflicts_with = "force")]
+    pub resume: bool,
     /// What bounds are widened by at most, with its unit; may be repeated
     #[arg(long, value_name = "[OUTPUT[.STATISTIC]=]VALUE", allow_hyphen_values = true)]
     pub accuracy: Vec<String>,

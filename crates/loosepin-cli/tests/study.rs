@@ -115,7 +115,7 @@ fn ctrl_c_ends_a_study_and_keeps_its_runs() {
     assert_eq!(child.wait().expect("it ends").code(), Some(130), "{messages}");
     assert!(messages.starts_with("interrupted after ") && messages.contains(" of at most "), "{messages}");
     assert!(
-        messages.ends_with("they are kept in bounds/runs.parquet\nhint: the same command begins again\n"),
+        messages.ends_with("they are kept in bounds/runs.parquet\nhint: the same command with --resume goes on\n"),
         "{messages}"
     );
     assert!(desk.path("bounds/runs.parquet").exists());

@@ -26,6 +26,7 @@ pub mod reliability;
 pub mod report;
 pub mod results;
 pub mod simulate;
+pub mod store;
 pub mod study;
 pub mod surrogate;
 pub mod sweep;

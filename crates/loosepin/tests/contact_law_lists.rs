@@ -7,7 +7,7 @@ use loosepin::report::{study_page, study_text};
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{BoundEnd, BoundRecord, InputKind, StudyResult, WitnessValue};
 use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Conducted, Progress, Study, conduct};
+use loosepin::study::{Conducted, Means, Progress, Study, conduct};
 use loosepin::templates::find_template;
 
 const LAWS: [&str; 3] = ["lankarani-nikravesh", "flores", "johnson"];
@@ -53,7 +53,9 @@ fn study(law: &str, turns: f64, outer: usize, epistemic: &str) -> Study {
 }
 
 fn bounds(study: &Study, threads: usize) -> Conducted {
-    conduct(study, "", threads, &Silent, &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}"))
+    let stop = AtomicBool::new(false);
+    conduct(study, "", &Means { threads, progress: &Silent, stop: &stop, store: None })
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 const LIST: &str = "\"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\", \"johnson\"] }";

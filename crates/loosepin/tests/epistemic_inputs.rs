@@ -7,7 +7,7 @@ use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::bounds_csv;
 use loosepin::study::result::{BoundRecord, InputKind, IntervalReading, StudyResult, WitnessValue};
-use loosepin::study::{Progress, Study, conduct};
+use loosepin::study::{Means, Progress, Study, conduct};
 use loosepin::templates::find_template;
 
 struct Silent;
@@ -41,7 +41,9 @@ fn conducted(top: &str, inputs: &str) -> StudyResult {
     let model = find_template("slider-crank").expect("template").model;
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    conduct(&study, "", 2, &Silent, &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}")).result
+    let stop = AtomicBool::new(false);
+    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
+    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 /// Deviation of the slider at 60° for these lengths of crank and rod, m; the ideal motion has unknown inputs in the middle of

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use loosepin::model::Model;
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{AccuracyRecord, AccuracyStop, StudyResult};
-use loosepin::study::{Conducted, Progress, Study, StudyError, conduct, plan_runs};
+use loosepin::study::{Conducted, Means, Progress, Study, StudyError, conduct, plan_runs};
 use loosepin::templates::find_template;
 
 /// Nobody watches.
@@ -34,7 +34,8 @@ fn study(lines: &str) -> Study {
 }
 
 fn run(study: &Study) -> Conducted {
-    conduct(study, "", 2, &Silent, &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}"))
+    conduct(study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn accuracy(result: &StudyResult) -> &AccuracyRecord {
@@ -101,7 +102,7 @@ fn a_budget_below_the_first_round_is_refused_before_it_begins() {
     let said = plan_runs(&study).expect_err("the budget is too small").to_string();
     assert!(said.starts_with("a budget of 500 runs; the first round and what follows it take at most "), "{said}");
     assert!(matches!(
-        conduct(&study, "", 1, &Silent, &AtomicBool::new(false)),
+        conduct(&study, "", &Means { threads: 1, progress: &Silent, stop: &AtomicBool::new(false), store: None }),
         Err(StudyError::BudgetTooSmall { budget: 500, .. })
     ));
 }

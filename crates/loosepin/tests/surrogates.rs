@@ -8,7 +8,7 @@ use loosepin::study::files::{read_json, to_json};
 use loosepin::study::result::{
     BoundRecord, GuaranteeKind, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict,
 };
-use loosepin::study::{Progress, Study, conduct};
+use loosepin::study::{Means, Progress, Study, conduct};
 use loosepin::templates::find_template;
 
 struct Silent;
@@ -56,7 +56,9 @@ fn study(surrogate: &str) -> Result<Study, String> {
 
 fn conducted(surrogate: &str) -> StudyResult {
     let study = study(surrogate).unwrap_or_else(|complaints| panic!("{complaints}"));
-    conduct(&study, "", 2, &Silent, &AtomicBool::new(false)).unwrap_or_else(|error| panic!("{error}")).result
+    conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+        .unwrap_or_else(|error| panic!("{error}"))
+        .result
 }
 
 /// The direct and the learned bound of a statistic at the pose.
@@ -125,6 +127,9 @@ fn identity_a_surrogate_leaves_the_direct_bounds_as_they_are() {
 #[test]
 fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
     let study = study("[surrogate]\nconfirming_runs = 7").unwrap_or_else(|complaints| panic!("{complaints}"));
-    let error = conduct(&study, "", 2, &Silent, &AtomicBool::new(false)).err().expect("7 runs in 4 replicates");
+    let error =
+        conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+            .err()
+            .expect("7 runs in 4 replicates");
     assert_eq!(error.complaint(&study).to_string().lines().next().unwrap_or_default(), "");
 }

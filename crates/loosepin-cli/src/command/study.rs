@@ -4,12 +4,13 @@ use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
 use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder};
+use loosepin::store::{Beginning, RunStore, STORE_FILE, StoreIdentity, remove_store};
 use loosepin::study::files::{
     BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, read_summary, runs_parquet, write_study,
 };
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::runs::RunsTable;
-use loosepin::study::{Conducted, Study, StudyError, conduct};
+use loosepin::study::{Conducted, Means, Study, StudyError, conduct};
 
 use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
@@ -38,29 +39,54 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
-    let stop = stop_on_signals("Ctrl-C will end the study without keeping its runs");
+    let stop = stop_on_signals("Ctrl-C will end the study at once; what was finished until a moment before is kept");
     let mut folder = claim.take()?;
     if folder.is_finished() {
+        remove_store(&folder.path().join(STORE_FILE)).map_err(|error| Failure::of(&error))?;
         tell_again(&folder);
         return show_again(&mut folder);
     }
+    let store = open_store(&folder, &claim, arguments.resume)?;
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::new();
-    let outcome = conduct(&study, &claim.inputs.to_string(), threads, &bar, &stop);
+    let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
+    let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();
     match outcome {
         Ok(Conducted { result, runs }) => {
             let count = runs.columns.first().map_or(0, |column| column.data.len());
             write(&mut folder, &result, &runs, &Timing::since(started, count, threads))?;
+            store.remove().map_err(|error| Failure::of(&error))?;
             tell(&result, &folder)
         }
         Err(StudyError::Interrupted { finished, most_runs }) => keep(&mut folder, &finished, most_runs),
+        Err(error @ StudyError::Store(_)) => {
+            folder.leave_unfinished()?;
+            Err(error.complaint(&study).into())
+        }
         Err(error) => {
+            store.remove().map_err(|error| Failure::of(&error))?;
             folder.abandon()?;
             Err(error.complaint(&study).into())
         }
     }
+}
+
+/// The store of finished runs in `folder`: an empty one, or what an earlier command has left of the same study.
+fn open_store(folder: &ResultsFolder, claim: &Claim, with_resume: bool) -> Result<RunStore, Failure> {
+    let path = folder.path().join(STORE_FILE);
+    let identity = StoreIdentity { version: loosepin::VERSION.to_owned(), inputs: claim.inputs.to_string() };
+    let beginning = match (claim.with_force, with_resume) {
+        (true, _) => Beginning::Anew,
+        (false, true) => Beginning::GoOn,
+        (false, false) => Beginning::Empty,
+    };
+    let store = RunStore::begin(&path, &identity, beginning).map_err(|error| Failure::of(&error))?;
+    if store.runs_at_start() > 0 {
+        console::message(&format!("going on with {} finished runs", store.runs_at_start()));
+    }
+    Ok(store)
 }
 
 /// Writes the page again from the stored result, and prints the tables.
@@ -79,7 +105,7 @@ fn write(folder: &mut ResultsFolder, result: &StudyResult, runs: &RunsTable, tim
     Ok(folder.finish()?)
 }
 
-/// Keeps the runs that were finished when the study was interrupted.
+/// Shows the runs that were finished when the study was interrupted; the store keeps them.
 fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> Ending {
     let count = finished.columns.first().map_or(0, |column| column.data.len());
     let parquet = runs_parquet(finished).map_err(|error| Failure::of(&error))?;
@@ -87,7 +113,7 @@ fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> E
     folder.leave_unfinished()?;
     console::message(&format!(
         "interrupted after {count} of at most {most_runs} runs; they are kept in {}\n\
-         hint: the same command begins again",
+         hint: the same command with --resume goes on",
         folder.path().join(RUNS_FILE).display()
     ));
     Ok(Done::Interrupted)

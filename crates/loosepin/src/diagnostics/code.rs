@@ -417,6 +417,22 @@ A file with a key `model` at its top is a study."
 "A value of the result has no form in JSON, CSV or Parquet, or its columns do not fit together. This is a slip of ours: please \
 report it with the files that lead to it."
 
+    StoreInUse "E0907" "a store of finished runs is in use"
+"While a study runs, its runs.sqlite is locked, so that two processes never write into one folder of results. Wait for the other \
+one to end, or give a folder of its own by --out."
+
+    StoreOfOther "E0908" "a store holds the runs of something else"
+"The finished runs in a runs.sqlite belong to one study, one model and one version of the program: other inputs or another version \
+give other numbers, and mixing them would give a result of neither."
+
+    StoreDamaged "E0909" "a store of finished runs is damaged"
+"A row of runs.sqlite does not have its checksum, or the file is not built as SQLite builds it: the disk or a copy has changed it. \
+Nothing of it is used. Restore the file from a copy, or begin anew with --force."
+
+    StudyStarted "E0910" "a study that was begun before has finished runs"
+"The folder holds runs of this very study, which an earlier command has finished before it was stopped. Whether to go on with them is \
+for you to say: --resume takes them over, --force drops them."
+
     MeasuredTable "E1001" "a table of measured values cannot be used"
 "A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
 the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \

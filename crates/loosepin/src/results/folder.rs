@@ -1,7 +1,7 @@
 //! Claiming a folder for a result, and writing into it.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
 
 use super::error::ResultsError;
@@ -231,7 +231,8 @@ impl ResultsFolder {
     }
 }
 
-/// Writes a file so that it is there whole or not at all: under another name first, then renamed.
+/// Writes a file so that it is there whole or not at all, whenever the machine stops: under another name first, flushed to the
+/// device, then renamed.
 ///
 /// # Errors
 /// What the file system refuses.
@@ -239,9 +240,23 @@ pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), ResultsError> {
     let mut partial_name = path.as_os_str().to_owned();
     partial_name.push(".partial");
     let partial = PathBuf::from(partial_name);
-    fs::write(&partial, contents)
-        .and_then(|()| fs::rename(&partial, path))
-        .map_err(|source| ResultsError::Write { path: path.to_owned(), source })
+    let written = || {
+        let mut file = fs::File::create(&partial)?;
+        file.write_all(contents)?;
+        file.sync_all()?;
+        fs::rename(&partial, path)?;
+        flush_folder(path)
+    };
+    written().map_err(|source| ResultsError::Write { path: path.to_owned(), source })
+}
+
+/// Flushes the entries of the folder of `path`, where the platform lets a folder be opened.
+fn flush_folder(path: &Path) -> io::Result<()> {
+    if cfg!(unix) {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::File::open(folder)?.sync_all()?;
+    }
+    Ok(())
 }
 
 fn read_marker(folder: &Path) -> Result<Marker, ResultsError> {

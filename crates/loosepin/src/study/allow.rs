@@ -254,7 +254,7 @@ fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answ
     let response = StudyResponse::new(&study)?;
     let plan = DoubleLoop::try_new(problem(&study, &response))?;
     let mut table = SampleTable::new(response.row_length());
-    let own = Runner { study: &study, response: &response, ..*runner };
+    let own = Runner { study: &study, response: &response, list: runner.keeping.begin(), ..*runner };
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
         own.run(&round, &mut table)?;

@@ -24,6 +24,7 @@ impl Problem for StudyError {
                 Code::SamplingNotPossible
             }
             Self::Threads(_) => Code::NoThreads,
+            Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
             Self::Interrupted { .. } => Code::Interrupted,
         }
@@ -50,7 +51,8 @@ impl Problem for StudyError {
                 "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
             )),
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
-            Self::Interrupted { .. } => Some("the same command starts it again".to_owned()),
+            Self::Store(error) => error.hint(),
+            Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
@@ -83,9 +85,11 @@ impl StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
-            Self::BudgetTooSmall { .. } | Self::Threads(_) | Self::Table(_) | Self::Interrupted { .. } => {
-                Complaint::error(self, None)
-            }
+            Self::BudgetTooSmall { .. }
+            | Self::Threads(_)
+            | Self::Store(_)
+            | Self::Table(_)
+            | Self::Interrupted { .. } => Complaint::error(self, None),
         }
     }
 }

@@ -5,6 +5,7 @@ use super::allow::{allocation, allowances, most_studies, runs_of_a_study};
 use super::assemble::{Extra, Material, assemble};
 use super::contributors::{ContributorPlan, contributors};
 use super::file::{Budget, Study};
+use super::keep::{Keeping, KeptList};
 use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
@@ -17,6 +18,7 @@ use crate::bounds::{
 use crate::contributors::IndexPlanError;
 use crate::math::Vectors;
 use crate::simulate::RunFailure;
+use crate::store::{RunStore, StoreError};
 use crate::uncertainty::SobolError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -74,6 +76,9 @@ pub enum StudyError {
         /// Runs of the first round and of what follows the rounds.
         least: usize,
     },
+    /// Finished runs cannot be kept, or not be taken over.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// A row did not fit.
     #[error(transparent)]
     Table(#[from] TableError),
@@ -99,6 +104,19 @@ pub enum StudyError {
 pub trait Progress: Sync {
     /// `finished` of at most `most` runs are done.
     fn runs(&self, finished: usize, most: usize);
+}
+
+/// With what a study is conducted.
+#[derive(Clone, Copy)]
+pub struct Means<'a> {
+    /// Number of threads; the result is the same for any.
+    pub threads: usize,
+    /// Hears how far it is.
+    pub progress: &'a dyn Progress,
+    /// Stops it when set.
+    pub stop: &'a AtomicBool,
+    /// Where finished runs are kept and found again; nowhere if left out.
+    pub store: Option<&'a RunStore>,
 }
 
 /// A finished study.
@@ -181,17 +199,12 @@ pub fn time_a_run_s(study: &Study, largest_evaluations: u64) -> Result<f64, Stud
     }
 }
 
-/// Conducts `study` on `threads` threads. The result is the same for any number of them.
+/// Conducts `study`. The result is the same for any number of threads, and whatever of it was found in a store.
 ///
 /// # Errors
 /// See [`StudyError`]; failed runs are no error as long as some succeed.
-pub fn conduct(
-    study: &Study,
-    input_hash: &str,
-    threads: usize,
-    progress: &dyn Progress,
-    stop: &AtomicBool,
-) -> Result<Conducted, StudyError> {
+pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Conducted, StudyError> {
+    let Means { threads, progress, stop, store } = *means;
     let response = StudyResponse::new(study)?;
     let goals = goals(study, &response.shared.plan);
     let mut refinement = Refinement::try_new(problem(study, &response), goals)?;
@@ -208,7 +221,18 @@ pub fn conduct(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let before = AtomicUsize::new(0);
     let most_runs = watch.most_runs(stated_runs);
-    let mut runner = Runner { study, response: &response, pool: &pool, progress, stop, most_runs, before: &before };
+    let keeping = Keeping::new(store);
+    let mut runner = Runner {
+        study,
+        response: &response,
+        pool: &pool,
+        progress,
+        stop,
+        most_runs,
+        before: &before,
+        keeping: &keeping,
+        list: keeping.begin(),
+    };
     progress.runs(0, most_runs);
     let mut rounds = 0;
     let mut round = refinement.next_round(&table)?;
@@ -283,6 +307,10 @@ pub(super) struct Runner<'s> {
     pub most_runs: usize,
     /// Runs in tables that are finished.
     pub before: &'s AtomicUsize,
+    /// Where finished runs are kept.
+    pub keeping: &'s Keeping<'s>,
+    /// The list that is being run.
+    pub list: KeptList<'s>,
 }
 
 impl From<SobolError> for StudyError {
@@ -297,21 +325,28 @@ impl Runner<'_> {
         self.before.fetch_add(runs, Ordering::Relaxed);
     }
 
-    /// Runs `round` and adds its rows to `table`.
+    /// Runs `round` and adds its rows to `table`; those that are kept are taken over.
     ///
     /// # Errors
-    /// The study was interrupted.
+    /// The study was interrupted, or the store cannot be used.
     pub fn run(&self, round: &[RunInputs], table: &mut SampleTable) -> Result<(), StudyError> {
         for batch in round.chunks(RUNS_PER_BATCH) {
             let before = self.before.load(Ordering::Relaxed);
-            let done = AtomicUsize::new(before + table.len());
-            let finished = || {
+            let first = table.len();
+            let kept = self.list.find(first, batch)?;
+            let done = AtomicUsize::new(before + first + kept.iter().flatten().count());
+            let finished = |index: usize, row: &Row| {
+                self.list.keep(first + index, &batch[index], row);
                 let runs = done.fetch_add(1, Ordering::Relaxed) + 1;
                 if runs.is_multiple_of(RUNS_PER_REPORT) {
                     self.progress.runs(runs, self.most_runs);
                 }
             };
-            let outcomes = self.pool.install(|| evaluate(batch, self.response, self.stop, &finished));
+            let is_stopped = || self.stop.load(Ordering::Relaxed) || self.list.is_broken();
+            let outcomes = self.pool.install(|| evaluate(batch, kept, self.response, &is_stopped, &finished));
+            if self.list.is_broken() {
+                self.list.settle()?;
+            }
             let is_stopped = outcomes.iter().any(Option::is_none);
             for (inputs, outcome) in batch.iter().zip(outcomes) {
                 if let Some(outcome) = outcome {
@@ -319,6 +354,7 @@ impl Runner<'_> {
                 }
             }
             if is_stopped {
+                self.list.settle()?;
                 let finished = Box::new(super::assemble::runs_table(self.study, self.response, table));
                 return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
             }
@@ -329,20 +365,21 @@ impl Runner<'_> {
 }
 
 /// Columns and extras of a finished run, or why it gave nothing.
-type Row = Result<Vec<f64>, Failure>;
+pub(super) type Row = Result<Vec<f64>, Failure>;
 
-/// The rows of a batch; nothing for runs that the emergency stop has kept from starting. Each thread takes the next run as soon as one
+/// The rows of a batch, those that are `kept` as they are; nothing for runs that a stop has kept from starting. Each thread takes the next run as soon as one
 /// of its lanes is free; which thread and which lane a run meets has no influence on its bits. Runs with other laws have other
 /// equations: each thread takes those of one combination after those of another.
 fn evaluate(
     batch: &[RunInputs],
+    kept: Vec<Option<Row>>,
     response: &StudyResponse,
-    stop: &AtomicBool,
-    finished: &(dyn Fn() + Sync),
+    is_stopped: &(dyn Fn() -> bool + Sync),
+    finished: &(dyn Fn(usize, &Row) + Sync),
 ) -> Vec<Option<Row>> {
     let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
         response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
-    for (index, inputs) in batch.iter().enumerate() {
+    for (index, inputs) in batch.iter().enumerate().filter(|(index, _)| kept[*index].is_none()) {
         queues[response.variant(&inputs.epistemic)].0.push(index);
     }
     let vectors = Vectors::best();
@@ -354,18 +391,19 @@ fn evaluate(
             for (variant, (queue, taken)) in queues.iter().enumerate() {
                 let next = || {
                     let index = *queue.get(taken.fetch_add(1, Ordering::Relaxed))?;
-                    let inputs = batch.get(index).filter(|_| !stop.load(Ordering::Relaxed))?;
+                    let inputs = batch.get(index).filter(|_| !is_stopped())?;
                     Some((index, &inputs.random[..], &inputs.epistemic[..]))
                 };
                 response.run_all(variant, vectors, next, |index, outcome| {
-                    rows.push((index, outcome.map_err(|failure| Failure(failure.number()))));
-                    finished();
+                    let row = outcome.map_err(|failure| Failure(failure.number()));
+                    finished(index, &row);
+                    rows.push((index, row));
                 });
             }
             rows
         })
         .collect();
-    let mut rows: Vec<Option<Row>> = vec![None; batch.len()];
+    let mut rows = kept;
     for (index, row) in parts.into_iter().flatten() {
         rows[index] = Some(row);
     }

@@ -13,6 +13,7 @@ pub mod files;
 mod ideal_curve;
 mod input_file;
 mod iso_286;
+mod keep;
 mod lanes;
 mod rare;
 mod recorder;
@@ -21,7 +22,7 @@ pub mod result;
 pub mod runs;
 mod surrogate;
 
-pub use conduct::{Conducted, Progress, StudyError, conduct, plan_runs, time_a_run_s};
+pub use conduct::{Conducted, Means, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use distribution_words::distribution_words;
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,

@@ -1,0 +1,98 @@
+//! Why a store cannot be used.
+
+use std::path::{Path, PathBuf};
+
+use rusqlite::ErrorCode;
+use thiserror::Error;
+
+use crate::diagnostics::{Code, Problem};
+
+/// Why a store cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum StoreError {
+    /// Another process has it open.
+    #[error("{} is in use by another loosepin", path.display())]
+    InUse {
+        /// The store.
+        path: PathBuf,
+    },
+    /// It holds runs of this very study, and nobody said what is to become of them.
+    #[error("{} holds {runs} finished runs of this study", path.display())]
+    HoldsRuns {
+        /// The store.
+        path: PathBuf,
+        /// How many.
+        runs: u64,
+    },
+    /// It holds runs of something else.
+    #[error("{} holds runs of another {what} ({found}; this one is {expected})", path.display())]
+    OfOther {
+        /// The store.
+        path: PathBuf,
+        /// `study`, `version` or `format`.
+        what: &'static str,
+        /// Whose runs it holds.
+        found: String,
+        /// Whose were to be found.
+        expected: String,
+    },
+    /// What it holds is not what was written.
+    #[error("{} is damaged: {reason}", path.display())]
+    Damaged {
+        /// The store.
+        path: PathBuf,
+        /// What does not fit.
+        reason: String,
+    },
+    /// The file system refused.
+    #[error("cannot use {}: {reason}", path.display())]
+    NotUsable {
+        /// The store.
+        path: PathBuf,
+        /// What the file system said.
+        reason: String,
+    },
+}
+
+impl StoreError {
+    /// What SQLite says of the store at `path`.
+    pub(super) fn of(path: &Path, error: &rusqlite::Error) -> Self {
+        let path = path.to_owned();
+        match error.sqlite_error_code() {
+            Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => Self::InUse { path },
+            Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => {
+                Self::Damaged { path, reason: error.to_string() }
+            }
+            Some(ErrorCode::DiskFull) => Self::NotUsable { path, reason: "the disk is full".to_owned() },
+            Some(ErrorCode::ReadOnly | ErrorCode::PermissionDenied) => {
+                Self::NotUsable { path, reason: "it is not permitted to write".to_owned() }
+            }
+            Some(_) => Self::NotUsable { path, reason: error.to_string() },
+            // Numbers and texts where others are due.
+            None => Self::Damaged { path, reason: error.to_string() },
+        }
+    }
+}
+
+impl Problem for StoreError {
+    fn code(&self) -> Code {
+        match self {
+            Self::InUse { .. } => Code::StoreInUse,
+            Self::HoldsRuns { .. } => Code::StudyStarted,
+            Self::OfOther { .. } => Code::StoreOfOther,
+            Self::Damaged { .. } => Code::StoreDamaged,
+            Self::NotUsable { .. } => Code::FolderNotUsable,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        let hint = match self {
+            Self::InUse { .. } => "wait for it to end, or give another folder by --out",
+            Self::HoldsRuns { .. } => "--resume goes on with them, --force begins anew",
+            Self::OfOther { .. } => "give another folder by --out; --force begins anew and drops these runs",
+            Self::Damaged { .. } => "restore it from a copy; --force begins anew",
+            Self::NotUsable { .. } => "its runs are kept: when there is room again, --resume goes on with them",
+        };
+        Some(hint.to_owned())
+    }
+}

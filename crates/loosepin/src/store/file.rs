@@ -1,0 +1,168 @@
+//! The SQLite file of a store.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use rusqlite::{Connection, OpenFlags, OptionalExtension, params};
+
+use super::StoreIdentity;
+use super::error::StoreError;
+use super::row::{InputsKey, KeptRun, checksum};
+
+/// `LPIN`, by which `file` and SQLite know whose file it is.
+const APPLICATION: i32 = 0x4c50_494e;
+/// Of the tables below; another one is refused.
+const FORMAT: i32 = 1;
+
+const TABLES: &str = "
+CREATE TABLE identity (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE run (
+    list INTEGER NOT NULL,
+    place INTEGER NOT NULL,
+    inputs BLOB NOT NULL,
+    failure INTEGER,
+    numbers BLOB NOT NULL,
+    checksum BLOB NOT NULL,
+    PRIMARY KEY (list, place)
+) WITHOUT ROWID;
+";
+
+/// An open, locked, checked file.
+pub(super) struct StoreFile {
+    path: PathBuf,
+    connection: Connection,
+}
+
+impl StoreFile {
+    /// Opens or makes the file at `path`, locks it and checks that it is whole and whose it is.
+    pub fn open(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
+        let of = |error: rusqlite::Error| StoreError::of(path, &error);
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let connection = Connection::open_with_flags(path, flags).map_err(of)?;
+        connection.busy_timeout(std::time::Duration::ZERO).map_err(of)?;
+        // Locked before the log is begun, so that no memory is shared with other processes: that works on network drives too.
+        connection.pragma_update(None, "locking_mode", "EXCLUSIVE").map_err(of)?;
+        connection.pragma_update(None, "journal_mode", "WAL").map_err(of)?;
+        connection.pragma_update(None, "synchronous", "FULL").map_err(of)?;
+        connection.execute_batch("BEGIN EXCLUSIVE; COMMIT").map_err(of)?;
+        let store = Self { path: path.to_owned(), connection };
+        let number =
+            |name: &str| store.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)).map_err(of);
+        match (number("application_id")?, number("user_version")?) {
+            (0, 0) if store.is_empty()? => store.begin(identity)?,
+            (APPLICATION, FORMAT) => store.check(identity)?,
+            (APPLICATION, format) => {
+                let [found, expected] = [format, FORMAT].map(|format| format.to_string());
+                return Err(StoreError::OfOther { path: path.to_owned(), what: "format", found, expected });
+            }
+            _ => {
+                let reason = "it is a database, but not one of loosepin".to_owned();
+                return Err(StoreError::Damaged { path: path.to_owned(), reason });
+            }
+        }
+        Ok(store)
+    }
+
+    /// Whether it has no table: just made, or left before its first commit.
+    fn is_empty(&self) -> Result<bool, StoreError> {
+        let tables = self.connection.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get::<_, i64>(0));
+        Ok(self.or_told(tables)? == 0)
+    }
+
+    fn begin(&self, identity: &StoreIdentity) -> Result<(), StoreError> {
+        let written = || -> rusqlite::Result<()> {
+            let transaction = self.connection.unchecked_transaction()?;
+            transaction.execute_batch(TABLES)?;
+            for (name, value) in [("version", &identity.version), ("inputs", &identity.inputs)] {
+                transaction.execute("INSERT INTO identity VALUES (?1, ?2)", params![name, value])?;
+            }
+            transaction.pragma_update(None, "application_id", APPLICATION)?;
+            transaction.pragma_update(None, "user_version", FORMAT)?;
+            transaction.commit()
+        };
+        self.or_told(written())
+    }
+
+    fn check(&self, identity: &StoreIdentity) -> Result<(), StoreError> {
+        let said = self.connection.query_row("PRAGMA quick_check(1)", [], |row| row.get::<_, String>(0));
+        let said = self.or_told(said)?;
+        if said != "ok" {
+            return Err(StoreError::Damaged { path: self.path.clone(), reason: said });
+        }
+        for (what, name, expected) in [("version", "version", &identity.version), ("study", "inputs", &identity.inputs)]
+        {
+            let found = self
+                .connection
+                .query_row("SELECT value FROM identity WHERE name = ?1", [name], |row| row.get::<_, String>(0))
+                .optional();
+            let found = self.or_told(found)?.unwrap_or_default();
+            if found != *expected {
+                let [found, expected] = [&found, expected].map(|text| text.chars().take(8).collect());
+                return Err(StoreError::OfOther { path: self.path.clone(), what, found, expected });
+            }
+        }
+        Ok(())
+    }
+
+    /// How many runs it holds.
+    pub fn runs(&self) -> Result<u64, StoreError> {
+        let count = self.connection.query_row("SELECT count(*) FROM run", [], |row| row.get::<_, i64>(0));
+        Ok(self.or_told(count)?.max(0).cast_unsigned())
+    }
+
+    /// Writes these rows together, and waits until they are on the device.
+    pub fn commit(&mut self, rows: &[(u32, u64, KeptRun)]) -> Result<(), StoreError> {
+        let mut written = || -> rusqlite::Result<()> {
+            let transaction = self.connection.transaction()?;
+            {
+                let mut insert =
+                    transaction.prepare_cached("INSERT OR REPLACE INTO run VALUES (?1, ?2, ?3, ?4, ?5, ?6)")?;
+                for (list, place, run) in rows {
+                    let (inputs, failure) = (&run.inputs.0, run.outcome.as_ref().err().copied());
+                    let numbers = run.bytes();
+                    let sum = checksum(*list, *place, inputs, failure, &numbers);
+                    insert.execute(params![list, place.cast_signed(), inputs, failure, numbers, sum])?;
+                }
+            }
+            transaction.commit()
+        };
+        let written = written();
+        self.or_told(written)
+    }
+
+    /// The runs at `places` of a list.
+    pub fn find(&self, list: u32, places: Range<u64>) -> Result<Vec<Option<KeptRun>>, StoreError> {
+        let mut found: Vec<Option<KeptRun>> = vec![None; places.clone().count()];
+        let damaged = |place: i64, what: &str| StoreError::Damaged {
+            path: self.path.clone(),
+            reason: format!("run {place} of list {list} {what}"),
+        };
+        let query =
+            "SELECT place, inputs, failure, numbers, checksum FROM run WHERE list = ?1 AND place >= ?2 AND place < ?3";
+        let statement = self.connection.prepare_cached(query);
+        let mut statement = self.or_told(statement)?;
+        let rows = statement.query(params![list, places.start.cast_signed(), places.end.cast_signed()]);
+        let mut rows = self.or_told(rows)?;
+        while let Some(row) = self.or_told(rows.next())? {
+            let place: i64 = self.or_told(row.get(0))?;
+            let inputs: Vec<u8> = self.or_told(row.get(1))?;
+            let failure: Option<u16> = self.or_told(row.get(2))?;
+            let numbers: Vec<u8> = self.or_told(row.get(3))?;
+            let sum: Vec<u8> = self.or_told(row.get(4))?;
+            if checksum(list, place.cast_unsigned(), &inputs, failure, &numbers)[..] != sum[..] {
+                return Err(damaged(place, "does not have its checksum"));
+            }
+            let inputs = InputsKey(inputs.try_into().map_err(|_| damaged(place, "has no key of its inputs"))?);
+            let outcome = match failure {
+                Some(reason) => Err(reason),
+                None => Ok(KeptRun::numbers(&numbers).ok_or_else(|| damaged(place, "has half a number"))?),
+            };
+            found[(place.cast_unsigned() - places.start) as usize] = Some(KeptRun { inputs, outcome });
+        }
+        Ok(found)
+    }
+
+    fn or_told<T>(&self, result: rusqlite::Result<T>) -> Result<T, StoreError> {
+        result.map_err(|error| StoreError::of(&self.path, &error))
+    }
+}

@@ -1,0 +1,206 @@
+//! Rows come back as they went in, or the store is refused.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::{Beginning, InputsKey, KeptRun, RunStore, STORE_FILE, StoreError, StoreIdentity, remove_store};
+
+/// Rows of the stores of these tests.
+const ROWS: u64 = 300;
+
+fn identity() -> StoreIdentity {
+    StoreIdentity { version: "0.3.7".to_owned(), inputs: "8c1f0d2a77".to_owned() }
+}
+
+fn folder() -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(STORE_FILE);
+    (folder, path)
+}
+
+/// The run at a place: every seventh has failed, the others have some numbers, one of them not finite.
+fn run(list: u32, place: u64) -> KeptRun {
+    let inputs = InputsKey::of(format!("{list} {place}").as_bytes());
+    let number = |k: u64| if k == 3 { f64::NAN } else { (place as f64 + 0.1) / (k as f64 + f64::from(list) + 0.7) };
+    let outcome = if place % 7 == 2 { Err(place as u16) } else { Ok((0..5).map(number).collect()) };
+    KeptRun { inputs, outcome }
+}
+
+fn is_same(a: &KeptRun, b: &KeptRun) -> bool {
+    let bits = |run: &KeptRun| run.outcome.clone().map(|row| row.iter().map(|x| x.to_bits()).collect::<Vec<u64>>());
+    a.inputs == b.inputs && bits(a) == bits(b)
+}
+
+fn fill(path: &Path) {
+    let store = RunStore::open(path, &identity()).unwrap();
+    for place in 0..ROWS {
+        store.keep(0, place, run(0, place));
+        store.keep(4, place + 1_000_000_007, run(4, place + 1_000_000_007));
+    }
+    assert_eq!(store.settle().unwrap(), 2 * ROWS);
+}
+
+#[test]
+fn identity_rows_come_back_as_they_went_in() {
+    let (_folder, path) = folder();
+    fill(&path);
+    let store = RunStore::open(&path, &identity()).unwrap();
+    assert_eq!(store.runs_at_start(), 2 * ROWS);
+    for (list, first) in [(0, 0), (4, 1_000_000_007)] {
+        let found = store.find(list, first + 10..first + ROWS + 20).unwrap();
+        for (offset, found) in found.iter().enumerate() {
+            let place = first + 10 + offset as u64;
+            match found {
+                Some(kept) => assert!(is_same(kept, &run(list, place)), "{place} {kept:?}"),
+                None => assert!(place >= first + ROWS, "{place}"),
+            }
+        }
+    }
+    assert!(store.find(1, 0..8).unwrap().iter().all(Option::is_none));
+    store.remove().unwrap();
+    assert!(fs::read_dir(path.parent().unwrap()).unwrap().next().is_none());
+}
+
+#[test]
+fn what_is_kept_is_written_without_being_asked_for() {
+    let (_folder, path) = folder();
+    let store = RunStore::open(&path, &identity()).unwrap();
+    store.keep(0, 3, run(0, 3));
+    let log = path.with_file_name(super::STORE_COMPANIONS[0]);
+    let before = fs::metadata(&log).unwrap().len();
+    let patience = std::time::Instant::now();
+    while fs::metadata(&log).unwrap().len() == before {
+        assert!(patience.elapsed() < 40 * super::LONGEST_UNSAVED, "nothing was written");
+        std::thread::sleep(super::LONGEST_UNSAVED / 10);
+    }
+}
+
+#[test]
+fn a_second_one_is_refused_while_the_first_is_open() {
+    let (_folder, path) = folder();
+    let store = RunStore::open(&path, &identity()).unwrap();
+    for beginning in [Beginning::GoOn, Beginning::Anew, Beginning::Empty] {
+        let error = RunStore::begin(&path, &identity(), beginning).unwrap_err();
+        assert_eq!(error, StoreError::InUse { path: path.clone() });
+    }
+    drop(store);
+    assert!(RunStore::open(&path, &identity()).is_ok());
+}
+
+#[test]
+fn runs_of_another_study_or_version_are_refused_by_name() {
+    let (_folder, path) = folder();
+    fill(&path);
+    let refused = |other: StoreIdentity| RunStore::open(&path, &other).unwrap_err().to_string();
+    let said = refused(StoreIdentity { version: "0.3.8".to_owned(), ..identity() });
+    assert!(said.ends_with("holds runs of another version (0.3.7; this one is 0.3.8)"), "{said}");
+    let said = refused(StoreIdentity { inputs: "77aa00bb11".to_owned(), ..identity() });
+    assert!(said.ends_with("holds runs of another study (8c1f0d2a; this one is 77aa00bb)"), "{said}");
+    let error = RunStore::begin(&path, &identity(), Beginning::Empty).unwrap_err();
+    assert_eq!(error, StoreError::HoldsRuns { path: path.clone(), runs: 2 * ROWS });
+    let anew = RunStore::begin(&path, &identity(), Beginning::Anew).unwrap();
+    assert_eq!(anew.runs_at_start(), 0);
+}
+
+#[test]
+fn a_file_of_something_else_is_refused() {
+    let (_folder, path) = folder();
+    fs::write(&path, "slider [mm]\n".repeat(900)).unwrap();
+    assert!(matches!(RunStore::open(&path, &identity()), Err(StoreError::Damaged { .. })));
+    remove_store(&path).unwrap();
+    rusqlite::Connection::open(&path).unwrap().execute_batch("CREATE TABLE notes (note TEXT)").unwrap();
+    let error = RunStore::open(&path, &identity()).unwrap_err();
+    assert!(error.to_string().ends_with("it is a database, but not one of loosepin"), "{error}");
+}
+
+/// Opens what is left of a store and reads all of it: every row that comes back must be the right one.
+fn read_what_is_left(path: &Path) -> Result<usize, StoreError> {
+    let store = RunStore::open(path, &identity())?;
+    let mut known = 0;
+    for (list, first) in [(0, 0), (4, 1_000_000_007)] {
+        for (offset, found) in store.find(list, first..first + ROWS)?.iter().enumerate() {
+            if let Some(kept) = found {
+                assert!(is_same(kept, &run(list, first + offset as u64)), "{offset} {kept:?}");
+                known += 1;
+            }
+        }
+    }
+    Ok(known)
+}
+
+/// A store as it lies on disk after the process was killed: the file, and the log if there was one.
+fn killed(with_log: bool) -> Vec<(&'static str, Vec<u8>)> {
+    let (_folder, path) = folder();
+    let mut names = vec![STORE_FILE];
+    if with_log {
+        let store = RunStore::open(&path, &identity()).unwrap();
+        for place in 0..ROWS {
+            store.keep(0, place, run(0, place));
+            if place % 20 == 19 {
+                store.settle().unwrap();
+            }
+        }
+        names.push(super::STORE_COMPANIONS[0]);
+        names.iter().map(|name| (*name, fs::read(path.with_file_name(name)).unwrap())).collect()
+    } else {
+        fill(&path);
+        names.iter().map(|name| (*name, fs::read(path.with_file_name(name)).unwrap())).collect()
+    }
+}
+
+fn lay_out(path: &Path, files: &[(&str, Vec<u8>)]) {
+    remove_store(path).unwrap();
+    for (name, bytes) in files {
+        fs::write(path.with_file_name(name), bytes).unwrap();
+    }
+}
+
+/// A sequence of numbers that looks random, the same every time.
+fn scattered(index: u64, below: usize) -> usize {
+    (index.wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(23) % below as u64) as usize
+}
+
+#[test]
+fn identity_a_truncated_store_gives_right_rows_or_is_refused() {
+    let (_folder, path) = folder();
+    let (mut refused, mut most, mut least) = (0, 0, usize::MAX);
+    for with_log in [true, false] {
+        let files = killed(with_log);
+        for index in 0..250 {
+            // Of a store that was killed the log is what was being written.
+            let mut files = files.clone();
+            let Some((_, bytes)) = files.last_mut() else { unreachable!() };
+            bytes.truncate(scattered(index, bytes.len()));
+            lay_out(&path, &files);
+            match read_what_is_left(&path) {
+                Ok(known) => (most, least) = (most.max(known), least.min(known)),
+                Err(StoreError::Damaged { .. }) => refused += 1,
+                Err(error) => panic!("{index}: {error}"),
+            }
+        }
+    }
+    // All three ends must have been met, or nothing was tried.
+    assert!(refused > 100 && most > ROWS as usize / 2 && least == 0, "{refused} {least} {most}");
+}
+
+#[test]
+fn identity_a_flipped_bit_gives_right_rows_or_is_refused() {
+    let (_folder, path) = folder();
+    let mut refused = 0;
+    for with_log in [true, false] {
+        let files = killed(with_log);
+        for index in 0..250 {
+            let mut files = files.clone();
+            let Some((_, bytes)) = files.last_mut() else { unreachable!() };
+            let byte = scattered(index, bytes.len());
+            bytes[byte] ^= 1 << (index % 8);
+            lay_out(&path, &files);
+            match read_what_is_left(&path) {
+                Ok(_) => {}
+                Err(StoreError::Damaged { .. } | StoreError::OfOther { .. }) => refused += 1,
+                Err(error) => panic!("{index}: {error}"),
+            }
+        }
+    }
+    assert!(refused > 100, "{refused}");
+}

@@ -1,0 +1,110 @@
+//! The thread that has the file: collects what is to be kept, and commits it in time.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
+use std::time::{Duration, Instant};
+
+use super::error::StoreError;
+use super::file::StoreFile;
+use super::row::KeptRun;
+
+/// A finished run waits no longer than this before it is written.
+pub const LONGEST_UNSAVED: Duration = Duration::from_millis(500);
+
+/// Numbers that may wait: 64 MiB of them.
+const MOST_WAITING_NUMBERS: usize = 8 << 20;
+
+/// What is asked of the thread.
+pub(super) enum Request {
+    /// To keep a run.
+    Keep {
+        /// Its list.
+        list: u32,
+        /// Its place in the list.
+        place: u64,
+        /// The run.
+        run: KeptRun,
+    },
+    /// For the runs at some places of a list.
+    Find {
+        /// The list.
+        list: u32,
+        /// The places.
+        places: Range<u64>,
+        /// Where the answer goes.
+        reply: SyncSender<Result<Vec<Option<KeptRun>>, StoreError>>,
+    },
+    /// To write everything now.
+    Settle {
+        /// Where the number of runs goes.
+        reply: SyncSender<Result<u64, StoreError>>,
+    },
+}
+
+/// Runs that wait, and since when.
+#[derive(Default)]
+struct Waiting {
+    rows: Vec<(u32, u64, KeptRun)>,
+    numbers: usize,
+    since: Option<Instant>,
+}
+
+impl Waiting {
+    fn add(&mut self, row: (u32, u64, KeptRun)) {
+        self.numbers += row.2.outcome.as_ref().map_or(0, Vec::len);
+        self.rows.push(row);
+        self.since.get_or_insert_with(Instant::now);
+    }
+
+    fn is_due(&self) -> bool {
+        self.numbers > MOST_WAITING_NUMBERS || self.left() == Duration::ZERO
+    }
+
+    /// How long they may still wait.
+    fn left(&self) -> Duration {
+        self.since.map_or(LONGEST_UNSAVED, |since| LONGEST_UNSAVED.saturating_sub(since.elapsed()))
+    }
+
+    /// Commits everything. What could not be written is not kept for another try: the study stops, and runs it again.
+    fn commit(&mut self, file: &mut StoreFile, broken: &mut Option<StoreError>, flag: &AtomicBool) {
+        let waiting = std::mem::take(self);
+        if waiting.rows.is_empty() || broken.is_some() {
+            return;
+        }
+        if let Err(error) = file.commit(&waiting.rows) {
+            *broken = Some(error);
+            flag.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// Serves the requests until nobody can send any more.
+pub(super) fn write_requests(mut file: StoreFile, inbox: &Receiver<Request>, flag: &AtomicBool) {
+    let mut waiting = Waiting::default();
+    let mut broken: Option<StoreError> = None;
+    loop {
+        let request = inbox.recv_timeout(waiting.left());
+        match request {
+            Ok(Request::Keep { list, place, run }) => waiting.add((list, place, run)),
+            Ok(Request::Find { list, places, reply }) => {
+                waiting.commit(&mut file, &mut broken, flag);
+                let found = broken.clone().map_or_else(|| file.find(list, places), Err);
+                // Who asked may have given up.
+                let _ = reply.send(found);
+            }
+            Ok(Request::Settle { reply }) => {
+                waiting.commit(&mut file, &mut broken, flag);
+                let _ = reply.send(broken.clone().map_or_else(|| file.runs(), Err));
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                waiting.commit(&mut file, &mut broken, flag);
+                return;
+            }
+        }
+        if waiting.is_due() {
+            waiting.commit(&mut file, &mut broken, flag);
+        }
+    }
+}
