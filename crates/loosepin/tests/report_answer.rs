@@ -126,7 +126,10 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     let mut result = worn_pin();
     result.bounds.truncate(3);
     result.bounds[1].guarantee = GuaranteeKind::Inner;
-    assert_says(&result, "1 of 3 bounds is not confirmed by the search and may be wider.");
+    assert_says(
+        &result,
+        "1 of 3 bounds is not confirmed, by the search or for want of samples beyond them (larger `inner`), and may be wider.",
+    );
     assert_says(
         &result,
         "3 of them failed: they are counted as not known in probabilities and quantiles; means and deviations are those of \

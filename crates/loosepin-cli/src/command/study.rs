@@ -111,8 +111,10 @@ fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> E
     let parquet = runs_parquet(finished).map_err(|error| Failure::of(&error))?;
     folder.write(RUNS_FILE, &parquet)?;
     folder.leave_unfinished()?;
+    // Small probabilities may take more than was expected.
+    let of_most = if count < most_runs { format!(" of at most {most_runs}") } else { String::new() };
     console::message(&format!(
-        "interrupted after {count} of at most {most_runs} runs; they are kept in {}\n\
+        "interrupted after {count}{of_most} runs; they are kept in {}\n\
          hint: the same command with --resume goes on",
         folder.path().join(RUNS_FILE).display()
     ));

@@ -102,7 +102,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
         mobility: mobility_words(mechanism),
         singular_positions: cycle.singular_positions(&input),
         drive: input.name,
-        display_units: DisplayUnits::default(),
+        display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         outputs: recorder.outputs,
         drawing,

@@ -267,18 +267,36 @@ impl Evidence<'_> {
             let further = modelled.furthest(search, samples, direction, (witness, estimate.value), part);
             (sign * (further - estimate.value)).max(0.0)
         };
-        // What is conceded ends where no response goes; of the two parts the sampling error keeps what it needs.
+        // What the search concedes ends where no response goes; the sampling error keeps what it needs.
         let possible = measure.kind.possible(samples, direction);
         let room = (sign * (measure.kind.limited(possible) - estimate.value)).max(0.0);
-        let sampling = sampling.min(room);
-        let error = BoundError { sampling, optimisation: optimisation.min(room - sampling), surrogate: 0.0 };
-        Bound {
+        let optimisation = optimisation.min((room - sampling).max(0.0));
+        let error = BoundError { sampling, optimisation, surrogate: 0.0 };
+        let bound = Bound {
             value: estimate.value,
             widened: measure.kind.limited(estimate.value + sign * error.total()),
             witness: self.pool.points.get(witness).map(PoolPoint::witness),
             error,
             guarantee,
+        };
+        bound.within_responses(samples, direction)
+    }
+}
+
+impl Bound {
+    /// Where fewer samples lie beyond a quantile than a confidence takes, no finite error holds with it. What is known then is how
+    /// far responses have been seen to go: the bound ends there, and says that this is not confirmed. Failed runs may have gone
+    /// anywhere, and stay infinite.
+    pub(super) fn within_responses(self, samples: &[&Sample], direction: Direction) -> Self {
+        let possible = MeasureKind::Plain.possible(samples, direction);
+        let has_failed = samples.iter().any(|sample| sample.failed() > 0);
+        if self.widened.is_finite() || !self.value.is_finite() || !possible.is_finite() || has_failed {
+            return self;
         }
+        let room = (direction.sign() * (possible - self.value)).max(0.0);
+        let error = BoundError { sampling: room, optimisation: 0.0, ..self.error };
+        let widened = self.value + direction.sign() * room;
+        Self { widened, error, guarantee: Guarantee::Inner, ..self }
     }
 }
 

@@ -18,8 +18,22 @@ pub enum Guarantee {
         /// Confidence in (0, 1).
         confidence: f64,
     },
-    /// Not confirmed everywhere: the true range is at least about this wide.
+    /// Not confirmed everywhere, or by too few samples: the true range is at least about this wide.
     Inner,
+}
+
+impl Guarantee {
+    /// Of two bounds that are added, or of both ends, what is promised together.
+    #[must_use]
+    pub fn weaker(self, other: Self) -> Self {
+        let rank = |guarantee: Self| match guarantee {
+            Self::Enclosure => 0,
+            Self::Optimised => 1,
+            Self::Sampled { .. } => 2,
+            Self::Inner => 3,
+        };
+        if rank(other) > rank(self) { other } else { self }
+    }
 }
 
 /// How the kinds of uncertainty are treated.

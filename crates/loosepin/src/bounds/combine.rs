@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::assemble::{Evidence, Modelled, Part};
 use super::bound::{Bound, BoundError};
-use super::measure::{Event, Measure, MeasureKind};
+use super::measure::{Event, Measure};
 use super::sample::Sample;
 use super::search::{Direction, Search};
 use super::statistic::Statistic;
@@ -56,7 +56,7 @@ impl Bound {
                 optimisation: a.error.optimisation + b.error.optimisation,
                 surrogate: a.error.surrogate + b.error.surrogate,
             },
-            guarantee: a.guarantee,
+            guarantee: a.guarantee.weaker(b.guarantee),
         })
     }
 
@@ -304,20 +304,19 @@ impl Evidence<'_> {
         if attempt.value.is_nan() {
             return self.nothing(job.direction);
         }
-        let possible = MeasureKind::Plain.possible(&samples, job.direction);
         let widened = attempt.widened.unwrap_or(sign * f64::INFINITY);
-        let widened = if sign * (widened - possible) > 0.0 && attempt.value.is_finite() { possible } else { widened };
         let total = if attempt.value.is_finite() { (sign * (widened - attempt.value)).max(0.0) } else { 0.0 };
         let [sampling, optimisation] = attempt.errors.unwrap_or([1.0, 0.0]);
         let share = if sampling + optimisation > 0.0 { sampling / (sampling + optimisation) } else { 1.0 };
         let sampling = if total.is_finite() { share * total } else { total };
         let optimisation = if total.is_finite() { total - sampling } else { 0.0 };
-        Bound {
+        let bound = Bound {
             value: attempt.value,
             widened: attempt.value + sign * total,
             witness: None,
             error: BoundError { sampling, optimisation, surrogate: 0.0 },
             guarantee: self.guarantee(),
-        }
+        };
+        bound.within_responses(&samples, job.direction)
     }
 }

@@ -81,3 +81,5 @@ mod exact_cases;
 mod noisy_cases;
 #[cfg(test)]
 mod parameter_cases;
+#[cfg(test)]
+mod tail_cases;

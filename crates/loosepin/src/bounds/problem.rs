@@ -309,7 +309,7 @@ impl Problem {
         if structure.is_divided() {
             let least = combinations * structure.points(wide).len();
             if outer < least {
-                let recommended = (2 * least).max(64);
+                let recommended = (2 * least).max(64).min(MOST_POINTS * combinations);
                 return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
             }
         }
@@ -369,7 +369,7 @@ fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result
 fn check_points(name: &'static str, count: usize, dimensions: usize, combinations: usize) -> Result<(), ProblemError> {
     let least = combinations * structural_point_count(dimensions);
     if count < least {
-        let recommended = (3 * least).max(64);
+        let recommended = (3 * least).max(64).min(MOST_POINTS * combinations);
         return Err(if combinations == 1 {
             ProblemError::TooFewPoints { name, count, dimensions, least, recommended }
         } else {

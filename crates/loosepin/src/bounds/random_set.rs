@@ -207,13 +207,15 @@ impl RandomSet {
         let optimisation = shift.sum::<f64>().min(total);
         let sampling = if total.is_finite() { total - optimisation } else { total };
         let error = BoundError { sampling, optimisation, surrogate: 0.0 };
-        Bound {
+        let bound = Bound {
             value,
             widened: value + direction.sign() * total,
             witness: None,
             error,
             guarantee: evidence.guarantee(),
-        }
+        };
+        let ends: Vec<&Sample> = self.elements.iter().flat_map(|ends| &ends.widened).collect();
+        bound.within_responses(&ends, direction)
     }
 
     fn deviation(&self, evidence: &Evidence<'_>, direction: Direction) -> Bound {

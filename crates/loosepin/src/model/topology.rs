@@ -13,7 +13,7 @@ use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
 use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
 use crate::diagnostics::{Complaint, Place, Source, Span};
-use crate::units::{Dimension, ReadableUnit};
+use crate::units::{Dimension, DisplayUnits, ReadableUnit};
 
 /// Index of a body in [`Model::bodies`]; 0 is the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -84,6 +84,19 @@ pub struct Model {
 }
 
 impl Model {
+    /// How numbers are shown to people: as usual, but those of the dimension of an output in the unit that it states; of several
+    /// outputs of a dimension the first one that states another unit than the usual one decides.
+    pub fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
+        let mut units = usual;
+        for output in self.outputs.iter().rev() {
+            let dimension = output.kind.dimension();
+            if output.unit != ReadableUnit::default_for(dimension) {
+                units.set(dimension, &output.unit);
+            }
+        }
+        units
+    }
+
     /// The file that the model was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source

@@ -11,8 +11,8 @@ use super::number::{NumberWriter, Rounding};
 use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::surrogate_text;
 use super::wording::{
-    EQUALLY_PROBABLE, count, counted, deviation_words, has_lists, output_words, place_words, statistic_words,
-    treatment_words, unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, count, counted, deviation_words, has_lists, output_words, place_words,
+    statistic_words, treatment_words, unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
@@ -315,15 +315,16 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
 
 fn treatments_table(comparison: &crate::study::result::TreatmentComparison, writer: &NumberWriter) -> String {
     let mut treatments = table(&["treatment", "band", "width", "share really inside", "promise"], &[2]);
+    let digits = band_digits(comparison);
     for band in &comparison.bands {
         treatments.add_row([
             treatment_words(band.treatment).to_owned(),
             format!(
                 "{} to {}",
-                writer.rounded(band.lower_si, &comparison.unit, 3, Rounding::Down),
-                writer.rounded(band.upper_si, &comparison.unit, 3, Rounding::Up)
+                writer.rounded(band.lower_si, &comparison.unit, digits, Rounding::Down),
+                writer.rounded(band.upper_si, &comparison.unit, digits, Rounding::Up)
             ),
-            writer.rounded(band.width_si(), &comparison.unit, 3, Rounding::Nearest),
+            writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
             writer.percent_range(band.coverage_minimum, band.coverage_maximum),
             if band.keeps_promise(comparison.promised_coverage) { "kept" } else { "broken" }.to_owned(),
         ]);

@@ -3,7 +3,7 @@
 use super::number::{NumberWriter, Rounding};
 use crate::study::result::{
     DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription, Reduction,
-    ResponsePoint, StatisticKind, TreatmentKind, Verdict,
+    ResponsePoint, StatisticKind, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
 };
 use crate::units::SiUnit;
 
@@ -53,6 +53,18 @@ pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &
     }
 }
 
+/// Digits of the width of a band.
+pub(super) const WIDTH_DIGITS: usize = 3;
+
+/// Digits of the ends of bands, so many that the least of the widths can be told from them.
+pub(super) fn band_digits(comparison: &TreatmentComparison) -> usize {
+    let ends = comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
+    let largest = ends.map(f64::abs).filter(|end| end.is_finite()).fold(0.0, f64::max);
+    let widths = comparison.bands.iter().map(TreatmentBand::width_si).filter(|width| *width > 0.0 && width.is_finite());
+    let more = (largest / widths.fold(f64::INFINITY, f64::min)).log10().floor();
+    WIDTH_DIGITS + if more.is_finite() { more.clamp(0.0, 9.0) as usize } else { 0 }
+}
+
 pub(super) fn treatment_words(treatment: TreatmentKind) -> &'static str {
     match treatment {
         TreatmentKind::ProbabilityOnly => "Everything as probability",
@@ -78,7 +90,7 @@ pub(super) fn guarantee_words(guarantee: GuaranteeKind, writer: &NumberWriter) -
         GuaranteeKind::Sampled { confidence } => {
             format!("holds with {} confidence over the sampling", writer.percent(confidence, Rounding::Nearest))
         }
-        GuaranteeKind::Inner => "at least this wide; the search is not confirmed".to_owned(),
+        GuaranteeKind::Inner => "at least this wide; not confirmed".to_owned(),
     }
 }
 

@@ -406,7 +406,7 @@ impl<'a> Recorder<'a> {
             joints,
             kind,
             lyapunov: None,
-            display_units: DisplayUnits::for_duration_s(self.window.end_s),
+            display_units: self.mechanism.model.shown_in(DisplayUnits::for_duration_s(self.window.end_s)),
             drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
             outputs,
             contact_forces: (0..self.contact_forces.len())

@@ -13,8 +13,6 @@ use crate::units::SiUnit;
 
 /// Times that the range is halved: to a 128th of it.
 const HALVINGS: usize = 7;
-/// Values that are tried again with other random numbers, going down from the first answer, at most.
-const MOST_CONFIRMATIONS: usize = 4;
 /// The least standard deviation that is tried, as a share of the largest.
 const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
 /// Studies in search of the cheapest combination, at most.
@@ -24,9 +22,9 @@ const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
 /// Studies that may be run at most, for the plan.
 pub(super) fn most_studies(study: &Study) -> usize {
-    let searches = study.allowances.len() * (2 + HALVINGS + 2 * MOST_CONFIRMATIONS);
+    let searches = study.allowances.len() * 2 * (2 + HALVINGS);
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
-    searches + if has_costs { MOST_ALLOCATION_STUDIES } else { 0 }
+    searches + if has_costs { 2 * MOST_ALLOCATION_STUDIES } else { 0 }
 }
 
 /// Runs of one such study at most: the double loop alone.
@@ -67,9 +65,8 @@ impl Answer {
 
 /// The loosest value of each input that may be loosened, one at a time.
 ///
-/// The range is halved, every trial a direct study with the same random numbers: values met below, not met above. The answer is then
-/// run again with other random numbers, as is the value just beyond; where it is not met again, the next lower value that was
-/// met stands in its place. For the upper end of an interval a larger value can only be worse, since every u of the smaller box
+/// The range is halved: values met below, not met above. Every trial is a direct study, and where that is met a second one with other
+/// random numbers, so that no value is met by luck. For the upper end of an interval a larger value can only be worse, since every u of the smaller box
 /// belongs to the larger one; for standard deviations this is taken for granted, and holds at the values that were run.
 ///
 /// # Errors
@@ -81,49 +78,37 @@ pub(super) fn allowances(runner: &Runner<'_>) -> Result<Vec<AllowanceRecord>, St
 fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
     let mut checks: Vec<AllowanceCheck> = Vec::new();
     let mut runs = 0;
-    let mut check = |value: f64, is_confirmation: bool| -> Result<bool, StudyError> {
-        let seed = if is_confirmation { hash(runner.study.seed, CONFIRMATION) } else { runner.study.seed };
-        let answer = run(runner, &[(allowance, value)], seed)?;
-        runs += answer.runs;
-        checks.push(answer.check(value, is_confirmation));
-        Ok(answer.verdict() == Verdict::Met)
+    let mut is_met = |value: f64| -> Result<bool, StudyError> {
+        for is_confirmation in [false, true] {
+            let answer = run(runner, &[(allowance, value)], seed(runner.study, is_confirmation))?;
+            runs += answer.runs;
+            checks.push(answer.check(value, is_confirmation));
+            if answer.verdict() != Verdict::Met {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     };
     let least = match allowance.input {
         AllowedInput::UpperEnd(_) => allowance.least_si,
         AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
     };
-    // Values that are met, loosest last, and the tightest one that is not.
-    let mut met: Vec<f64> = Vec::new();
-    let mut beyond = None;
-    if check(allowance.up_to_si, false)? {
-        met.push(allowance.up_to_si);
-    } else if check(least, false)? {
-        met.push(least);
+    let (allowed, beyond) = if is_met(allowance.up_to_si)? {
+        (Some(allowance.up_to_si), None)
+    } else if is_met(least)? {
         let (mut low, mut high) = (least, allowance.up_to_si);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if check(middle, false)? {
+            if is_met(middle)? {
                 low = middle;
-                met.push(middle);
             } else {
                 high = middle;
             }
         }
-        beyond = Some(high);
+        (Some(low), Some(high))
     } else {
-        beyond = Some(least);
-    }
-    let mut allowed = None;
-    for value in met.into_iter().rev().take(MOST_CONFIRMATIONS) {
-        if check(value, true)? {
-            allowed = Some(value);
-            break;
-        }
-        beyond = Some(value);
-    }
-    if let (Some(_), Some(beyond)) = (allowed, beyond) {
-        check(beyond, true)?;
-    }
+        (None, Some(least))
+    };
     let (what, unit) = described(runner.study, allowance);
     Ok(AllowanceRecord {
         path: allowance.path.clone(),
@@ -139,7 +124,7 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
 
 /// The cheapest combination of offers; nothing where no input has any.
 ///
-/// Combinations are run in the order of their cost, each a direct study, until the requirements are met. One that does not meet them
+/// Combinations are run in the order of their cost, each a direct study, until one meets the requirements twice, with two sets of random numbers. One that does not meet them
 /// excludes every combination that is at least as loose in all inputs, since looser is never better. The first one that meets them
 /// is the cheapest; where the studies run out before, none is named.
 ///
@@ -150,14 +135,18 @@ pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>
     if offered.is_empty() {
         return Ok(None);
     }
-    let seed = runner.study.seed;
     let mut runs = 0;
     let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
     let search = cheapest(&costs, MOST_ALLOCATION_STUDIES, |values| {
         let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
-        let answer = run(runner, &set, seed)?;
-        runs += answer.runs;
-        Ok::<bool, StudyError>(answer.verdict() == Verdict::Met)
+        for is_confirmation in [false, true] {
+            let answer = run(runner, &set, seed(runner.study, is_confirmation))?;
+            runs += answer.runs;
+            if answer.verdict() != Verdict::Met {
+                return Ok(false);
+            }
+        }
+        Ok::<bool, StudyError>(true)
     })?;
     let choices = search.chosen.as_ref().map_or_else(Vec::new, |chosen| {
         let choice = |(allowance, &place): (&&Allowance, &usize)| {
@@ -241,6 +230,11 @@ fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
             (Loosened::StandardDeviation, SiUnit::of_dimension(dimension))
         }
     }
+}
+
+/// The seed of a direct study: that of the study itself, so that studies differ by their inputs alone, or another one.
+fn seed(study: &Study, is_confirmation: bool) -> u64 {
+    if is_confirmation { hash(study.seed, CONFIRMATION) } else { study.seed }
 }
 
 /// The requirements of the study with other values of some inputs.

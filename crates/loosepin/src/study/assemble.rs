@@ -72,7 +72,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         treatments: treatments(material),
         energy: summary::energy(material),
         impacts: summary::impacts(material),
-        display_units: DisplayUnits::default(),
+        display_units: material.study.model.shown_in(DisplayUnits::default()),
         curves: curves::curves(material, &pictures),
         boxes: boxes(material),
         orbits: pictures.orbits,
@@ -277,7 +277,7 @@ pub(super) fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                     guarantee: if pair.unbounded_by_failures || rare.is_some_and(|rare| !rare.is_confirmed) {
                         GuaranteeKind::Inner
                     } else {
-                        guarantee(pair.lower.guarantee)
+                        guarantee(pair.lower.guarantee.weaker(pair.upper.guarantee))
                     },
                 });
             }

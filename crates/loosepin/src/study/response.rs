@@ -214,6 +214,7 @@ impl StudyResponse {
         let mechanism = &mechanisms[0];
         let nominal_input = study.model.input(study.cycle.span, &nominal);
         let plan = ColumnPlan::new(study, mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
+        check_poses(study, &plan)?;
         let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();
         let nominal_ideal = Sample::new(mechanism, &nominal).map_err(RunFailure::from)?.without_play();
@@ -363,6 +364,23 @@ fn check_drive(study: &Study) -> Result<(), PrepareError> {
         }
         if quantity == speed && lower <= 0.0 && upper >= 0.0 {
             return Err(PrepareError::SpeedThroughZero { path: path.clone() });
+        }
+    }
+    Ok(())
+}
+
+/// By this share of a turn a pose may lie beyond the end of the record: round-off of angles.
+const POSE_ROUND_OFF: f64 = 1e-9;
+
+/// Every pose must be passed while the run is recorded.
+fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
+    let recorded_turns = study.cycle.recorded_turns;
+    for column in &plan.columns {
+        if let Spot::Pose { turns, angle_rad } = column.spot
+            && turns > recorded_turns + POSE_ROUND_OFF
+        {
+            let output = plan.outputs[column.output].name.clone();
+            return Err(PrepareError::PoseNotRecorded { output, angle_deg: angle_rad.to_degrees(), recorded_turns });
         }
     }
     Ok(())

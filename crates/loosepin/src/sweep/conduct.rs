@@ -134,7 +134,7 @@ pub fn sweep(
             .collect(),
         joints: mechanism.plays.iter().map(|joint| model.joints[joint.0].name.clone()).collect(),
         points,
-        display_units: DisplayUnits::default(),
+        display_units: model.shown_in(DisplayUnits::default()),
     })
 }
 

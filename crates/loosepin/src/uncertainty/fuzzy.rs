@@ -27,6 +27,12 @@ pub enum FuzzyError {
         /// The degree.
         alpha: f64,
     },
+    /// What is possible at all is not among the cuts.
+    #[error("the least degree is {alpha}; must be 0, the values that are possible at all")]
+    NoSupport {
+        /// The least degree.
+        alpha: f64,
+    },
     /// Degrees that do not increase.
     #[error("cut at {second} after {first}; the degrees must increase")]
     DegreesNotIncreasing {
@@ -64,11 +70,11 @@ pub enum FuzzyError {
 }
 
 impl FuzzyNumber {
-    /// The fuzzy number of these cuts, degrees increasing.
+    /// The fuzzy number of these cuts, degrees increasing from 0: what is possible at all.
     ///
     /// # Errors
     ///
-    /// [`FuzzyError`] where degrees do not increase within \[0, 1\] or a cut is not within the one before.
+    /// [`FuzzyError`] where degrees do not begin at 0 and increase within \[0, 1\] or a cut is not within the one before.
     pub fn try_new(cuts: Vec<(f64, Interval)>) -> Result<Self, FuzzyError> {
         if cuts.is_empty() {
             return Err(FuzzyError::Empty);
@@ -77,6 +83,9 @@ impl FuzzyNumber {
             if !(0.0..=1.0).contains(&alpha) {
                 return Err(FuzzyError::Degree { alpha });
             }
+        }
+        if cuts[0].0 > 0.0 {
+            return Err(FuzzyError::NoSupport { alpha: cuts[0].0 });
         }
         for pair in cuts.windows(2) {
             let [(outer_alpha, outer), (alpha, inner)] = [pair[0], pair[1]];
@@ -173,12 +182,16 @@ mod tests {
         let interval = |lower, upper| Interval::try_new(lower, upper).unwrap();
         let refused = |cuts: Vec<(f64, Interval)>| FuzzyNumber::try_new(cuts).unwrap_err().to_string();
         assert_eq!(
-            refused(vec![(0.25, interval(2.0, 3.0)), (0.75, interval(2.5, 3.5))]),
-            "the cut [2.5, 3.5] at 0.75 is not within [2, 3] at 0.25; cuts must be nested"
+            refused(vec![(0.0, interval(2.0, 3.0)), (0.75, interval(2.5, 3.5))]),
+            "the cut [2.5, 3.5] at 0.75 is not within [2, 3] at 0; cuts must be nested"
         );
         assert_eq!(
-            refused(vec![(0.5, interval(2.0, 3.0)), (0.5, interval(2.0, 3.0))]),
-            "cut at 0.5 after 0.5; the degrees must increase"
+            refused(vec![(0.0, interval(2.0, 3.0)), (0.0, interval(2.0, 3.0))]),
+            "cut at 0 after 0; the degrees must increase"
+        );
+        assert_eq!(
+            refused(vec![(0.25, interval(2.0, 3.0)), (1.0, interval(2.5, 2.75))]),
+            "the least degree is 0.25; must be 0, the values that are possible at all"
         );
         assert_eq!(
             FuzzyNumber::trapezoidal([2.5, 1.5, 3.0, 5.0], &USUAL_CUTS).unwrap_err().to_string(),

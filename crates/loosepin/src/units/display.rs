@@ -7,7 +7,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::Dimension;
+use super::{Dimension, ReadableUnit};
 
 /// An SI unit by its symbol, as it stands in files: `m`, `rad`, `m/s`, `kg m^2`, `N/m^1.5`, and `1` for a pure number.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -126,6 +126,12 @@ impl Default for DisplayUnits {
 }
 
 impl DisplayUnits {
+    /// Shows numbers of `dimension` in `unit` from now on.
+    pub fn set(&mut self, dimension: Dimension, unit: &ReadableUnit) {
+        let shown = DisplayUnit { symbol: unit.text.clone(), per_si: 1.0 / unit.si_per_unit };
+        self.0.insert(SiUnit::of_dimension(dimension).symbol().to_owned(), shown);
+    }
+
     /// The default table with times in ms where the whole history is shorter than a second.
     pub fn for_duration_s(duration_s: f64) -> Self {
         let mut units = DisplayUnits::default();

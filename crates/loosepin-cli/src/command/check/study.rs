@@ -59,8 +59,11 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         Some(Budget::Time { .. } | Budget::Rounds(_)) if !study.accuracy.is_empty() => " before its samples grow",
         _ => "",
     };
-    let _ =
-        writeln!(text, "At most {most_runs} runs{before}: about {time} on {}", counted(threads, "thread", "threads"));
+    // How many a small probability takes is not known before.
+    let has_rare = study.asks.iter().any(|ask| !ask.rare.is_empty());
+    let at_most = if has_rare { "About" } else { "At most" };
+    let threads = counted(threads, "thread", "threads");
+    let _ = writeln!(text, "{at_most} {most_runs} runs{before}: about {time} on {threads}");
     Ok(text)
 }
 

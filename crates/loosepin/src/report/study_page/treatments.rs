@@ -6,12 +6,10 @@ use crate::report::answer::treatment_sentences;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::still_figures::percent_of;
 use crate::report::wording::{
-    EQUALLY_PROBABLE, deviation_words, has_lists, output_words, place_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, deviation_words, has_lists, output_words, place_words,
+    treatment_words, unknown_words,
 };
 use crate::study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
-
-/// Digits of a band in the table.
-const BAND_DIGITS: usize = 3;
 
 pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
@@ -56,7 +54,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                             th scope="row" { (treatment_words(band.treatment)) }
                             td data-label="Band" { (band_bar(band, comparison, from, to, writer)) }
                             td.number data-label="Width" {
-                                (writer.rounded(band.width_si(), &comparison.unit, BAND_DIGITS, Rounding::Nearest))
+                                (writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))
                             }
                             td data-label="Share really inside" { (coverage_strip(band, promised, share_from, writer)) }
                             td data-label="Promise" {
@@ -101,8 +99,8 @@ fn band_bar(
     to: f64,
     writer: &NumberWriter,
 ) -> Markup {
-    let lower = writer.rounded(band.lower_si, &comparison.unit, BAND_DIGITS, Rounding::Down);
-    let upper = writer.rounded(band.upper_si, &comparison.unit, BAND_DIGITS, Rounding::Up);
+    let lower = writer.rounded(band.lower_si, &comparison.unit, band_digits(comparison), Rounding::Down);
+    let upper = writer.rounded(band.upper_si, &comparison.unit, band_digits(comparison), Rounding::Up);
     let width = percent_of(band.upper_si - band.lower_si, 0.0, to - from);
     html! {
         svg.bar width="100%" height="20" role="img" aria-label=(format!("Band from {lower} to {upper}")) {
