@@ -289,7 +289,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         }),
         parameters: Vec::new(),
         levels: Vec::new(),
-        sampling: [110, 128],
+        sampling: [80, 128],
     }
 }
 
