@@ -1,22 +1,31 @@
 //! Responses whose bounds are known: closed forms, or quadrature and a search that share nothing with [`loosepin::bounds`].
 
 use loosepin::bounds::{Failure, Problem, Reading, Request, Response, Sampling, Statistic};
-use loosepin::uncertainty::{Distribution, Interval, RandomVariable, normal_cdf};
+use loosepin::uncertainty::{
+    Distribution, EpistemicParameter, EpistemicVariable, Interval, RandomVariable, normal_cdf,
+};
 use std::f64::consts::{E, FRAC_PI_3, TAU};
+use std::sync::Arc;
+
+use crate::known_pairings::pairings;
 
 /// A response Y = g(X, u) with one column.
-pub type Function = fn(&[f64], &[f64]) -> f64;
+pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
 
 /// A response and the true bounds of some of its statistics.
 pub struct KnownCase {
     /// What it is called in tables.
-    pub name: &'static str,
+    pub name: String,
     /// Distributions of X.
     pub random: Vec<Distribution>,
-    /// Intervals of u.
-    pub epistemic: Vec<(f64, f64)>,
+    /// What is known of u.
+    pub epistemic: Vec<EpistemicVariable>,
+    /// Which of u are parameters of distributions of X.
+    pub parameters: Vec<EpistemicParameter>,
     /// Statistics, and their least and greatest value over u.
     pub statistics: Vec<(Statistic, (f64, f64))>,
+    /// Where u holds fuzzy numbers, the same at each degree, the least degree first; else nothing.
+    pub levels: Vec<Vec<(f64, f64)>>,
     /// g.
     pub function: Function,
     /// Points u, and runs at each.
@@ -35,16 +44,12 @@ impl KnownCase {
             Ok(variable) => variable,
             Err(error) => panic!("{}: {error}", self.name),
         });
-        let epistemic = self.epistemic.iter().map(|&(lower, upper)| match Interval::try_new(lower, upper) {
-            Ok(interval) => interval.into(),
-            Err(error) => panic!("{}: {error}", self.name),
-        });
         let request = |&(statistic, _): &(Statistic, (f64, f64))| Request { column: 0, statistic };
         Problem {
             random: random.collect(),
             copula: None,
-            epistemic: epistemic.collect(),
-            parameters: Vec::new(),
+            epistemic: self.epistemic.clone(),
+            parameters: self.parameters.clone(),
             reading: Reading::FixedButUnknown,
             columns: 1,
             requests: self.statistics.iter().map(request).collect(),
@@ -57,7 +62,9 @@ impl KnownCase {
 
     /// All cases.
     pub fn all() -> Vec<Self> {
-        vec![sum(), product(), power(), challenge(), inside_four(), ridge(), jump(), slider_crank_with_play(FRAC_PI_3)]
+        let own =
+            [sum(), product(), power(), challenge(), inside_four(), ridge(), jump(), slider_crank_with_play(FRAC_PI_3)];
+        own.into_iter().chain(pairings()).collect()
     }
 }
 
@@ -68,14 +75,23 @@ impl Response for KnownCase {
     }
 }
 
+/// Inputs in these intervals.
+fn within(intervals: &[(f64, f64)]) -> Vec<EpistemicVariable> {
+    let interval = |&(lower, upper): &(f64, f64)| match Interval::try_new(lower, upper) {
+        Ok(interval) => interval.into(),
+        Err(error) => panic!("[{lower}, {upper}]: {error}"),
+    };
+    intervals.iter().map(interval).collect()
+}
+
 /// Y = X + u.
 fn sum() -> KnownCase {
     let quantile = 1.959_963_984_540_054;
     let beyond = |u: f64| normal_cdf(-2.0 - u) + normal_cdf(u - 2.0);
     KnownCase {
-        name: "X + u",
+        name: "X + u".into(),
         random: vec![STANDARD_NORMAL],
-        epistemic: vec![(-1.0, 1.0)],
+        epistemic: within(&[(-1.0, 1.0)]),
         statistics: vec![
             (Statistic::Mean, (-1.0, 1.0)),
             (Statistic::StandardDeviation, (1.0, 1.0)),
@@ -83,7 +99,9 @@ fn sum() -> KnownCase {
             (Statistic::ProbabilityAbove(2.0), (normal_cdf(-3.0), normal_cdf(-1.0))),
             (Statistic::ProbabilityBeyond(2.0), (beyond(0.0), beyond(1.0))),
         ],
-        function: |x, u| x[0] + u[0],
+        function: Arc::new(|x, u| x[0] + u[0]),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [64, 256],
     }
 }
@@ -91,16 +109,18 @@ fn sum() -> KnownCase {
 /// Y = u X: the least deviation lies inside, off the centre.
 fn product() -> KnownCase {
     KnownCase {
-        name: "u X",
+        name: "u X".into(),
         random: vec![STANDARD_NORMAL],
-        epistemic: vec![(-0.37, 1.0)],
+        epistemic: within(&[(-0.37, 1.0)]),
         statistics: vec![
             (Statistic::Mean, (0.0, 0.0)),
             (Statistic::StandardDeviation, (0.0, 1.0)),
             (Statistic::Quantile(0.975), (0.0, 1.959_963_984_540_054)),
             (Statistic::ProbabilityAbove(1.0), (0.0, normal_cdf(-1.0))),
         ],
-        function: |x, u| u[0] * x[0],
+        function: Arc::new(|x, u| u[0] * x[0]),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [64, 256],
     }
 }
@@ -108,11 +128,13 @@ fn product() -> KnownCase {
 /// Y = (a + b)^a with two intervals (Oberkampf and others 2004, first problem): \[e^(-1/e), 2\].
 fn power() -> KnownCase {
     KnownCase {
-        name: "(a + b)^a, two intervals",
+        name: "(a + b)^a, two intervals".into(),
         random: Vec::new(),
-        epistemic: vec![(0.1, 1.0), (0.0, 1.0)],
+        epistemic: within(&[(0.1, 1.0), (0.0, 1.0)]),
         statistics: vec![(Statistic::Mean, (libm::exp(-1.0 / E), 2.0))],
-        function: |_, u| libm::pow(u[0] + u[1], u[0]),
+        function: Arc::new(|_, u| libm::pow(u[0] + u[1], u[0])),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [64, 256],
     }
 }
@@ -131,7 +153,7 @@ fn challenge() -> KnownCase {
     };
     let deviations = extremes(&variance, &intervals);
     KnownCase {
-        name: "(a + b)^a, b a probability box",
+        name: "(a + b)^a, b a probability box".into(),
         random: vec![STANDARD_NORMAL],
         statistics: vec![
             (Statistic::Mean, extremes(&mean, &intervals)),
@@ -139,8 +161,10 @@ fn challenge() -> KnownCase {
             (Statistic::Quantile(0.95), extremes(&quantile, &intervals)),
             (Statistic::ProbabilityAbove(LIMIT), extremes(&above, &intervals)),
         ],
-        epistemic: intervals,
-        function: |x, u| libm::pow(u[0] + libm::exp(u[1] + u[2] * x[0]), u[0]),
+        epistemic: within(&intervals),
+        function: Arc::new(|x, u| libm::pow(u[0] + libm::exp(u[1] + u[2] * x[0]), u[0])),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [96, 256],
     }
 }
@@ -150,17 +174,19 @@ fn inside_four() -> KnownCase {
     const TOP: [f64; 4] = [0.31, 0.62, 0.45, 0.58];
     let furthest: f64 = TOP.iter().map(|m: &f64| m.max(1.0 - m).powi(2)).sum();
     KnownCase {
-        name: "a hill inside four intervals",
+        name: "a hill inside four intervals".into(),
         random: vec![STANDARD_NORMAL],
-        epistemic: vec![(0.0, 1.0); 4],
+        epistemic: within(&[(0.0, 1.0); 4]),
         statistics: vec![
             (Statistic::Mean, (libm::exp(-2.0 * furthest), 1.0)),
             (Statistic::StandardDeviation, (0.1, 0.1)),
         ],
-        function: |x, u| {
+        function: Arc::new(|x, u| {
             let square: f64 = u.iter().zip(TOP).map(|(u, m)| (u - m) * (u - m)).sum();
             0.1 * x[0] + libm::exp(-2.0 * square)
-        },
+        }),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [96, 256],
     }
 }
@@ -168,14 +194,16 @@ fn inside_four() -> KnownCase {
 /// Along a curved ridge: minus a hundredth of Rosenbrock's valley on \[-2, 2\]², greatest at (1, 1), least at (-2, -2).
 fn ridge() -> KnownCase {
     KnownCase {
-        name: "a curved ridge",
+        name: "a curved ridge".into(),
         random: vec![STANDARD_NORMAL],
-        epistemic: vec![(-2.0, 2.0); 2],
+        epistemic: within(&[(-2.0, 2.0); 2]),
         statistics: vec![(Statistic::Mean, (-36.09, 0.0))],
-        function: |x, u| {
+        function: Arc::new(|x, u| {
             let across = u[1] - u[0] * u[0];
             0.1 * x[0] - (across * across + 0.01 * (1.0 - u[0]) * (1.0 - u[0]))
-        },
+        }),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [96, 256],
     }
 }
@@ -183,14 +211,16 @@ fn ridge() -> KnownCase {
 /// Y = X + 2 where u1 + u2 > 1.2, else X.
 fn jump() -> KnownCase {
     KnownCase {
-        name: "a jump",
+        name: "a jump".into(),
         random: vec![STANDARD_NORMAL],
-        epistemic: vec![(0.0, 1.0); 2],
+        epistemic: within(&[(0.0, 1.0); 2]),
         statistics: vec![
             (Statistic::Mean, (0.0, 2.0)),
             (Statistic::ProbabilityAbove(1.0), (normal_cdf(-1.0), normal_cdf(1.0))),
         ],
-        function: |x, u| x[0] + if u[0] + u[1] > 1.2 { 2.0 } else { 0.0 },
+        function: Arc::new(|x, u| x[0] + if u[0] + u[1] > 1.2 { 2.0 } else { 0.0 }),
+        parameters: Vec::new(),
+        levels: Vec::new(),
         sampling: [64, 256],
     }
 }
@@ -238,7 +268,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
     let intervals = [CLEARANCE_MM, (0.0, TAU)];
     let deviations = extremes(&variance, &intervals);
     KnownCase {
-        name: "slider-crank with play",
+        name: "slider-crank with play".into(),
         random: [CRANK_MM, ROD_MM]
             .map(|[mean, standard_deviation]| Distribution::Normal { mean, standard_deviation })
             .to_vec(),
@@ -250,14 +280,16 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
             (Statistic::ProbabilityBeyond(0.45), extremes(&|u: &[f64]| beyond(0.45, u), &intervals)),
             (Statistic::ProbabilityBeyond(0.60), extremes(&|u: &[f64]| beyond(0.60, u), &intervals)),
         ],
-        epistemic: vec![CLEARANCE_MM, (0.0, TAU), (crank_angle_rad, crank_angle_rad)],
-        function: |x, u| {
+        epistemic: within(&[CLEARANCE_MM, (0.0, TAU), (crank_angle_rad, crank_angle_rad)]),
+        function: Arc::new(|x, u| {
             let (sine, cosine) = (libm::sin(u[2]), libm::cos(u[2]));
             let height = x[0] * sine + u[0] * libm::sin(u[1]);
             let nominal = CRANK_MM[0] * cosine + (ROD_MM[0].powi(2) - (CRANK_MM[0] * sine).powi(2)).sqrt();
             x[0] * cosine + (x[1] * x[1] - height * height).sqrt() + u[0] * libm::cos(u[1]) - nominal
-        },
-        sampling: [64, 256],
+        }),
+        parameters: Vec::new(),
+        levels: Vec::new(),
+        sampling: [80, 128],
     }
 }
 

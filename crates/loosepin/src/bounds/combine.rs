@@ -8,7 +8,7 @@ use super::assemble::{Evidence, Modelled, Part};
 use super::bound::{Bound, BoundError};
 use super::measure::{Event, Measure};
 use super::sample::Sample;
-use super::search::{Direction, Search};
+use super::search::{Direction, SEARCH_RESOLUTION, Search};
 use super::statistic::Statistic;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
@@ -112,6 +112,9 @@ impl Sorted {
     fn cdf(&self, samples: &[&Sample], parts: &Parts<'_>, y: f64, direction: Direction) -> f64 {
         let event = quantile_event(y, direction.opposite());
         let share = |point: usize| {
+            if let Some(smooth) = samples[point].smooth() {
+                return smooth.probability(event, 0.0).value;
+            }
             let hits = self.points[point].partition_point(|&value| event.holds(value));
             let failed = if direction == Direction::Maximum { samples[point].failed() } else { 0 };
             (hits + failed) as f64 / samples[point].runs().max(1) as f64
@@ -129,6 +132,9 @@ impl Sorted {
     /// The end of the quantile at `probability`: the least value at which the added lower distribution function reaches it (upper
     /// end), or the greatest below which the added upper one stays short of it (lower end); infinite where no value does.
     fn quantile(&self, samples: &[&Sample], parts: &Parts<'_>, probability: f64, direction: Direction) -> f64 {
+        if samples.iter().all(|sample| sample.smooth().is_some()) {
+            return self.smooth_quantile(samples, parts, probability, direction);
+        }
         match direction {
             Direction::Maximum => {
                 let cdf = |y: f64| self.cdf(samples, parts, y, Direction::Minimum);
@@ -144,6 +150,32 @@ impl Sorted {
                 // Where more is conceded than the probability itself, the least value of all is tried.
                 self.all[index.saturating_sub(1)]
             }
+        }
+    }
+}
+
+impl Sorted {
+    /// The same for responses that are smooth in the random inputs, whose distribution functions do not step: halvings of the range of
+    /// all runs and as much again on either side, to the resolution of the search.
+    fn smooth_quantile(&self, samples: &[&Sample], parts: &Parts<'_>, probability: f64, direction: Direction) -> f64 {
+        let outward = direction.sign() * f64::INFINITY;
+        let (Some(&first), Some(&last)) = (self.all.first(), self.all.last()) else { return outward };
+        let range = last - first;
+        let (mut low, mut high) = (first - range, last + range);
+        let is_reached = |y: f64| self.cdf(samples, parts, y, direction.opposite()) >= probability;
+        if probability <= 0.0 || probability >= 1.0 || is_reached(low) || !is_reached(high) {
+            return outward;
+        }
+        while high - low > SEARCH_RESOLUTION * range {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if is_reached(middle) { high = middle } else { low = middle }
+        }
+        match direction {
+            Direction::Minimum => low,
+            Direction::Maximum => high,
         }
     }
 }

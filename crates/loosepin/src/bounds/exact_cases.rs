@@ -233,12 +233,12 @@ fn analytic_failed_runs_are_taken_as_unknown() {
     let uniform = Distribution::Uniform { lower: 0.0, upper: 1.0 };
     let statistics = [Statistic::ProbabilityAbove(0.6), Statistic::Mean, Statistic::Quantile(0.5)];
     let bounds = evaluate(problem(&[uniform], &[(0.0, 0.5)], &statistics), &Failing).unwrap();
-    check(&bounds.pairs[0], (0.3, 0.9), 0.02);
+    check(&bounds.pairs[0], (0.3, 0.9), 0.03);
     assert!(bounds.pairs[0].failed_runs > 0 && !bounds.pairs[0].unbounded_by_failures);
     check(&bounds.pairs[1], (0.45, 0.95), 0.03);
     assert!(bounds.pairs[1].unbounded_by_failures);
     // The median of all runs: failures below everything, or above everything.
-    check(&bounds.pairs[2], (0.4, 1.0), 0.03);
+    check(&bounds.pairs[2], (0.4, 1.0), 0.04);
     let share = bounds.failed_runs as f64 / bounds.runs as f64;
     assert!((share - 0.1).abs() < 0.01);
 }

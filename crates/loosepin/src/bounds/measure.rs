@@ -14,6 +14,9 @@ const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
 /// The same for a probability.
 const PROBABILITY_RESOLUTION: f64 = 1e-3;
 
+/// Noise below this share of the range of a target is none: the search never resolves it, and models with noise need not be tried.
+const NEGLIGIBLE_NOISE: f64 = 1e-9;
+
 /// The same for a probability of smooth responses, as a share of its range.
 const SMOOTH_PROBABILITY_RESOLUTION: f64 = 1e-6;
 
@@ -225,6 +228,8 @@ pub(super) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
     let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
     let variances: Vec<f64> = estimates.iter().map(|estimate| estimate.variance(confidence)).collect();
     let noise_variance = finite_mean(&variances);
+    let is_noisy = noise_variance.sqrt() > NEGLIGIBLE_NOISE * range(&values);
+    let noise_variance = if is_noisy { noise_variance } else { 0.0 };
     let least = (SEARCH_RESOLUTION * range(&values)).max(f64::MIN_POSITIVE);
     let resolutions = Direction::BOTH.map(|direction| {
         let error = extreme_point(&values, direction)

@@ -22,7 +22,7 @@ pub(super) fn expect(statistic: Statistic, lower: f64, upper: f64, most_error: f
 }
 
 /// Evaluates a problem with many seeds. Every end of every statistic may be missed with the frequency that its stated
-/// confidence allows, 2.5 % for one end, up to the 99.9 % point of a binomial distribution.
+/// confidence allows, 0.5 % for one end, up to the 99.9 % point of a binomial distribution.
 #[track_caller]
 fn check_misses(
     seeds: u64,
@@ -73,13 +73,13 @@ pub(super) fn check_misses_of(
     assert!(is_covered && is_tight, "at most {most} misses of {seeds}\n{}", report.join("\n"));
 }
 
-/// The least m with P(Binomial(seeds, 0.025) > m) < 0.001.
+/// The least m with P(Binomial(seeds, 0.005) > m) < 0.001.
 fn most_misses(seeds: u64) -> u64 {
-    let mut probability = libm::pow(0.975, seeds as f64);
+    let mut probability = libm::pow(0.995, seeds as f64);
     let mut tail = 1.0 - probability;
     let mut misses = 0;
     while tail >= 0.001 {
-        probability *= 0.025 / 0.975 * (seeds - misses) as f64 / (misses + 1) as f64;
+        probability *= 0.005 / 0.995 * (seeds - misses) as f64 / (misses + 1) as f64;
         misses += 1;
         tail -= probability;
     }
@@ -182,9 +182,10 @@ fn analytic_chaotic_response_is_missed_as_rarely_as_stated() {
         &[STANDARD_NORMAL],
         &[(0.0, 1.0), (0.0, 1.0)],
         &[
-            expect(Statistic::Mean, 0.0, 0.5, 0.25),
-            expect(Statistic::StandardDeviation, 1.0, 1.0, 0.25),
-            expect(Statistic::ProbabilityAbove(2.0), normal_cdf(-2.0), normal_cdf(-1.5), 0.1),
+            // At 99 %, and four deviations of a model of noise conceded.
+            expect(Statistic::Mean, 0.0, 0.5, 0.4),
+            expect(Statistic::StandardDeviation, 1.0, 1.0, 0.35),
+            expect(Statistic::ProbabilityAbove(2.0), normal_cdf(-2.0), normal_cdf(-1.5), 0.25),
         ],
         chaotic,
     );
@@ -216,8 +217,8 @@ fn analytic_product_is_missed_as_rarely_as_stated() {
         &[STANDARD_NORMAL],
         &[(-0.37, 1.0)],
         &[
-            expect(Statistic::StandardDeviation, 0.0, 1.0, 0.08),
-            expect(Statistic::Quantile(0.9), 0.0, 1.281_551_565_544_6, 0.2),
+            expect(Statistic::StandardDeviation, 0.0, 1.0, 1e-4),
+            expect(Statistic::Quantile(0.9), 0.0, 1.281_551_565_544_6, 0.25),
         ],
         |x, u| u[0] * x[0],
     );
@@ -241,8 +242,8 @@ fn analytic_jump_is_missed_as_rarely_as_stated() {
         &[STANDARD_NORMAL],
         &[(0.0, 1.0), (0.0, 1.0)],
         &[
-            // Beside a jump a model of smooth functions allows for half of it.
-            expect(Statistic::Mean, 0.0, 2.2, 1.3),
+            // Beside a jump a model of smooth functions allows for most of it: four deviations.
+            expect(Statistic::Mean, 0.0, 2.2, 1.8),
             expect(Statistic::ProbabilityAbove(1.0), normal_cdf(-1.0), normal_cdf(1.2), 0.2),
         ],
         |x, u| x[0] + if u[0] > 0.37 { 2.0 + 0.2 * u[1] } else { 0.0 },

@@ -1,0 +1,54 @@
+//! The short version of `just campaign bounds`: every case with known bounds, with one seed.
+
+#[path = "../../loosepin-bench/src/known_bounds.rs"]
+mod known_bounds;
+#[path = "../../loosepin-bench/src/known_pairings.rs"]
+mod known_pairings;
+
+use known_bounds::KnownCase;
+use loosepin::bounds::{BoundPair, evaluate};
+
+/// Of numbers about 1.
+const ROUND_OFF: f64 = 1e-12;
+/// By this share of the true width a bound may be too wide.
+const MOST_EXCESS: f64 = 0.03;
+/// Where the response jumps a model of smooth functions concedes more than the jump.
+const MOST_EXCESS_AT_A_JUMP: f64 = 2.0;
+
+/// Fails where bounds are narrower than the truth, or much wider.
+#[track_caller]
+fn check(case: &KnownCase) {
+    const SEED: u64 = 1;
+    let bounds = evaluate(case.problem(SEED), case).expect("the case can be planned");
+    let most = if case.name == "a jump" { MOST_EXCESS_AT_A_JUMP } else { MOST_EXCESS };
+    let hold = |pair: &BoundPair, (low, high): (f64, f64)| {
+        let width = if high > low { high - low } else { low.abs().max(1.0) };
+        let excess = (pair.upper.widened - pair.lower.widened - (high - low)) / width;
+        let is_held = pair.lower.widened <= low + ROUND_OFF && pair.upper.widened >= high - ROUND_OFF;
+        assert!(is_held && excess <= most, "{}: [{low}, {high}], too wide by {excess}: {pair:#?}", case.name);
+    };
+    for (pair, (_, exact)) in bounds.pairs.iter().zip(&case.statistics) {
+        hold(pair, *exact);
+    }
+    for (level, exact) in bounds.levels.iter().zip(&case.levels) {
+        for (pair, exact) in level.pairs.iter().zip(exact) {
+            hold(pair, *exact);
+        }
+    }
+}
+
+#[test]
+fn analytic_closed_forms_lie_within_their_bounds() {
+    let pairings: Vec<String> = known_pairings::pairings().into_iter().map(|case| case.name).collect();
+    KnownCase::all().iter().filter(|case| !pairings.contains(&case.name)).for_each(check);
+}
+
+#[test]
+fn analytic_every_pairing_with_something_random_lies_within_its_bounds() {
+    known_pairings::pairings().iter().filter(|case| !case.random.is_empty()).for_each(check);
+}
+
+#[test]
+fn analytic_every_pairing_without_anything_random_lies_within_its_bounds() {
+    known_pairings::pairings().iter().filter(|case| case.random.is_empty()).for_each(check);
+}
