@@ -83,6 +83,7 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
                 InputKind::Evidence { elements, .. } => {
                     Some(format!("what is known of the {name} in {} intervals", elements.len()))
                 }
+                InputKind::Periodic { .. } => Some(format!("the {name} anywhere on its circle")),
                 InputKind::Fuzzy { .. } => Some(format!("the {name} wherever it is possible")),
                 InputKind::Choice { of } => Some(format!("the {name} any of {}", listed(of))),
             }

@@ -1,4 +1,6 @@
 //! Epistemic inputs: a number between two ends, or one of a few, nobody knows which.
+//!
+//! An angle that may be any has no ends: after a whole turn it begins again.
 
 use thiserror::Error;
 
@@ -81,6 +83,8 @@ pub enum EpistemicVariable {
     /// It lies between two ends.
     Interval(Interval),
     /// It is one of a few numbers.
+    /// It is an angle, or the phase of something that repeats itself: the interval is one period, its two ends are the same.
+    Periodic(Interval),
     OneOf(Members),
     /// It lies in one of a few intervals, each with a mass.
     Evidence(Evidence),
@@ -90,11 +94,11 @@ pub enum EpistemicVariable {
 
 impl EpistemicVariable {
     /// The value at `fraction` in \[0, 1\] where what is known is taken as probability: along an interval, or the member
-    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees. A uniform
+    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees; a parameter by its distribution. A uniform
     /// fraction therefore takes every interval as uniform and every member as equally probable.
     pub fn at(&self, fraction: f64) -> f64 {
         match self {
-            Self::Interval(interval) => interval.at(fraction),
+            Self::Interval(interval) | Self::Periodic(interval) => interval.at(fraction),
             Self::OneOf(members) => members.at(fraction),
             Self::Evidence(evidence) => evidence.at(fraction),
             Self::Fuzzy(fuzzy) => fuzzy.at(fraction),
@@ -104,7 +108,7 @@ impl EpistemicVariable {
     /// The interval that holds all possible values; nothing where it is one of a list.
     pub fn range(&self) -> Option<Interval> {
         match self {
-            Self::Interval(interval) => Some(*interval),
+            Self::Interval(interval) | Self::Periodic(interval) => Some(*interval),
             Self::OneOf(_) => None,
             Self::Evidence(evidence) => Some(evidence.hull()),
             Self::Fuzzy(fuzzy) => Some(fuzzy.support()),
@@ -158,6 +162,11 @@ impl EpistemicVariable {
         matches!(self, Self::Evidence(_) | Self::Fuzzy(_))
     }
 }
+    /// Whether its ends are the same.
+    pub fn is_periodic(&self) -> bool {
+        matches!(self, Self::Periodic(_))
+    }
+
 
 impl From<Evidence> for EpistemicVariable {
     fn from(evidence: Evidence) -> Self {

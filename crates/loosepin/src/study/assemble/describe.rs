@@ -61,6 +61,9 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
                 let kind = InputKind::Fuzzy { cuts: fuzzy.cuts().iter().map(cut).collect() };
                 (kind, format!("possible are {}", listed(&shown, "and")))
             }
+            (EpistemicVariable::Periodic(interval), _) => {
+                (InputKind::Periodic { lower_si, upper_si }, format!("any on a circle, {}", ends(interval)))
+            }
             (_, Some(of)) => {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)

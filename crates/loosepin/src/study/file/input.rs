@@ -20,6 +20,9 @@ const FIRST_WORDS: [&str; 6] = ["parameter", "body", "joint", "contact", "drive"
 /// its interval; below, it is two values; and its quantiles take longer than the runs.
 const SHAPES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 
+/// Ends in degrees become radians with this relative error, at most.
+const PERIOD_ROUND_OFF: f64 = 1e-12;
+
 const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
 const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
 
@@ -56,6 +59,8 @@ impl StudyReader {
             self.refuse_stray(&table, &[("diameter", "fit")]);
             let variable = if let Some(written) = table.get("interval") {
                 self.interval(&written, quantity, entry.name).map(EpistemicVariable::from)
+            } else if let Some(written) = table.get("periodic") {
+                self.period(&written, quantity, entry.name).map(EpistemicVariable::Periodic)
             } else if let Some(written) = table.get("any_of") {
                 self.numbers(&written, quantity, entry.name).map(EpistemicVariable::from)
             } else if let Some(written) = table.get("fit") {
@@ -63,7 +68,7 @@ impl StudyReader {
             } else {
                 None
             };
-            let is_plain = ["interval", "any_of", "fit"].into_iter().any(|key| table.has(key));
+            let is_plain = ["interval", "periodic", "any_of", "fit"].into_iter().any(|key| table.has(key));
             let variable = match (table.get("support"), is_plain) {
                 (Some(support), true) => {
                     self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
@@ -179,6 +184,21 @@ impl StudyReader {
                 None
             }
         }
+    }
+
+    /// One period of a quantity: of an angle a whole turn, or a whole fraction of one.
+    fn period(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
+        let interval = self.interval(entry, quantity, path)?;
+        let dimension = self.model.quantities[quantity].dimension;
+        let width = interval.upper() - interval.lower();
+        let periods = core::f64::consts::TAU / width;
+        let is_whole = (periods - periods.round()).abs() <= PERIOD_ROUND_OFF * periods && periods.round() >= 1.0;
+        if dimension == Dimension::ANGLE && !is_whole {
+            let found = format_value(width, dimension);
+            self.complain(&StudyProblem::Period { entry: entry.path.describe(), found }, entry);
+            return None;
+        }
+        Some(interval)
     }
 
     pub(super) fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {

@@ -359,6 +359,12 @@ pub(super) static FUZZY_KEYS: Keys = Keys::new(
             "possible at all from the first to the third, to the degree 1 the second",
         ),
         optional(
+        optional(
+            "periodic",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0 deg\", \"360 deg\"]",
+            "one period of an angle or a phase that may have any value: its two ends are the same",
+        ),
             "trapezoidal",
             Kind::List(&Kind::AnyQuantity),
             "[\"0.1 mm\", \"0.2 mm\", \"0.3 mm\", \"0.5 mm\"]",
@@ -419,7 +425,7 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
         DIAMETER,
     ],
 )
-.with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "fuzzy", "quantiles", "mean"]]);
+.with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "periodic", "fuzzy", "quantiles", "mean"]]);
 
 pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];

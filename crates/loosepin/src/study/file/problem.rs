@@ -94,6 +94,14 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
         /// How many there are.
+    /// A period of an angle after which it does not begin again.
+    #[error("{entry} is {found} wide; must be a whole turn (360°) or a whole fraction of it")]
+    Period {
+        /// The entry.
+        entry: String,
+        /// Its width with its unit.
+        found: String,
+    },
         found: usize,
         /// How many are due.
         due: usize,
@@ -365,6 +373,7 @@ impl Problem for StudyProblem {
             | Self::Costs { .. }
             | Self::NothingRequired => Code::AskNotPossible,
             Self::NothingUncertain => Code::NothingUncertain,
+            Self::Period { .. } => Code::BadPeriod,
             Self::NothingAsked => Code::NothingAsked,
         }
     }
@@ -412,6 +421,7 @@ impl Problem for StudyProblem {
             Self::AllowedInput { .. } => Some("name the input under [epistemic] or [random] first".to_owned()),
             Self::NothingRequired => Some("add [[require]]".to_owned()),
             Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
+            Self::Period { .. } => Some("for an angle between two ends write interval = [...]".to_owned()),
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
             Self::RareCurve { .. } => {

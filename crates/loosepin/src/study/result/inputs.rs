@@ -42,6 +42,13 @@ pub enum InputKind {
         /// The values possible to at least each degree, degrees increasing.
         cuts: Vec<CutDescription>,
     },
+    /// Fixed but unknown, anywhere on a circle: one period of an angle or a phase.
+    Periodic {
+        /// Where the period begins.
+        lower_si: f64,
+        /// Where it ends and begins again.
+        upper_si: f64,
+    },
     /// Fixed but unknown, one of a list.
     Choice {
         /// The list.
