@@ -46,11 +46,13 @@ impl KnownCase {
             epistemic: epistemic.collect(),
             parameters: Vec::new(),
             reading: Reading::FixedButUnknown,
+            readings_beside: Vec::new(),
             columns: 1,
             requests: self.statistics.iter().map(request).collect(),
             compared_columns: Vec::new(),
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
+            percentiles: Vec::new(),
             sampling: Sampling { outer: self.sampling[0], inner: self.sampling[1], seed, ..Sampling::default() },
         }
     }

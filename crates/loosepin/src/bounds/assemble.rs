@@ -55,6 +55,7 @@ impl DoubleLoop {
             reading: problem.reading,
             pairs,
             levels,
+            percentiles: evidence.percentiles(),
             boxes: problem
                 .requests
                 .iter()

@@ -200,6 +200,22 @@ impl DoubleLoop {
         &self.problem
     }
 
+    /// The same plan with intervals read in another way.
+    #[must_use]
+    pub fn read_as(&self, reading: Reading) -> Self {
+        let mut plan = self.clone();
+        plan.problem.reading = reading;
+        plan
+    }
+
+    /// The same plan for the single statistics alone, without distribution functions and compared treatments.
+    #[must_use]
+    pub fn statistics_alone(mut self) -> Self {
+        self.problem.compared_columns.clear();
+        self.problem.requests.retain(|request| request.statistic != Statistic::Cdf);
+        self
+    }
+
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.
     pub fn centre_point(&self) -> u32 {
         structural_point_count(self.epistemic_box.dimensions()) as u32 - 1
@@ -333,7 +349,8 @@ impl DoubleLoop {
                     .map(|target| (target, directions.clone()))
             })
             .collect();
-        if self.problem.reading == Reading::RandomSet {
+        let mut readings = std::iter::once(self.problem.reading).chain(self.problem.readings_beside.iter().copied());
+        if readings.any(|reading| reading == Reading::RandomSet) {
             targets.extend(self.single_runs(table));
         }
         let search =

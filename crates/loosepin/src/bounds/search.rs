@@ -120,6 +120,12 @@ pub(super) struct Branch<'a> {
 }
 
 impl Branch<'_> {
+    /// Mean and standard deviation of the target at the candidates of the search, in their order, then at other places; nothing
+    /// without a model.
+    pub fn at_candidates(&self) -> Option<impl Iterator<Item = (f64, f64)>> {
+        self.fit.as_ref().map(|fit| fit.at_places())
+    }
+
     /// Mean and standard deviation of the target at `place` by the model; nothing without one.
     pub fn at(&self, place: &[f64]) -> Option<(f64, f64)> {
         self.fit.as_ref().map(|fit| fit.at(place))
@@ -140,13 +146,13 @@ struct Reach {
 impl<'a> Search<'a> {
     /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
     pub fn new<'t>(
+        axes: &'a Axes,
         points: &'a [Place],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
         let combinations = points.iter().map(|point| point.combination + 1).max().unwrap_or(1);
         let mut groups = vec![Vec::new(); combinations];
-        axes: &'a Axes,
         for (index, point) in points.iter().enumerate() {
             groups[point.combination].push(index);
         }
@@ -168,8 +174,10 @@ impl<'a> Search<'a> {
         let prepare = |(defined, (has_noise, extremes)): (Vec<usize>, (bool, BTreeMap<usize, usize>))| {
             let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
             extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
-            let near =
-                extremes.into_iter().take(MOST_NEIGHBOURHOODS).flat_map(|(point, _)| neighbours(axes, &points[point].at));
+            let near = extremes
+                .into_iter()
+                .take(MOST_NEIGHBOURHOODS)
+                .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
             let smoother = Smoother::try_new(known, &places, has_noise, axes);
@@ -197,8 +205,11 @@ impl<'a> Search<'a> {
     pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
         let Some(fit) = &branch.fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
-        let most =
-            if is_located { located_reach(self.axes, fit, direction, region) } else { reach(fit, direction, region).optimistic };
+        let most = if is_located {
+            located_reach(self.axes, fit, direction, region)
+        } else {
+            reach(fit, direction, region).optimistic
+        };
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
@@ -237,7 +248,8 @@ impl<'a> Search<'a> {
         let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
             promises.into_iter().partition(|promise| promise.optimism == 0.0);
         let most = LOCATED_PER_POINT * count;
-        let (mut expected, mut allowed) = (distinct(self.axes, expected, most).into_iter(), distinct(self.axes, allowed, most).into_iter());
+        let (mut expected, mut allowed) =
+            (distinct(self.axes, expected, most).into_iter(), distinct(self.axes, allowed, most).into_iter());
         let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
         let located: Vec<Place> = turns
             .collect::<Vec<Promise>>()
@@ -331,8 +343,11 @@ impl<'a> Search<'a> {
                     for axis in 0..at.at.len() {
                         let Some((place, value)) = self.kink(target, extreme, axis) else { continue };
                         let gain = element.mass * direction.sign() * (value - target.values[extreme]);
-                        let is_new =
-                            self.points.iter().chain(&chosen).all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
+                        let is_new = self
+                            .points
+                            .iter()
+                            .chain(&chosen)
+                            .all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
                         let is_inside = element.region.holds(&place.at);
                         if gain > target.resolutions[direction.index()] && is_inside && is_new && chosen.len() < count {
                             chosen.push(place);
@@ -626,8 +641,7 @@ fn locate(
         }
     }
     // What the model cannot tell from a face is a face: corners and edges are then met exactly.
-    for (axis, (coordinate, (lower, upper))) in
-        place.iter_mut().zip(region.lower.iter().zip(&region.upper)).enumerate()
+    for (axis, (coordinate, (lower, upper))) in place.iter_mut().zip(region.lower.iter().zip(&region.upper)).enumerate()
     {
         if axes.is_periodic(axis) {
             continue;

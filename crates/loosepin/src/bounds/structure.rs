@@ -130,6 +130,7 @@ fn elements(problem: &Problem, search_box: &SearchBox, alpha: Option<f64>) -> Ve
             EpistemicVariable::Interval(interval) | EpistemicVariable::Periodic(interval) => {
                 vec![(1.0, Some(*interval))]
             }
+            EpistemicVariable::SecondOrder(parameter) => vec![(1.0, Some(parameter.range()))],
             EpistemicVariable::OneOf(_) => vec![(1.0, None)],
         }
     };

@@ -7,6 +7,7 @@ use thiserror::Error;
 use super::evidence::Evidence;
 use super::fuzzy::FuzzyNumber;
 use super::interval::Interval;
+use super::second_order::SecondOrder;
 
 /// Two or more different numbers, in the order in which they were given.
 ///
@@ -82,12 +83,14 @@ impl Members {
 pub enum EpistemicVariable {
     /// It lies between two ends.
     Interval(Interval),
-    /// It is one of a few numbers.
     /// It is an angle, or the phase of something that repeats itself: the interval is one period, its two ends are the same.
     Periodic(Interval),
+    /// It is one of a few numbers.
     OneOf(Members),
     /// It lies in one of a few intervals, each with a mass.
     Evidence(Evidence),
+    /// It is a parameter of which it is known how probable each value is.
+    SecondOrder(SecondOrder),
     /// It lies in nested intervals, each with a degree of possibility.
     Fuzzy(FuzzyNumber),
 }
@@ -101,6 +104,7 @@ impl EpistemicVariable {
             Self::Interval(interval) | Self::Periodic(interval) => interval.at(fraction),
             Self::OneOf(members) => members.at(fraction),
             Self::Evidence(evidence) => evidence.at(fraction),
+            Self::SecondOrder(parameter) => parameter.at(fraction),
             Self::Fuzzy(fuzzy) => fuzzy.at(fraction),
         }
     }
@@ -111,6 +115,7 @@ impl EpistemicVariable {
             Self::Interval(interval) | Self::Periodic(interval) => Some(*interval),
             Self::OneOf(_) => None,
             Self::Evidence(evidence) => Some(evidence.hull()),
+            Self::SecondOrder(parameter) => Some(parameter.range()),
             Self::Fuzzy(fuzzy) => Some(fuzzy.support()),
         }
     }
@@ -157,20 +162,26 @@ impl EpistemicVariable {
         }
     }
 
-    /// Whether it is made of several intervals, with masses or degrees.
-    pub fn is_structured(&self) -> bool {
-        matches!(self, Self::Evidence(_) | Self::Fuzzy(_))
-    }
-}
     /// Whether its ends are the same.
     pub fn is_periodic(&self) -> bool {
         matches!(self, Self::Periodic(_))
     }
 
+    /// Whether it is made of several intervals, with masses or degrees.
+    pub fn is_structured(&self) -> bool {
+        matches!(self, Self::Evidence(_) | Self::Fuzzy(_))
+    }
+}
 
 impl From<Evidence> for EpistemicVariable {
     fn from(evidence: Evidence) -> Self {
         Self::Evidence(evidence)
+    }
+}
+
+impl From<SecondOrder> for EpistemicVariable {
+    fn from(parameter: SecondOrder) -> Self {
+        Self::SecondOrder(parameter)
     }
 }
 

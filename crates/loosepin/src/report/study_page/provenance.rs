@@ -162,6 +162,7 @@ fn kind_words(kind: &InputKind) -> &'static str {
         InputKind::Random => "random",
         InputKind::Interval { .. } => "interval",
         InputKind::Periodic { .. } => "periodic",
+        InputKind::SecondOrder { .. } => "parameter with a distribution",
         InputKind::Evidence { is_scattering: false, .. } => "evidence",
         InputKind::Evidence { is_scattering: true, .. } => "probability box",
         InputKind::Fuzzy { .. } => "fuzzy number",

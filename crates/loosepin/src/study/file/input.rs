@@ -6,6 +6,7 @@ use super::keys::{
     BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
     TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
 };
+use super::parameter_keys::PARAMETER_FAMILIES;
 use super::problem::StudyProblem;
 use crate::contact::NormalDescription;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
@@ -25,6 +26,11 @@ const PERIOD_ROUND_OFF: f64 = 1e-12;
 
 const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
 const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
+
+/// Whether a key states the distribution of a parameter.
+fn is_family(key: &str) -> bool {
+    PARAMETER_FAMILIES.contains(&key)
+}
 
 impl StudyReader {
     /// Reads the table of random inputs.
@@ -336,6 +342,15 @@ impl StudyReader {
     pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
         if let Some(entry) = table.get(key) {
             let found = format_value(value, dimension);
+            // A value that stands nowhere in the file: the end of what is looked at of a parameter with a distribution.
+            let is_quantile = entry.is_table() && self.reader.any_keys(&entry).iter().any(|key| is_family(key.name));
+            let rule = if is_quantile {
+                format!(
+                    "{rule} wherever the parameter is looked at: without two ends, from its 0.135 % to its 99.865 % quantile"
+                )
+            } else {
+                rule
+            };
             self.complain(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, &entry);
         }
     }

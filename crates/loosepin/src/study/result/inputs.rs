@@ -49,6 +49,13 @@ pub enum InputKind {
         /// Where it ends and begins again.
         upper_si: f64,
     },
+    /// Fixed but unknown, a parameter of which it is known how probable each value is; the words tell how.
+    SecondOrder {
+        /// Lower end of what is looked at.
+        lower_si: f64,
+        /// Upper end of what is looked at.
+        upper_si: f64,
+    },
     /// Fixed but unknown, one of a list.
     Choice {
         /// The list.
