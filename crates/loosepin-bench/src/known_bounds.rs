@@ -51,11 +51,13 @@ impl KnownCase {
             epistemic: self.epistemic.clone(),
             parameters: self.parameters.clone(),
             reading: Reading::FixedButUnknown,
+            readings_beside: Vec::new(),
             columns: 1,
             requests: self.statistics.iter().map(request).collect(),
             compared_columns: Vec::new(),
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
+            percentiles: Vec::new(),
             sampling: Sampling { outer: self.sampling[0], inner: self.sampling[1], seed, ..Sampling::default() },
         }
     }

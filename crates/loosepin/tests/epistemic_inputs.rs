@@ -21,6 +21,12 @@ const MM: f64 = 1e-3;
 const MEAN_TOLERANCE_M: f64 = 1.5e-7;
 
 fn conducted(top: &str, inputs: &str) -> StudyResult {
+    let poses = "poses = { crank = [\"60 deg\"] }
+        statistics = [\"mean\", \"standard_deviation\", { probability_above = \"0.02 mm\" }, { quantile = 0.5 }]";
+    conducted_at(top, 16, inputs, poses)
+}
+
+fn conducted_at(top: &str, inner: usize, inputs: &str, question: &str) -> StudyResult {
     let text = format!(
         "name = \"what is known\"\nmodel = \"model.toml\"\n{top}
         [cycle]
@@ -28,14 +34,13 @@ fn conducted(top: &str, inputs: &str) -> StudyResult {
         recorded_turns = 0.2
         [sampling]
         outer = 16
-        inner = 16
+        inner = {inner}
         replicates = 4
         {inputs}
         [[ask]]
         output = \"slider\"
         of = \"dimensional\"
-        poses = {{ crank = [\"60 deg\"] }}
-        statistics = [\"mean\", \"standard_deviation\", {{ probability_above = \"0.02 mm\" }}, {{ quantile = 0.5 }}]
+        {question}
         "
     );
     let model = find_template("slider-crank").expect("template").model;
@@ -105,6 +110,79 @@ fn analytic_evidence_beside_a_probability_box_from_file_to_page() {
     assert!(matches!(&rod.kind, InputKind::Evidence { elements, is_scattering: false } if elements.len() == 2));
     let page = study_page(&result);
     assert!(page.contains("Masses of evidence add") && page.contains("with mass 0.3"));
+}
+
+#[test]
+fn analytic_several_readings_stand_side_by_side() {
+    let crank = CRANK_BOX.replace("{ interval = [\"49.99 mm\", \"50.02 mm\"] }", "\"50 mm\"");
+    let inputs = crank + "\n[epistemic]\n\"parameter.rod_length\" = { interval = [\"119.98 mm\", \"120.02 mm\"] }";
+    let both = conducted("reading = [\"fixed\", \"unknown-distribution\"]", &inputs);
+    let alone = conducted("", &inputs);
+    assert_eq!(both.bounds[..4], alone.bounds[..]);
+    assert!(both.bounds[4..].iter().all(|bound| bound.reading == IntervalReading::UnknownDistribution));
+    for (fixed, other) in both.bounds[..4].iter().zip(&both.bounds[4..]) {
+        assert_eq!((fixed.statistic, fixed.at), (other.statistic, other.at));
+        assert_eq!(fixed.lower.value_si, other.lower.value_si, "only the upper end of a deviation differs");
+    }
+    // Half of the mechanisms at either end of the rod's interval, Δ apart: variance σ² + (Δ/2)².
+    let [short, long] = [119.98, 120.02].map(|rod_mm| deviation_m(0.05, rod_mm * MM, 0.12));
+    let (fixed, other) = (&both.bounds[1].upper, &both.bounds[5].upper);
+    let exact_m = fixed.value_si.hypot(0.5 * (long - short));
+    const TOLERANCE_M: f64 = 1e-3 * MM; // the scatter itself: 16 samples tell it to a tenth
+    assert!((other.value_si - exact_m).abs() < TOLERANCE_M && other.widened_si >= exact_m, "{exact_m} {other:?}");
+    let page = study_page(&both);
+    assert!(page.contains("reading A2") && study_text(&both).contains("reading A2"));
+    assert!(!study_text(&alone).contains("reading A)"));
+}
+
+#[test]
+fn analytic_a_curve_of_one_random_length_moves_as_a_whole() {
+    // The deviation at every pose is a multiple of that of the crank's length, to 1e-4 of it: whoever stays inside at one pose stays
+    // inside at all, so that the band for the whole cycle is that for each pose, but for order statistics of 256 runs at a
+    // confidence of 99 %.
+    let question = "at = \"cycle\"\nstatistics = [\"mean\", { simultaneous_band = 0.9 }]";
+    let crank = CRANK_BOX.replace("{ interval = [\"49.99 mm\", \"50.02 mm\"] }", "\"50 mm\"");
+    let result = conducted_at("", 256, &crank, question);
+    let curve = &result.curves[0];
+    let band = &curve.simultaneous[0];
+    const MOST_FACTOR: f64 = 1.2;
+    assert!(band.share == 0.9 && band.factor >= 1.0 && band.factor < MOST_FACTOR, "{band:?}");
+    assert_eq!(band.band.lower_si.len(), curve.pose_rad.len());
+    let rows: Vec<&BoundRecord> =
+        result.bounds.iter().filter(|bound| bound.statistic.word_and_parameter().0 == "simultaneous_band").collect();
+    assert_eq!(rows.len(), curve.pose_rad.len());
+    assert!(rows.iter().zip(&band.band.upper_si).all(|(row, upper)| row.upper.widened_si == *upper));
+    let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");
+    assert_eq!(csv.lines().filter(|line| line.contains(",simultaneous_band,0.9,")).count(), rows.len());
+    assert!(study_page(&result).contains("stay for the whole cycle"));
+}
+
+#[test]
+fn analytic_a_parameter_with_a_distribution_from_file_to_page() {
+    // The mean of the rod's length is normal: to 1e-9 of the range the mean of the slider is linear in it.
+    let rod = "\"parameter.rod_length\" = { normal = { mean = { normal = { mean = \"120 mm\", standard_deviation = \"0.01 mm\" } }, \
+               standard_deviation = \"0.001 mm\" } }";
+    let result = conducted("percentiles = [0.1, 0.9]", &format!("[random]\n{rod}"));
+    let standard_normal = 1.281_551_565_544_6;
+    let percentiles: Vec<f64> = result.percentiles.iter().map(|each| each.percentile).collect();
+    assert_eq!(percentiles, [0.1, 0.9]);
+    for (each, sign) in result.percentiles.iter().zip([-1.0, 1.0]) {
+        let exact_m = deviation_m(0.05, (120.0 + sign * 0.01 * standard_normal) * MM, 0.12);
+        let mean = &each.bounds[0];
+        assert!(mean.lower.widened_si <= exact_m && exact_m <= mean.upper.widened_si, "{exact_m}: {mean:?}");
+        // A twentieth of the deviation of the mean, 0.01 mm, by 2048 values of it and 16 runs at each of 16.
+        const TOLERANCE_M: f64 = 5e-4 * MM;
+        assert!((mean.lower.value_si - exact_m).abs() < TOLERANCE_M, "{exact_m}: {mean:?}");
+        assert!(mean.lower.witness.is_empty() && each.bounds.len() == result.bounds.len());
+    }
+    assert!(matches!(result.inputs[1].kind, InputKind::SecondOrder { .. }), "{:?}", result.inputs);
+    let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");
+    assert_eq!(csv.lines().filter(|line| line.contains(",0.9,sampled")).count(), result.bounds.len());
+    let page = study_page(&result);
+    assert!(page.contains("How well each statistic is known") && page.contains("percentile"));
+    assert!(study_text(&result).contains("percentile"), "{}", study_text(&result));
+    let stored = serde_json::to_string(&result).expect("JSON");
+    assert_eq!(serde_json::from_str::<StudyResult>(&stored).expect("a result"), result);
 }
 
 #[test]

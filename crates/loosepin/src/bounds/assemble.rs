@@ -55,6 +55,7 @@ impl DoubleLoop {
             reading: problem.reading,
             pairs,
             levels,
+            percentiles: evidence.percentiles(),
             boxes: problem
                 .requests
                 .iter()
@@ -222,7 +223,7 @@ impl Evidence<'_> {
         let targets = measures
             .flat_map(|measure| [Some(&measure.target), measure.margin.as_ref().map(|margin| &margin.target)])
             .flatten();
-        Search::new(&self.places, self.plan.candidates(), targets)
+        Search::new(self.plan.epistemic_box().axes(), &self.places, self.plan.candidates(), targets)
     }
 
     /// The kind of guarantee that bounds from these runs have.

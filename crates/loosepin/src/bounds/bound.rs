@@ -2,6 +2,7 @@
 
 use super::probability_box::ProbabilityBox;
 use super::search::Direction;
+use super::second_order::StatisticPercentiles;
 use super::statistic::Statistic;
 use super::table::Purpose;
 use super::treatment::TreatmentComparison;
@@ -155,6 +156,8 @@ pub struct Bounds {
     pub pairs: Vec<BoundPair>,
     /// Where an input is a fuzzy number: the same for every degree, increasing; else nothing.
     pub levels: Vec<LevelBounds>,
+    /// Where a parameter of a distribution has a distribution itself: one entry for each of `pairs`; else nothing.
+    pub percentiles: Vec<StatisticPercentiles>,
     /// One entry for each request for a whole distribution function, in their order.
     pub boxes: Vec<ProbabilityBox>,
     /// One entry for each compared column, in their order.

@@ -26,11 +26,13 @@ pub(super) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
         epistemic,
         parameters: Vec::new(),
         reading: Reading::FixedButUnknown,
+        readings_beside: Vec::new(),
         columns: 1,
         requests: statistics.iter().map(|&statistic| Request { column: 0, statistic }).collect(),
         compared_columns: Vec::new(),
         band_probability: 0.95,
         cut_standard_deviations: 3.0,
+        percentiles: vec![0.05, 0.5, 0.95],
         sampling: Sampling::default(),
     }
 }

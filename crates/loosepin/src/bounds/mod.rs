@@ -44,6 +44,8 @@ mod refinement;
 mod sample;
 mod search;
 mod search_box;
+mod second_order;
+mod simultaneous;
 mod smooth;
 mod smoother;
 mod spread;
@@ -65,6 +67,8 @@ pub use plan::{DoubleLoop, PlanError};
 pub use probability_box::ProbabilityBox;
 pub use problem::{Problem, ProblemError, Request, Sampling};
 pub use refinement::{Assessment, Goal, Refinement, Standing};
+pub use second_order::{Percentile, StatisticPercentiles};
+pub use simultaneous::SimultaneousBand;
 pub use statistic::Statistic;
 pub use table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use treatment::{Band, TreatmentComparison};
@@ -81,5 +85,11 @@ mod exact_cases;
 mod noisy_cases;
 #[cfg(test)]
 mod parameter_cases;
+#[cfg(test)]
+mod periodic_cases;
+#[cfg(test)]
+mod second_order_cases;
+#[cfg(test)]
+mod simultaneous_cases;
 #[cfg(test)]
 mod tail_cases;

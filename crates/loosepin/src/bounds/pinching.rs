@@ -227,6 +227,7 @@ mod tests {
             parameters: Vec::new(),
             copula: None,
             reading: crate::bounds::Reading::FixedButUnknown,
+            readings_beside: Vec::new(),
             columns: 1,
             requests: vec![
                 Request { column: 0, statistic: Statistic::Quantile(0.025) },
@@ -235,6 +236,7 @@ mod tests {
             compared_columns: Vec::new(),
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
+            percentiles: Vec::new(),
             sampling: Sampling { outer: 104, inner: 256, ..Sampling::default() },
         };
         let plan = DoubleLoop::try_new(problem).unwrap();

@@ -155,10 +155,15 @@ impl DoubleLoop {
         if structure.is_divided() {
             epistemic_candidates.extend(structure.candidates(epistemic)?);
         }
-        let first = |dimensions: usize, count: usize| -> Result<Vec<Place>, SobolError> {
-            let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
+        let everywhere = |search_box: &SearchBox, points: Vec<Vec<f64>>| -> Vec<Place> {
+            let points: Vec<Vec<f64>> = points.into_iter().map(|at| search_box.axes().vertex(at)).collect();
             let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
-            Ok((0..combinations).flat_map(places).collect())
+            (0..combinations).flat_map(places).collect()
+        };
+        let first = |search_box: &SearchBox, count: usize| -> Result<Vec<Place>, SobolError> {
+            let dimensions = search_box.dimensions();
+            let points = first_points(sampling.seed, dimensions, first_count(dimensions, count / combinations))?;
+            Ok(everywhere(search_box, points))
         };
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
@@ -169,15 +174,14 @@ impl DoubleLoop {
             joint_candidates: candidates(joint)?,
             first_outer: if structure.is_divided() {
                 let points = first_divided(sampling.seed, epistemic, sampling.outer / combinations, &structure)?;
-                let places = |combination| points.iter().map(move |at| Place { combination, at: at.clone() });
-                (0..combinations).flat_map(places).collect()
+                everywhere(&epistemic_box, points)
             } else {
-                first(epistemic, sampling.outer)?
+                first(&epistemic_box, sampling.outer)?
             },
             whole_joint_box: [Element { mass: 1.0, region: Region::whole(joint) }],
             searched_elements: structure.levels.iter().flat_map(|level| level.elements.iter().cloned()).collect(),
             structure,
-            first_extreme: first(joint, sampling.extreme)?,
+            first_extreme: first(&joint_box, sampling.extreme)?,
             mixture: ScrambledSobol::try_new(hash(sampling.seed, MIXTURE), joint_box.inputs().len())?,
             mixture_basis: OnceLock::new(),
             epistemic_box,
@@ -194,6 +198,22 @@ impl DoubleLoop {
     /// The problem.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// The same plan with intervals read in another way.
+    #[must_use]
+    pub fn read_as(&self, reading: Reading) -> Self {
+        let mut plan = self.clone();
+        plan.problem.reading = reading;
+        plan
+    }
+
+    /// The same plan for the single statistics alone, without distribution functions and compared treatments.
+    #[must_use]
+    pub fn statistics_alone(mut self) -> Self {
+        self.problem.compared_columns.clear();
+        self.problem.requests.retain(|request| request.statistic != Statistic::Cdf);
+        self
     }
 
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.
@@ -329,10 +349,12 @@ impl DoubleLoop {
                     .map(|target| (target, directions.clone()))
             })
             .collect();
-        if self.problem.reading == Reading::RandomSet {
+        let mut readings = std::iter::once(self.problem.reading).chain(self.problem.readings_beside.iter().copied());
+        if readings.any(|reading| reading == Reading::RandomSet) {
             targets.extend(self.single_runs(table));
         }
-        let search = Search::new(&points, &self.candidates, targets.iter().map(|(target, _)| target));
+        let search =
+            Search::new(self.epistemic_box.axes(), &points, &self.candidates, targets.iter().map(|(target, _)| target));
         next_or_confirming(&search, &targets, &self.searched_elements, count)
     }
 
@@ -360,7 +382,12 @@ impl DoubleLoop {
             .iter()
             .map(|&column| (self.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
-        let search = Search::new(&points, &self.joint_candidates, targets.iter().map(|(target, _)| target));
+        let search = Search::new(
+            self.joint_box.axes(),
+            &points,
+            &self.joint_candidates,
+            targets.iter().map(|(target, _)| target),
+        );
         next_or_confirming(&search, &targets, &self.whole_joint_box, count)
     }
 

@@ -61,6 +61,8 @@ pub struct Problem {
     pub parameters: Vec<EpistemicParameter>,
     /// How an epistemic interval is read.
     pub reading: Reading,
+    /// Other readings that the same runs are to answer ([`super::DoubleLoop::read_as`]).
+    pub readings_beside: Vec<Reading>,
     /// Number of columns of the response.
     pub columns: usize,
     /// Statistics whose bounds are asked for.
@@ -71,6 +73,9 @@ pub struct Problem {
     pub band_probability: f64,
     /// In the interval-only treatment each random input is cut to its quantiles at Φ(-k) and Φ(k), k = this; 3 is usual.
     pub cut_standard_deviations: f64,
+    /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself, each in (0, 1);
+    /// 0.05, 0.5 and 0.95 are usual.
+    pub percentiles: Vec<f64>,
     /// How many runs are spent.
     pub sampling: Sampling,
 }
@@ -113,6 +118,15 @@ pub enum ProblemError {
     BadCut {
         /// Value given.
         standard_deviations: f64,
+    },
+    /// A parameter with a distribution beside what gives statistics no single value at it.
+    #[error(
+        "a parameter with a distribution stands beside {}; must be the only one with probabilities, intervals read as fixed but unknown",
+        if *.has_evidence { "evidence" } else { "another reading of intervals" }
+    )]
+    SecondOrderBeside {
+        /// Evidence; else another reading.
+        has_evidence: bool,
     },
     /// Too few replicates.
     #[error("{replicates} replicates; must be at least 2\nhint: 8 give a useful estimate of the sampling error")]
@@ -284,6 +298,10 @@ impl Problem {
         let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;
         check_probability("confidence", confidence)?;
         check_probability("band probability", self.band_probability)?;
+        for &percentile in &self.percentiles {
+            check_probability("percentile", percentile)?;
+        }
+        self.check_second_order()?;
         if !(self.cut_standard_deviations > 0.0 && self.cut_standard_deviations <= 8.0) {
             return Err(ProblemError::BadCut { standard_deviations: self.cut_standard_deviations });
         }
@@ -325,6 +343,19 @@ impl Problem {
                 let dimensions = self.random.len() + joint.dimensions();
                 check_points("extreme", extreme, dimensions, joint.combinations())?;
             }
+        }
+        Ok(())
+    }
+
+    /// A parameter with a distribution is one value for all samples, and no mass of evidence goes with it.
+    fn check_second_order(&self) -> Result<(), ProblemError> {
+        let mut known = self.epistemic.iter();
+        if !known.any(|known| matches!(known, EpistemicVariable::SecondOrder(_))) {
+            return Ok(());
+        }
+        let has_evidence = self.epistemic.iter().any(|known| matches!(known, EpistemicVariable::Evidence(_)));
+        if has_evidence || self.reading != Reading::FixedButUnknown {
+            return Err(ProblemError::SecondOrderBeside { has_evidence });
         }
         Ok(())
     }

@@ -71,7 +71,8 @@ impl RandomSet {
         let targets: Vec<Target> =
             (0..replicates.len()).map(|run| run_target(&points, run, f64::MIN_POSITIVE)).collect();
         let has_box = evidence.plan.epistemic_box().dimensions() > 0;
-        let search = Search::new(&evidence.places, evidence.plan.candidates(), &targets);
+        let search =
+            Search::new(evidence.plan.epistemic_box().axes(), &evidence.places, evidence.plan.candidates(), &targets);
         let ends = |part: &Part<'_>, target: &Target| -> EndsOfRun {
             // A run that failed anywhere may have gone anywhere there.
             if part.members.iter().any(|&point| !target.values[point].is_finite()) || part.members.is_empty() {

@@ -256,7 +256,8 @@ impl DoubleLoop {
             let of = move |combination| Place { combination, at: at.clone() };
             (0..self.box_combinations()).map(of).collect::<Vec<Place>>()
         });
-        let is_new = |place: &Place| known.iter().all(|point| point.distance(place) > LEAST_DISTANCE);
+        let axes = self.epistemic_box().axes();
+        let is_new = |place: &Place| known.iter().all(|point| axes.distance(point, place) > LEAST_DISTANCE);
         let rest = self.problem().sampling.outer.saturating_sub(known.len());
         let chosen = places.filter(is_new).take(count.min(rest)).enumerate();
         let runs = |(place, at): (usize, Place)| {

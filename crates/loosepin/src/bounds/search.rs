@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::search_box::{Place, Region};
+use super::search_box::{Axes, Place, Region};
 use super::smoother::{Fit, Smoother};
 use super::structure::Element;
 
@@ -101,6 +101,7 @@ impl Target {
 /// Every combination of the discrete inputs has models of its own, which know nothing of the others; the extremes are taken
 /// over all of them.
 pub(super) struct Search<'a> {
+    axes: &'a Axes,
     points: &'a [Place],
     /// The points of each combination.
     groups: Vec<Vec<usize>>,
@@ -119,6 +120,12 @@ pub(super) struct Branch<'a> {
 }
 
 impl Branch<'_> {
+    /// Mean and standard deviation of the target at the candidates of the search, in their order, then at other places; nothing
+    /// without a model.
+    pub fn at_candidates(&self) -> Option<impl Iterator<Item = (f64, f64)>> {
+        self.fit.as_ref().map(|fit| fit.at_places())
+    }
+
     /// Mean and standard deviation of the target at `place` by the model; nothing without one.
     pub fn at(&self, place: &[f64]) -> Option<(f64, f64)> {
         self.fit.as_ref().map(|fit| fit.at(place))
@@ -139,6 +146,7 @@ struct Reach {
 impl<'a> Search<'a> {
     /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
     pub fn new<'t>(
+        axes: &'a Axes,
         points: &'a [Place],
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
@@ -166,14 +174,16 @@ impl<'a> Search<'a> {
         let prepare = |(defined, (has_noise, extremes)): (Vec<usize>, (bool, BTreeMap<usize, usize>))| {
             let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
             extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
-            let near =
-                extremes.into_iter().take(MOST_NEIGHBOURHOODS).flat_map(|(point, _)| neighbours(&points[point].at));
+            let near = extremes
+                .into_iter()
+                .take(MOST_NEIGHBOURHOODS)
+                .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
-            let smoother = Smoother::try_new(known, &places, has_noise);
+            let smoother = Smoother::try_new(known, &places, has_noise, axes);
             (defined, smoother)
         };
-        Self { points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }
+        Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }
     }
 
     /// The models of `target`, one for each combination of the discrete inputs.
@@ -195,8 +205,11 @@ impl<'a> Search<'a> {
     pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
         let Some(fit) = &branch.fit else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
-        let most =
-            if is_located { located_reach(fit, direction, region) } else { reach(fit, direction, region).optimistic };
+        let most = if is_located {
+            located_reach(self.axes, fit, direction, region)
+        } else {
+            reach(fit, direction, region).optimistic
+        };
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
@@ -235,7 +248,8 @@ impl<'a> Search<'a> {
         let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
             promises.into_iter().partition(|promise| promise.optimism == 0.0);
         let most = LOCATED_PER_POINT * count;
-        let (mut expected, mut allowed) = (distinct(expected, most).into_iter(), distinct(allowed, most).into_iter());
+        let (mut expected, mut allowed) =
+            (distinct(self.axes, expected, most).into_iter(), distinct(self.axes, allowed, most).into_iter());
         let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
         let located: Vec<Place> = turns
             .collect::<Vec<Promise>>()
@@ -247,14 +261,14 @@ impl<'a> Search<'a> {
                 let region = &elements[promise.element].region;
                 Some(Place {
                     combination,
-                    at: locate(&fit, promise.direction, promise.optimism, promise.place.at, region),
+                    at: locate(self.axes, &fit, promise.direction, promise.optimism, promise.place.at, region),
                 })
             })
             .collect();
         let mut chosen: Vec<Place> = Vec::new();
         for place in located {
-            let is_new = self.points.iter().all(|point| point.distance(&place) > LEAST_DISTANCE)
-                && chosen.iter().all(|point| point.distance(&place) > LEAST_DISTANCE_IN_ROUND);
+            let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE)
+                && chosen.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
             if is_new && chosen.len() < count {
                 chosen.push(place);
             }
@@ -329,8 +343,11 @@ impl<'a> Search<'a> {
                     for axis in 0..at.at.len() {
                         let Some((place, value)) = self.kink(target, extreme, axis) else { continue };
                         let gain = element.mass * direction.sign() * (value - target.values[extreme]);
-                        let is_new =
-                            self.points.iter().chain(&chosen).all(|point| point.distance(&place) > LEAST_DISTANCE);
+                        let is_new = self
+                            .points
+                            .iter()
+                            .chain(&chosen)
+                            .all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
                         let is_inside = element.region.holds(&place.at);
                         if gain > target.resolutions[direction.index()] && is_inside && is_new && chosen.len() < count {
                             chosen.push(place);
@@ -352,11 +369,11 @@ impl<'a> Search<'a> {
                     .iter()
                     .zip(&centre.at)
                     .enumerate()
-                    .all(|(k, (a, b))| k == axis || (a - b).abs() < LEAST_DISTANCE)
+                    .all(|(k, (a, b))| k == axis || self.axes.step(k, *a, *b).abs() < LEAST_DISTANCE)
         };
         let on_line = || self.groups[centre.combination].iter().filter(|&&point| is_on_line(&self.points[point]));
         let side = |sign: f64| -> Option<(f64, f64, f64)> {
-            let offset = |point: usize| sign * (self.points[point].at[axis] - centre.at[axis]);
+            let offset = |point: usize| sign * self.axes.step(axis, centre.at[axis], self.points[point].at[axis]);
             let mut nearest: Vec<(f64, f64)> = on_line()
                 .map(|&point| (offset(point), target.values[point]))
                 .filter(|(offset, value)| *offset > 0.0 && value.is_finite())
@@ -375,7 +392,7 @@ impl<'a> Search<'a> {
             return None;
         }
         let mut at = centre.at.clone();
-        at[axis] += offset;
+        at[axis] = self.axes.inside(axis, at[axis] + offset, [0.0, 1.0]);
         Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
     }
 
@@ -394,12 +411,12 @@ impl<'a> Search<'a> {
             for signed in [distance, -distance] {
                 let moved = |by: f64| {
                     let mut place = at.clone();
-                    place[axis] = (at[axis] + by).max(lower).min(upper);
+                    place[axis] = self.axes.inside(axis, at[axis] + by, [lower, upper]);
                     place
                 };
                 let place = Place { combination: *combination, at: moved(signed) };
-                let is_taken = |point: &Place| point.distance(&place) < 0.5 * distance;
-                let is_on_face = at[axis] == lower || at[axis] == upper;
+                let is_taken = |point: &Place| self.axes.distance(point, &place) < 0.5 * distance;
+                let is_on_face = !self.axes.is_periodic(axis) && (at[axis] == lower || at[axis] == upper);
                 let falls_by = fall(&place.at);
                 let shows_nothing =
                     falls_by <= resolution || (is_on_face && falls_by < SLOPE_RATIO * fall(&moved(0.25 * signed)));
@@ -466,13 +483,13 @@ struct Promise {
 }
 
 /// The first `count` promises that are not near each other.
-fn distinct(promises: Vec<Promise>, count: usize) -> Vec<Promise> {
+fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
     let mut kept: Vec<Promise> = Vec::new();
     for promise in promises {
         if kept.len() == count {
             break;
         }
-        if kept.iter().all(|other| other.place.distance(&promise.place) > LEAST_DISTANCE_IN_ROUND) {
+        if kept.iter().all(|other| axes.distance(&other.place, &promise.place) > LEAST_DISTANCE_IN_ROUND) {
             kept.push(promise);
         }
     }
@@ -513,9 +530,9 @@ fn reach(fit: &Fit<'_>, direction: Direction, region: &Region) -> Reach {
 }
 
 /// The same over the whole region: the most that the model allows, located from the best of the places.
-fn located_reach(fit: &Fit<'_>, direction: Direction, region: &Region) -> f64 {
+fn located_reach(axes: &Axes, fit: &Fit<'_>, direction: Direction, region: &Region) -> f64 {
     let coarse = reach(fit, direction, region);
-    let place = locate(fit, direction, CONCEDED, coarse.optimistic_at, region);
+    let place = locate(axes, fit, direction, CONCEDED, coarse.optimistic_at, region);
     let (mean, deviation) = fit.at(&place);
     let located = mean + direction.sign() * CONCEDED * deviation;
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
@@ -563,12 +580,12 @@ pub(super) fn extreme_among(
 }
 
 /// Places near `point` along the axes, inside the box.
-fn neighbours(point: &[f64]) -> impl Iterator<Item = Vec<f64>> {
+fn neighbours<'p>(axes: &'p Axes, point: &'p [f64]) -> impl Iterator<Item = Vec<f64>> + 'p {
     let steps = NEIGHBOUR_DISTANCES.into_iter().flat_map(|distance| [distance, -distance]);
     steps.flat_map(move |step| {
         (0..point.len()).filter_map(move |axis| {
             let mut place = point.to_vec();
-            place[axis] = (place[axis] + step).clamp(0.0, 1.0);
+            place[axis] = axes.inside(axis, place[axis] + step, [0.0, 1.0]);
             (place[axis] != point[axis]).then_some(place)
         })
     })
@@ -576,8 +593,15 @@ fn neighbours(point: &[f64]) -> impl Iterator<Item = Vec<f64>> {
 
 /// Moves `place` to the nearest local extreme of mean + optimism x deviation: pattern search along the axes and the last
 /// successful move, step halved down to 1e-7 of the box.
-fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64>, region: &Region) -> Vec<f64> {
-    let inside = |axis: usize, value: f64| value.max(region.lower[axis]).min(region.upper[axis]);
+fn locate(
+    axes: &Axes,
+    fit: &Fit<'_>,
+    direction: Direction,
+    optimism: f64,
+    mut place: Vec<f64>,
+    region: &Region,
+) -> Vec<f64> {
+    let inside = |axis: usize, value: f64| axes.inside(axis, value, [region.lower[axis], region.upper[axis]]);
     const FIRST_STEP: f64 = 0.1;
     const LAST_STEP: f64 = 1e-7;
     const MOST_MOVES: usize = 400;
@@ -617,7 +641,11 @@ fn locate(fit: &Fit<'_>, direction: Direction, optimism: f64, mut place: Vec<f64
         }
     }
     // What the model cannot tell from a face is a face: corners and edges are then met exactly.
-    for (coordinate, (lower, upper)) in place.iter_mut().zip(region.lower.iter().zip(&region.upper)) {
+    for (axis, (coordinate, (lower, upper))) in place.iter_mut().zip(region.lower.iter().zip(&region.upper)).enumerate()
+    {
+        if axes.is_periodic(axis) {
+            continue;
+        }
         if *coordinate < lower + FACE_THICKNESS {
             *coordinate = *lower;
         } else if *coordinate > upper - FACE_THICKNESS {
@@ -636,7 +664,7 @@ fn defined(target: &Target, group: &[usize]) -> Vec<usize> {
 mod tests {
     use super::{Direction, Search, Target, extreme};
     use crate::bounds::points::{candidates, first_points};
-    use crate::bounds::search_box::{Place, Region};
+    use crate::bounds::search_box::{Axes, Place, Region};
     use crate::bounds::structure::Element;
 
     /// Searches both ends of `function` with `count` points in rounds of five.
@@ -648,7 +676,8 @@ mod tests {
             let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
             let resolutions = [1e-9; 2];
             let target = Target { values: values.clone(), noise_variance: 0.0, resolutions };
-            let search = Search::new(&points, &candidates, [&target]);
+            let axes = Axes::open(dimensions);
+            let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];
             let targets = [(target, Direction::BOTH.to_vec())];
             let next = search.next_points(&targets, &elements, 5.min(count - points.len()), 512);

@@ -2,12 +2,90 @@
 
 use crate::uncertainty::{EpistemicVariable, Interval};
 
+/// How the axes of a unit box end: at faces, or where they begin (an angle over a whole turn).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Axes {
+    is_periodic: Vec<bool>,
+}
+
+/// Where the two vertices of a closed axis lie: with the centre of the box at three equal distances round the circle.
+const VERTICES_OF_A_CIRCLE: [f64; 2] = [1.0 / 6.0, 5.0 / 6.0];
+
+impl Axes {
+    /// Axes that all end at faces.
+    #[cfg(test)]
+    pub fn open(dimensions: usize) -> Self {
+        Self { is_periodic: vec![false; dimensions] }
+    }
+
+    /// Some of the axes.
+    pub fn of(&self, axes: &[usize]) -> Self {
+        Self { is_periodic: axes.iter().map(|&axis| self.is_periodic[axis]).collect() }
+    }
+
+    /// Number of axes that close.
+    pub fn circles(&self) -> usize {
+        self.is_periodic.iter().filter(|is_periodic| **is_periodic).count()
+    }
+
+    /// Whether `axis` closes.
+    pub fn is_periodic(&self, axis: usize) -> bool {
+        self.is_periodic[axis]
+    }
+
+    /// The coordinates by which models tell places apart: those of open axes, then for each closed one
+    /// 1/2 + cos(2πx)/2π and 1/2 + sin(2πx)/2π, so that along it lengths are those of the unit box.
+    pub fn seen(&self, at: &[f64]) -> Vec<f64> {
+        let of = |is_periodic: bool| {
+            let own = at.iter().zip(&self.is_periodic).filter(move |(_, own)| **own == is_periodic);
+            own.map(|(x, _)| *x)
+        };
+        let mut seen: Vec<f64> = of(false).collect();
+        for x in of(true) {
+            let angle = core::f64::consts::TAU * x;
+            seen.extend([libm::cos(angle), libm::sin(angle)].map(|y| 0.5 + y / core::f64::consts::TAU));
+        }
+        seen
+    }
+
+    /// `value` brought into the part of `axis` from `lower` to `upper`: to the nearer end, or round the circle.
+    pub fn inside(&self, axis: usize, value: f64, [lower, upper]: [f64; 2]) -> f64 {
+        if self.is_periodic[axis] { value.rem_euclid(1.0) } else { value.max(lower).min(upper) }
+    }
+
+    /// The largest difference along an axis; infinite between different boxes.
+    pub fn distance(&self, a: &Place, b: &Place) -> f64 {
+        if a.combination != b.combination {
+            return f64::INFINITY;
+        }
+        let steps = a.at.iter().zip(&b.at).enumerate().map(|(axis, (x, y))| self.step(axis, *x, *y).abs());
+        steps.fold(0.0, f64::max)
+    }
+
+    /// How far it is along `axis` from one value to another, the shorter way round a circle.
+    pub fn step(&self, axis: usize, from: f64, to: f64) -> f64 {
+        let step = to - from;
+        if self.is_periodic[axis] { step - step.round() } else { step }
+    }
+
+    /// A vertex of the unit box, where axes that close have none: two places of the circle stand for both ends.
+    pub fn vertex(&self, mut corner: Vec<f64>) -> Vec<f64> {
+        for (x, is_periodic) in corner.iter_mut().zip(&self.is_periodic) {
+            if *is_periodic && (*x == 0.0 || *x == 1.0) {
+                *x = VERTICES_OF_A_CIRCLE[usize::from(*x == 1.0)];
+            }
+        }
+        corner
+    }
+}
+
 /// A box of intervals; those of no width are held and do not count as dimensions. Inputs that are one of a list do not either:
 /// every combination of their members has a box of its own.
 #[derive(Debug, Clone)]
 pub(super) struct SearchBox {
     inputs: Vec<EpistemicVariable>,
     wide: Vec<usize>,
+    axes: Axes,
 }
 
 /// A point of one of the boxes.
@@ -17,16 +95,6 @@ pub(super) struct Place {
     pub combination: usize,
     /// Where in the unit box of the intervals.
     pub at: Vec<f64>,
-}
-
-impl Place {
-    /// The largest difference along an axis; infinite between different boxes.
-    pub fn distance(&self, other: &Self) -> f64 {
-        if self.combination != other.combination {
-            return f64::INFINITY;
-        }
-        self.at.iter().zip(&other.at).fold(0.0, |most, (x, y)| f64::max(most, (x - y).abs()))
-    }
 }
 
 /// A part of the unit box of the intervals, the same in every combination of the discrete inputs.
@@ -77,8 +145,14 @@ impl SearchBox {
     /// The box of these inputs.
     pub fn new(inputs: Vec<EpistemicVariable>) -> Self {
         let is_wide = |input: &EpistemicVariable| input.range().is_some_and(|range| range.lower() < range.upper());
-        let wide = (0..inputs.len()).filter(|&i| is_wide(&inputs[i])).collect();
-        Self { inputs, wide }
+        let wide: Vec<usize> = (0..inputs.len()).filter(|&i| is_wide(&inputs[i])).collect();
+        let axes = Axes { is_periodic: wide.iter().map(|&input| inputs[input].is_periodic()).collect() };
+        Self { inputs, wide, axes }
+    }
+
+    /// How the axes of its unit box end.
+    pub fn axes(&self) -> &Axes {
+        &self.axes
     }
 
     /// All inputs.
@@ -166,7 +240,7 @@ impl SearchBox {
 
 #[cfg(test)]
 mod tests {
-    use super::{Place, SearchBox};
+    use super::{Axes, Place, SearchBox};
     use crate::uncertainty::{Interval, Members};
 
     #[test]
@@ -178,6 +252,21 @@ mod tests {
         assert_eq!(search_box.values_at(&place), [1.0, 3.25, 0.5]);
         assert_eq!(search_box.place_of(&[1.0, 3.25, 0.5]), place);
         assert!(search_box.holds(&[1.0, 3.25]) && !search_box.holds(&[1.0, 3.0]));
+    }
+
+    #[test]
+    fn analytic_a_closed_axis_has_no_ends() {
+        const TOLERANCE: f64 = 1e-15;
+        let axes = Axes { is_periodic: vec![false, true] };
+        let place = |x: f64, y: f64| Place { combination: 0, at: vec![x, y] };
+        assert!((axes.distance(&place(0.25, 0.95), &place(0.3, 0.05)) - 0.1).abs() < TOLERANCE);
+        assert!((axes.distance(&place(0.75, 0.95), &place(0.3, 0.9)) - 0.45).abs() < TOLERANCE);
+        let (first, last) = (axes.seen(&[0.25, 0.0]), axes.seen(&[0.25, 1.0]));
+        assert!(first.len() == 3 && first.iter().zip(&last).all(|(a, b)| (a - b).abs() < TOLERANCE), "{last:?}");
+        assert!((axes.inside(1, -0.125, [0.0, 1.0]) - 0.875).abs() < TOLERANCE);
+        assert_eq!((axes.inside(0, -0.125, [0.0, 1.0]), axes.inside(0, 1.125, [0.0, 0.75])), (0.0, 0.75));
+        assert_eq!(axes.vertex(vec![1.0, 0.5]), [1.0, 0.5]);
+        assert_eq!(axes.vertex(vec![0.0, 1.0]), [0.0, 5.0 / 6.0]);
     }
 
     #[test]

@@ -7,6 +7,7 @@
 //!    (1 + s + s²/3) exp(-s), s = √5 r,                           Matérn 5/2: two derivatives, or
 //!    (1 + s + 3s²/7 + 2s³/21 + s⁴/105) exp(-s), s = 3r,          Matérn 9/2: four derivatives
 //! f: polynomial of degree 2, 1 or 0;   noise: independent, variance τσ²
+//! an angle over a whole turn enters f and r as a point on a circle
 //! ```
 //!
 //! β and σ² are estimated, smoothness, ℓ and τ chosen from a grid by restricted maximum likelihood, τσ² never above the sampling
@@ -20,6 +21,7 @@
 use rayon::prelude::*;
 
 use super::gaussian_process::{Kernel, Model, Smoothness};
+use super::search_box::Axes;
 use super::trend::Trend;
 use crate::math::dense::{Cholesky, dot};
 
@@ -47,6 +49,9 @@ const EXPECTED_SURPRISE: f64 = 2.5;
 pub(super) struct Smoother {
     /// Where predictions are wanted: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
+    /// The same as the models see them, and how the axes close.
+    seen_places: Vec<Vec<f64>>,
+    axes: Axes,
     /// Terms of the polynomial at the points, row by row, and the factor of its normal equations.
     terms: Vec<f64>,
     normal_equations: Cholesky,
@@ -66,14 +71,15 @@ pub(super) struct Fit<'a> {
 impl Smoother {
     /// Prepares all of the grid for `points` of the unit box; predictions are wanted at `candidates` and at the points
     /// themselves. Models with noise are prepared where `has_noise`. Nothing where there are too few points for any model.
-    pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], has_noise: bool) -> Option<Self> {
-        let (trend, terms, normal_equations) = Trend::for_points(&points)?;
+    pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], has_noise: bool, axes: &Axes) -> Option<Self> {
+        let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
+        let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
         let diagonal = (points.first()?.len() as f64).sqrt();
         let scales =
             |smoothness| LENGTH_SCALES.iter().map(move |scale| Kernel { smoothness, length_scale: scale * diagonal });
         let prepare = |kernels: Vec<Kernel>, noise_ratio: f64| -> Vec<Model> {
             let kernels = kernels.into_par_iter();
-            kernels.filter_map(|kernel| Model::try_new(&points, trend, &terms, kernel, noise_ratio)).collect()
+            kernels.filter_map(|kernel| Model::try_new(&seen, trend, &terms, kernel, noise_ratio)).collect()
         };
         // Noise hides how smooth a function is.
         let middling = || scales(Smoothness::Twice).collect();
@@ -85,8 +91,9 @@ impl Smoother {
         let noise_ratios = if has_noise { &NOISE_RATIOS[1..] } else { &[] };
         let with_noise = noise_ratios.iter().map(|&noise_ratio| prepare(middling(), noise_ratio));
         let levels = std::iter::once(without_noise).chain(with_noise).collect();
-        let places = candidates.iter().cloned().chain(points).collect();
-        Some(Self { places, terms, normal_equations, levels })
+        let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
+        let seen_places = places.iter().map(|place| axes.seen(place)).collect();
+        Some(Self { places, seen_places, axes: axes.clone(), terms, normal_equations, levels })
     }
 
     /// Fits `values` (one for each point) whose mean sampling variance is `noise_variance`.
@@ -163,14 +170,14 @@ impl Fit<'_> {
 
     /// Mean and standard deviation of S at every place: first the candidates, then the points.
     pub fn at_places(&self) -> impl Iterator<Item = (f64, f64)> {
-        let (weights, variances) = self.model.at_places(&self.smoother.places);
+        let (weights, variances) = self.model.at_places(&self.smoother.seen_places);
         let means = weights.chunks(self.values.len()).map(|weights| self.centre + dot(weights, &self.values));
         means.zip(variances).map(|(mean, variance)| (mean, self.deviation * variance.sqrt()))
     }
 
     /// Mean and standard deviation of S at `place`.
     pub fn at(&self, place: &[f64]) -> (f64, f64) {
-        let (weights, variance) = self.model.predict(place);
+        let (weights, variance) = self.model.predict(&self.smoother.axes.seen(place));
         (self.centre + dot(&weights, &self.values), self.deviation * variance.sqrt())
     }
 }
@@ -179,6 +186,7 @@ impl Fit<'_> {
 mod tests {
     use super::Smoother;
     use crate::bounds::points::{candidates, first_points};
+    use crate::bounds::search_box::Axes;
     use crate::uncertainty::{hash, normal_quantile};
 
     #[test]
@@ -187,7 +195,7 @@ mod tests {
         let points = first_points(5, 3, 40).unwrap();
         let function = |u: &[f64]| 0.3 + u[0] * u[1] - 2.0 * u[2] * u[2] + 0.7 * u[1];
         let values: Vec<f64> = points.iter().map(|u| function(u)).collect();
-        let smoother = Smoother::try_new(points, &candidates(3).unwrap(), false).unwrap();
+        let smoother = Smoother::try_new(points, &candidates(3).unwrap(), false, &Axes::open(3)).unwrap();
         let fit = smoother.fit(&values, 0.0);
         for (place, (mean, deviation)) in fit.places().iter().zip(fit.at_places()) {
             assert!((mean - function(place)).abs() < TOLERANCE && deviation < TOLERANCE, "{mean} {deviation}");
@@ -202,7 +210,7 @@ mod tests {
         let points = first_points(7, 2, 32).unwrap();
         let function = |u: &[f64]| (4.0 * u[0]).sin() + 0.6 * (3.0 * u[1] + u[0]).cos();
         let values: Vec<f64> = points.iter().map(|u| function(u)).collect();
-        let smoother = Smoother::try_new(points, &candidates(2).unwrap(), false).unwrap();
+        let smoother = Smoother::try_new(points, &candidates(2).unwrap(), false, &Axes::open(2)).unwrap();
         let fit = smoother.fit(&values, 0.0);
         let places = fit.places().len() as f64;
         let within = fit
@@ -222,7 +230,7 @@ mod tests {
         let noise = |i: usize| 0.2 * normal_quantile((hash(3, i as u64) >> 11) as f64 / (1_u64 << 53) as f64);
         let noisy: Vec<f64> = points.iter().enumerate().map(|(i, u)| u[0] * u[0] + noise(i)).collect();
         let exact: Vec<f64> = points.iter().map(|u| (5.0 * u[0]).exp()).collect();
-        let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true).unwrap();
+        let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
         let fit = smoother.fit(&noisy, 0.04);
         assert!(fit.is_smoothed());
         // At the ends a parabola through 40 points is known to 0.2 √(9/40) = 0.1.

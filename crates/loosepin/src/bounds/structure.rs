@@ -127,7 +127,10 @@ fn elements(problem: &Problem, search_box: &SearchBox, alpha: Option<f64>) -> Ve
                 evidence.elements().iter().map(|element| (element.mass, Some(element.interval))).collect()
             }
             EpistemicVariable::Fuzzy(fuzzy) => vec![(1.0, alpha.map(|alpha| fuzzy.cut(alpha)))],
-            EpistemicVariable::Interval(interval) => vec![(1.0, Some(*interval))],
+            EpistemicVariable::Interval(interval) | EpistemicVariable::Periodic(interval) => {
+                vec![(1.0, Some(*interval))]
+            }
+            EpistemicVariable::SecondOrder(parameter) => vec![(1.0, Some(parameter.range()))],
             EpistemicVariable::OneOf(_) => vec![(1.0, None)],
         }
     };

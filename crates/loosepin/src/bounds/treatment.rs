@@ -166,7 +166,7 @@ fn interval_only_ends(evidence: &Evidence<'_>, table: &SampleTable, pool: &Pool,
     let plan = evidence.plan;
     let places = plan.extreme_places(pool);
     let targets: Vec<_> = columns.par_iter().map(|&column| plan.extreme_target(pool, column)).collect();
-    let search = Search::new(&places, plan.joint_candidates(), &targets);
+    let search = Search::new(plan.joint_box().axes(), &places, plan.joint_candidates(), &targets);
     let whole = Region::whole(plan.joint_box().dimensions());
     columns
         .par_iter()

@@ -276,6 +276,11 @@ place of materials, so that no list can hold them beside others."
 "Masses of evidence are above 0 and sum to 1. Cuts of a fuzzy number lie within one another, the higher degree within the lower; its \
 corners do not decrease. Quantiles increase with their probabilities, and they and a mean lie within the support."
 
+    BadPeriod "E0615" "a period is none"
+"After one period a quantity is where it began, so that any of its values is as near to both ends as to its neighbours. An \
+angle does so after a whole turn, or after a whole fraction of one where the mechanism looks the same then. An angle that lies \
+between two ends is an interval."
+
     BadCorrelation "E0620" "a correlation is not possible"
 "A correlation joins two different random inputs of the study, each pair once, by a rank correlation (Spearman) or the linear \
 correlation of the values (Pearson), between -1 and 1. Two distributions of different shapes cannot have every linear \

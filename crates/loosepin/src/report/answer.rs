@@ -75,14 +75,17 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
             let name = plain_name(&input.path, &result.inputs);
             match &input.kind {
                 InputKind::Random => None,
-                InputKind::Interval { lower_si, upper_si } => Some(format!(
-                    "the {name} anywhere between {} and {}",
-                    writer.shortest(*lower_si, &input.unit),
-                    writer.value_shortest(*upper_si, &input.unit)
-                )),
+                InputKind::Interval { lower_si, upper_si } | InputKind::SecondOrder { lower_si, upper_si } => {
+                    Some(format!(
+                        "the {name} anywhere between {} and {}",
+                        writer.shortest(*lower_si, &input.unit),
+                        writer.value_shortest(*upper_si, &input.unit)
+                    ))
+                }
                 InputKind::Evidence { elements, .. } => {
                     Some(format!("what is known of the {name} in {} intervals", elements.len()))
                 }
+                InputKind::Periodic { .. } => Some(format!("the {name} anywhere on its circle")),
                 InputKind::Fuzzy { .. } => Some(format!("the {name} wherever it is possible")),
                 InputKind::Choice { of } => Some(format!("the {name} any of {}", listed(of))),
             }

@@ -15,6 +15,7 @@ mod motion_kind_section;
 mod motion_page;
 mod number;
 mod page;
+mod percentile_words;
 mod script_data;
 mod section_figure;
 mod simulation_page;

@@ -8,11 +8,12 @@ use super::contributors_text::contributors_text;
 use super::inverse::{inverse_sentences, rare_sentences};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
+use super::percentile_words::percentile_sentences;
 use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::surrogate_text;
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, count, counted, deviation_words, has_lists, output_words, place_words,
-    statistic_words, treatment_words, unknown_words,
+    reading_beside, statistic_words, treatment_words, unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
@@ -51,12 +52,15 @@ pub fn study_text(result: &StudyResult) -> String {
         let unknown = unknown_words(&result.inputs);
         text.push_str(&format!("\nBounds over the {unknown}, widened by their numerical error\n"));
         let rows = &shown[..shown.len().min(MOST_ROWS)];
-        for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
+        for group in
+            rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
+        {
             text.push_str(&format!(
-                "\n{}: {}, {}\n\n{}\n",
+                "\n{}: {}, {}{}\n\n{}\n",
                 output_words(&group[0].output, &result.outputs),
                 deviation_words(group[0].of),
                 place_words(group[0].at, &writer),
+                reading_beside(result, group[0]),
                 bounds_table(result, group, &writer)
             ));
         }
@@ -66,6 +70,7 @@ pub fn study_text(result: &StudyResult) -> String {
     }
     for (title, sentences) in [
         ("Accuracy", accuracy_sentences(result, &writer)),
+        ("How well each statistic is known", percentile_sentences(result, &writer)),
         ("Small probabilities", rare_sentences(result, &writer)),
         ("What the requirements allow", inverse_sentences(result, &writer)),
     ] {

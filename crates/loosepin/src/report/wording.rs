@@ -2,8 +2,8 @@
 
 use super::number::{NumberWriter, Rounding};
 use crate::study::result::{
-    DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription, Reduction,
-    ResponsePoint, StatisticKind, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+    BoundRecord, DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription,
+    Reduction, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
 };
 use crate::units::SiUnit;
 
@@ -40,6 +40,9 @@ pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &
         StatisticKind::StandardDeviation => "standard deviation".to_owned(),
         StatisticKind::Quantile { probability } => {
             format!("{} quantile", writer.percent(probability, Rounding::Nearest))
+        }
+        StatisticKind::SimultaneousBand { share } => {
+            format!("band of {} for the whole cycle", writer.percent(share, Rounding::Nearest))
         }
         StatisticKind::ProbabilityAbove { limit_si } => {
             format!("probability above {}", writer.value_trimmed(limit_si, unit))
@@ -81,6 +84,14 @@ pub(super) fn reading_words(reading: IntervalReading) -> &'static str {
         }
         IntervalReading::RandomSet => "free to differ from mechanism to mechanism in any way (reading B)",
     }
+}
+
+/// How intervals are read in `bound`, where the study reads them in several ways: what follows the place of the bound.
+pub(super) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> String {
+    if result.bounds.iter().all(|other| other.reading == bound.reading) {
+        return String::new();
+    }
+    format!("; intervals {}", reading_words(bound.reading))
 }
 
 pub(super) fn guarantee_words(guarantee: GuaranteeKind, writer: &NumberWriter) -> String {

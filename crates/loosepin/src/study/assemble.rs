@@ -15,11 +15,12 @@ use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::result::{
     AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, CutBounds,
-    DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError, ProbabilityBox, RareEnd, RareRecord,
-    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
-    TreatmentKind, Verdict, Witness, WitnessValue,
+    DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError, PercentileBounds, ProbabilityBox, RareEnd,
+    RareRecord, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand,
+    TreatmentComparison, TreatmentKind, Verdict, Witness, WitnessValue,
 };
-use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Purpose, Reading, SampleTable, Statistic};
+use super::simultaneous::CurveBand;
+use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
 
 /// Everything that a result is made from.
@@ -40,12 +41,16 @@ pub(super) struct Extra {
     pub allowances: Vec<AllowanceRecord>,
     pub allocation: Option<AllocationRecord>,
     pub surrogate: Option<SurrogateRecord>,
+    pub curve_bands: Vec<CurveBand>,
+    /// Bounds by the other readings of intervals.
+    pub beside: Vec<Bounds>,
 }
 
 /// Puts the result together.
 pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) -> StudyResult {
     let study = material.study;
     let pictures = drawing::pictures(material);
+    let bounds = all_bounds(material, &extra);
     StudyResult {
         format: FORMAT,
         name: study.name.clone(),
@@ -64,8 +69,9 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         requirements: requirements(material),
         allowances: extra.allowances,
         allocation: extra.allocation,
-        bounds: asked_bounds(material),
+        bounds,
         cuts: cuts(material),
+        percentiles: percentiles(material),
         rare: rare_records(material),
         surrogate: extra.surrogate,
         contributors: extra.contributors,
@@ -73,7 +79,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         energy: summary::energy(material),
         impacts: summary::impacts(material),
         display_units: material.study.model.shown_in(DisplayUnits::default()),
-        curves: curves::curves(material, &pictures),
+        curves: curves::curves(material, &pictures, &extra.curve_bands),
         boxes: boxes(material),
         orbits: pictures.orbits,
         drawing: pictures.drawing,
@@ -87,7 +93,8 @@ impl Material<'_> {
 
     /// The epistemic inputs by path.
     pub fn witness(&self, epistemic: &[f64]) -> Witness {
-        let named = self.study.epistemic.iter().zip(epistemic);
+        // A percentile is attained at no single value of the parameters that it is taken over.
+        let named = self.study.epistemic.iter().zip(epistemic).filter(|(_, value)| !value.is_nan());
         let shown = |input: &EpistemicInput, value: f64| match input.law(value) {
             Some(law) => WitnessValue::Choice(law.name().to_owned()),
             None => WitnessValue::Number(value),
@@ -247,6 +254,25 @@ fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
     material.bounds.levels.iter().filter_map(of_level).collect()
 }
 
+/// The percentiles of every statistic that was asked for.
+fn percentiles(material: &Material<'_>) -> Vec<PercentileBounds> {
+    let found = &material.bounds.percentiles;
+    let probabilities: Vec<f64> =
+        found.first().map_or_else(Vec::new, |first| first.percentiles.iter().map(|each| each.probability).collect());
+    let of_percentile = |(place, &percentile): (usize, &f64)| {
+        let pair = |pair: &BoundPair| {
+            let same = found.iter().find(|each| each.column == pair.column && each.statistic == pair.statistic)?;
+            let Percentile { lower, upper, .. } = same.percentiles[place].clone();
+            Some(BoundPair { lower, upper, ..pair.clone() })
+        };
+        let pairs: Vec<BoundPair> = material.pairs.iter().filter_map(pair).collect();
+        let &Material { study, response, table, bounds, .. } = material;
+        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &pairs, rare: &[] });
+        PercentileBounds { percentile, bounds }
+    };
+    probabilities.iter().enumerate().map(of_percentile).collect()
+}
+
 /// Every bound that was asked for, in the order of the asks; within a curve pose by pose.
 pub(super) fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
     let mut records = Vec::new();
@@ -284,6 +310,42 @@ pub(super) fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
         }
     }
     records
+}
+
+/// Every bound: those asked for, bands for whole curves, then those asked for by each of the other readings.
+fn all_bounds(material: &Material<'_>, extra: &Extra) -> Vec<BoundRecord> {
+    let mut records = asked_bounds(material);
+    records.extend(simultaneous_bounds(material, &extra.curve_bands));
+    for bounds in &extra.beside {
+        let &Material { study, response, table, .. } = material;
+        // What was estimated otherwise than by counting belongs to the first reading.
+        records.extend(asked_bounds(&Material { study, response, table, bounds, pairs: &bounds.pairs, rare: &[] }));
+    }
+    records
+}
+
+/// The bands for whole curves, pose by pose.
+fn simultaneous_bounds(material: &Material<'_>, bands: &[CurveBand]) -> Vec<BoundRecord> {
+    let of_band = |band: &CurveBand| -> Vec<BoundRecord> {
+        let Some(found) = &band.found else { return Vec::new() };
+        let record = |(place, &column): (usize, &usize)| {
+            let [lower, upper] = found.ends(place).map(|bound| material.end(&bound));
+            BoundRecord {
+                output: material.name_of(column),
+                of: deviation_kind(material.plan().columns[column].deviation),
+                at: material.point_of(column, true),
+                statistic: StatisticKind::SimultaneousBand { share: band.share },
+                treatment: TreatmentKind::Mixed,
+                reading: reading(material.bounds),
+                unit: material.unit_of(column),
+                lower,
+                upper,
+                guarantee: guarantee(found.guarantee()),
+            }
+        };
+        band.columns.iter().enumerate().map(record).collect()
+    };
+    bands.iter().flat_map(of_band).collect()
 }
 
 /// How small probabilities were estimated.

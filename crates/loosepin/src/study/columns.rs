@@ -8,6 +8,11 @@ use crate::simulate::{Column, columns};
 /// Probabilities of the ends of the band that curves and treatments show.
 pub const BAND: [f64; 2] = [0.025, 0.975];
 
+/// Both ends of the central band with this share at a single point.
+pub fn pointwise_ends(share: f64) -> [Statistic; 2] {
+    [Statistic::Quantile(0.5 - 0.5 * share), Statistic::Quantile(0.5 + 0.5 * share)]
+}
+
 /// Where in the recorded turns a column is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spot {
@@ -172,6 +177,10 @@ impl ColumnPlan {
                 }
                 if is_curve {
                     push(column, Statistic::Mean);
+                }
+                // A band for whole curves has the form of the band for each point.
+                for statistic in planned.ask.simultaneous_bands.iter().flat_map(|&share| pointwise_ends(share)) {
+                    push(column, statistic);
                 }
                 if is_curve || planned.ask.contributors {
                     push(column, Statistic::Quantile(BAND[0]));

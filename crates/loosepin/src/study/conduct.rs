@@ -10,9 +10,10 @@ use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
+use super::simultaneous::curve_bands;
 use super::surrogate::{most_surrogate_runs, surrogate_bounds, surrogate_plan};
 use crate::bounds::{
-    DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, SurrogatePlanError,
+    Bounds, DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, SurrogatePlanError,
     TableError,
 };
 use crate::contributors::IndexPlanError;
@@ -288,10 +289,19 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
         pairs: &bounds.pairs,
         rare: &rare,
     };
+    let beside: Vec<Bounds> = study.readings[1..]
+        .iter()
+        .map(|&reading| pool.install(|| plan.read_as(reading).statistics_alone().results(&table)))
+        .collect::<Result<_, _>>()?;
+    let curve_bands = pool.install(|| curve_bands(&material, &plan))?;
     let result = pool.install(|| {
         let contributors = contributors(&material, &plan, contributor_plan.as_ref());
         let accuracy = record(&material, &ended);
-        assemble(&material, input_hash, Extra { accuracy, contributors, allowances, allocation, surrogate })
+        assemble(
+            &material,
+            input_hash,
+            Extra { accuracy, contributors, allowances, allocation, surrogate, curve_bands, beside },
+        )
     });
     Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
 }
@@ -432,12 +442,14 @@ pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
         copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
         epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
         parameters: study.epistemic_parameters(),
-        reading: study.reading,
+        reading: study.readings[0],
+        readings_beside: study.readings[1..].to_vec(),
         columns: response.row_length(),
         requests: plan.requests(),
         compared_columns: plan.compared_columns(),
         band_probability: super::columns::BAND[1] - super::columns::BAND[0],
         cut_standard_deviations: CUT_STANDARD_DEVIATIONS,
+        percentiles: study.percentiles.clone(),
         sampling: Sampling {
             outer: study.sampling.outer,
             inner: study.sampling.inner,

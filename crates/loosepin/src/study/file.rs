@@ -11,6 +11,7 @@ mod fit;
 mod input;
 mod keys;
 mod parameter;
+mod parameter_keys;
 mod problem;
 mod random;
 mod random_problem;
@@ -49,6 +50,8 @@ const INNER: usize = 256;
 const REPLICATES: usize = 4;
 /// Accuracy of positions in a run, where the file does not say, m.
 const TOLERANCE_M: f64 = 1e-8;
+/// Percentiles of statistics that are themselves random, where the file does not say.
+const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// The seed, where the file does not say.
 const SEED: u64 = 1;
 
@@ -132,7 +135,7 @@ fn read(
         model,
         random: Vec::new(),
         epistemic: Vec::new(),
-        reading: Reading::FixedButUnknown,
+        readings: vec![Reading::FixedButUnknown],
         tables: Vec::new(),
         parameters: Parameters::default(),
     };
@@ -147,6 +150,7 @@ fn read(
     }
     let correlation = file.read_correlations(&root);
     file.read_reading(&root);
+    let percentiles = file.percentiles(&root);
     let (asks, of_asks) = file.read_asks(&root);
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
@@ -167,7 +171,8 @@ fn read(
         cycle,
         sampling,
         surrogate,
-        reading: file.reading,
+        readings: file.readings,
+        percentiles,
         random: file.random,
         correlation,
         epistemic: file.epistemic,
@@ -197,7 +202,8 @@ pub(super) struct StudyReader {
     pub model: Model,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
-    pub reading: Reading,
+    /// The one that answers first; never empty.
+    pub readings: Vec<Reading>,
     pub tables: Vec<Arc<Source>>,
     /// Of the distribution that is being read.
     pub parameters: Parameters,
@@ -216,15 +222,55 @@ impl StudyReader {
         cycle
     }
 
-    /// How intervals are read; questions depend on it.
+    /// How intervals are read, one or several side by side; questions depend on it.
     fn read_reading(&mut self, root: &Table<'_>) {
         let readings = [
             ("fixed", Reading::FixedButUnknown),
             ("unknown-distribution", Reading::UnknownDistribution),
             ("random-set", Reading::RandomSet),
         ];
-        let written = root.get("reading").and_then(|entry| self.reader.choice(&entry, &readings));
-        self.reading = written.unwrap_or(Reading::FixedButUnknown);
+        let Some(written) = root.get("reading") else { return };
+        if written.is_text() {
+            self.readings =
+                self.reader.choice(&written, &readings).map_or_else(|| self.readings.clone(), |own| vec![own]);
+            return;
+        }
+        let Some(entries) = self.reader.list(&written) else { return };
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
+            return;
+        }
+        let mut found = Vec::new();
+        for entry in &entries {
+            let Some(reading) = self.reader.choice(entry, &readings) else { continue };
+            if found.contains(&reading) {
+                let value = readings.iter().find(|known| known.1 == reading).map_or("", |known| known.0);
+                let (entry_words, value) = (written.path.describe(), format!("\"{value}\""));
+                self.complain(&StudyProblem::MemberTwice { entry: entry_words, value }, entry);
+            }
+            found.push(reading);
+        }
+        if !found.is_empty() {
+            self.readings = found;
+        }
+    }
+
+    /// Percentiles of statistics that are themselves random.
+    fn percentiles(&mut self, root: &Table<'_>) -> Vec<f64> {
+        let Some(written) = root.get("percentiles") else { return PERCENTILES.to_vec() };
+        let Some(entries) = self.reader.list(&written) else { return Vec::new() };
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
+        }
+        let mut percentiles: Vec<f64> = Vec::new();
+        for entry in &entries {
+            let Some(percentile) = self.reader.measured(entry, Dimension::NUMBER, Rule::Probability) else { continue };
+            if percentiles.contains(&percentile) {
+                self.member_twice(&written, percentile, Dimension::NUMBER, entry);
+            }
+            percentiles.push(percentile);
+        }
+        percentiles
     }
 
     /// How many runs; how near the bounds are to be, and what that may cost.

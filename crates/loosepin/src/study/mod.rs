@@ -20,6 +20,7 @@ mod recorder;
 mod response;
 pub mod result;
 pub mod runs;
+mod simultaneous;
 mod surrogate;
 
 pub use conduct::{Conducted, Means, Progress, StudyError, conduct, plan_runs, time_a_run_s};

@@ -1,10 +1,13 @@
 //! Epistemic inputs: a number between two ends, or one of a few, nobody knows which.
+//!
+//! An angle that may be any has no ends: after a whole turn it begins again.
 
 use thiserror::Error;
 
 use super::evidence::Evidence;
 use super::fuzzy::FuzzyNumber;
 use super::interval::Interval;
+use super::second_order::SecondOrder;
 
 /// Two or more different numbers, in the order in which they were given.
 ///
@@ -80,23 +83,28 @@ impl Members {
 pub enum EpistemicVariable {
     /// It lies between two ends.
     Interval(Interval),
+    /// It is an angle, or the phase of something that repeats itself: the interval is one period, its two ends are the same.
+    Periodic(Interval),
     /// It is one of a few numbers.
     OneOf(Members),
     /// It lies in one of a few intervals, each with a mass.
     Evidence(Evidence),
+    /// It is a parameter of which it is known how probable each value is.
+    SecondOrder(SecondOrder),
     /// It lies in nested intervals, each with a degree of possibility.
     Fuzzy(FuzzyNumber),
 }
 
 impl EpistemicVariable {
     /// The value at `fraction` in \[0, 1\] where what is known is taken as probability: along an interval, or the member
-    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees. A uniform
+    /// whose equal share it falls on; elements of evidence by their masses; cuts of a fuzzy number by their degrees; a parameter by its distribution. A uniform
     /// fraction therefore takes every interval as uniform and every member as equally probable.
     pub fn at(&self, fraction: f64) -> f64 {
         match self {
-            Self::Interval(interval) => interval.at(fraction),
+            Self::Interval(interval) | Self::Periodic(interval) => interval.at(fraction),
             Self::OneOf(members) => members.at(fraction),
             Self::Evidence(evidence) => evidence.at(fraction),
+            Self::SecondOrder(parameter) => parameter.at(fraction),
             Self::Fuzzy(fuzzy) => fuzzy.at(fraction),
         }
     }
@@ -104,9 +112,10 @@ impl EpistemicVariable {
     /// The interval that holds all possible values; nothing where it is one of a list.
     pub fn range(&self) -> Option<Interval> {
         match self {
-            Self::Interval(interval) => Some(*interval),
+            Self::Interval(interval) | Self::Periodic(interval) => Some(*interval),
             Self::OneOf(_) => None,
             Self::Evidence(evidence) => Some(evidence.hull()),
+            Self::SecondOrder(parameter) => Some(parameter.range()),
             Self::Fuzzy(fuzzy) => Some(fuzzy.support()),
         }
     }
@@ -153,6 +162,11 @@ impl EpistemicVariable {
         }
     }
 
+    /// Whether its ends are the same.
+    pub fn is_periodic(&self) -> bool {
+        matches!(self, Self::Periodic(_))
+    }
+
     /// Whether it is made of several intervals, with masses or degrees.
     pub fn is_structured(&self) -> bool {
         matches!(self, Self::Evidence(_) | Self::Fuzzy(_))
@@ -162,6 +176,12 @@ impl EpistemicVariable {
 impl From<Evidence> for EpistemicVariable {
     fn from(evidence: Evidence) -> Self {
         Self::Evidence(evidence)
+    }
+}
+
+impl From<SecondOrder> for EpistemicVariable {
+    fn from(parameter: SecondOrder) -> Self {
+        Self::SecondOrder(parameter)
     }
 }
 

@@ -20,6 +20,7 @@ mod open_end;
 mod parameter;
 mod random_variable;
 mod sample_fit;
+mod second_order;
 mod sobol;
 mod student;
 
@@ -35,5 +36,6 @@ pub use normal::{normal_cdf, normal_quantile};
 pub use parameter::{EpistemicParameter, Parameter};
 pub use random_variable::{Level, RandomVariable};
 pub use sample_fit::{FEWEST_FITTED, FittedFamily, Goodness, SampleFit, SampleFitError};
+pub use second_order::SecondOrder;
 pub use sobol::{MAXIMUM_DIMENSIONS, ScrambledSobol, SobolError};
 pub use student::student_factor;

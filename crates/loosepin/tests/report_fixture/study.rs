@@ -132,6 +132,7 @@ pub fn worn_pin() -> StudyResult {
         allocation: allocation(),
         bounds: bounds(&outers, &poses),
         cuts: Vec::new(),
+        percentiles: Vec::new(),
         rare: Vec::new(),
         surrogate: None,
         contributors: contributors(),
@@ -317,6 +318,7 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
         mixed: CurveRange { lower_si: over(&low, true), upper_si: over(&high, false) },
         mean: CurveRange { lower_si: over(&mean, true), upper_si: over(&mean, false) },
         worst_case: CurveRange { lower_si: worst.iter().map(|value| -value).collect(), upper_si: worst },
+        simultaneous: Vec::new(),
     }
 }
 

@@ -106,6 +106,11 @@ fn push_inputs(text: &mut String, study: &Study) {
                     EpistemicVariable::Evidence(evidence) => {
                         format!("in {} with masses, ", counted(evidence.elements().len(), "interval", "intervals"))
                     }
+                    EpistemicVariable::SecondOrder(parameter) => {
+                        let dimension = input.dimension(&study.model);
+                        format!("{}, looked at ", shown_distribution(parameter.variable().distribution(), dimension))
+                    }
+                    EpistemicVariable::Periodic(_) => "on a circle, ".to_owned(),
                     EpistemicVariable::Fuzzy(_) => "fuzzy, ".to_owned(),
                     _ => String::new(),
                 };

@@ -5,7 +5,8 @@ use maud::{Markup, html};
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::wording::{
-    MASSES_ADD, deviation_words, guarantee_words, has_parts, output_words, place_words, statistic_words, unknown_words,
+    MASSES_ADD, deviation_words, guarantee_words, has_parts, output_words, place_words, reading_beside,
+    statistic_words, unknown_words,
 };
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
@@ -36,12 +37,13 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
                     th scope="col" { "What stands behind it" }
                 }
             }
-            @for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
+            @for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading) {
                 tbody.group {
                     tr {
                         th scope="rowgroup" colspan="5" {
                             (output_words(&group[0].output, &result.outputs)) ": "
                             (deviation_words(group[0].of)) ", " (place_words(group[0].at, writer))
+                            (reading_beside(result, group[0]))
                         }
                     }
                     @for bound in group { (row(bound, result, writer)) }

@@ -8,7 +8,7 @@ use crate::report::number::{NumberWriter, Rounding, significant};
 use crate::report::script_data::{round_to_digits, rounded};
 use crate::report::wording::{deviation_words, output_words, place_words};
 use crate::study::result::{
-    CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, StudyResult,
+    CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve, StudyResult,
 };
 use crate::units::SiUnit;
 
@@ -33,6 +33,11 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         let (lower, upper) = range(&curve.mixed);
         let label = format!("{share}, whatever the unknown values");
         add(label, Role::Mixed, false, EntryValues::band(&lower, &upper));
+    }
+    for each in curve.simultaneous.iter().filter(|each| !each.band.lower_si.is_empty()) {
+        let (lower, upper) = range(&each.band);
+        let label = format!("{} for the whole cycle", writer.percent(each.share, Rounding::Nearest));
+        add(label, Role::Mixed, true, EntryValues::pair(&lower, &upper));
     }
     if !curve.random.lower_si.is_empty() {
         let (lower, upper) = range(&curve.random);
@@ -82,6 +87,9 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             ", and inside the orange band whatever they are. The orange band is " (worst_words)
             "; its numerical error, up to " (writer.error(curve.numerical_error_si, &curve.unit))
             ", is included."
+            @for each in &curve.simultaneous {
+                " " (simultaneous_words(each, writer))
+            }
         },
         alternative: format!(
             "Chart of the {} of {} over one turn of {}; the band for every unknown value is {worst_words}.",
@@ -90,6 +98,19 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             result.cycle.drive
         ),
     }
+}
+
+/// What the band for whole curves says.
+fn simultaneous_words(each: &SimultaneousCurve, writer: &NumberWriter) -> String {
+    let share = writer.percent(each.share, Rounding::Nearest);
+    if each.band.lower_si.is_empty() {
+        return format!("The runs do not tell in which band {share} of mechanisms stay for the whole cycle.");
+    }
+    format!(
+        "Between the dashed lines {share} of mechanisms stay for the whole cycle, whatever the unknown values: {:.2} times as wide as \
+         the band of the same share at each angle by itself.",
+        each.factor
+    )
 }
 
 /// The limits that a requirement puts on this deviation over the cycle.

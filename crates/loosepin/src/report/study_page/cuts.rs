@@ -1,9 +1,10 @@
-//! Bounds by degree of possibility, where an input is a fuzzy number.
+//! Bounds in columns: by degree of possibility, where an input is a fuzzy number; by percentile, where a statistic is itself random.
 
 use maud::{Markup, html};
 
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
+use crate::report::percentile_words::{PERCENTILES_MEAN, percentile_words};
 use crate::report::study_page::bounds_table::end_value;
 use crate::report::wording::{deviation_words, output_words, place_words, statistic_words};
 use crate::study::result::{BoundRecord, ResponsePoint, StudyResult};
@@ -11,21 +12,41 @@ use crate::study::result::{BoundRecord, ResponsePoint, StudyResult};
 /// More statistics are left to `bounds.csv`.
 const MOST_STATISTICS: usize = 20;
 
+/// Of a study with fuzzy numbers.
 pub(super) fn cuts(result: &StudyResult, writer: &NumberWriter) -> Markup {
-    let Some(first) = result.cuts.first() else { return html! {} };
-    let is_single = |(_, bound): &(usize, &BoundRecord)| !matches!(bound.at, ResponsePoint::Curve { .. });
-    let rows: Vec<(usize, &BoundRecord)> = first.bounds.iter().enumerate().filter(is_single).collect();
-    let others = rows.len().saturating_sub(MOST_STATISTICS);
+    let columns = result.cuts.iter().map(|cut| (format!("Degree {}", cut.alpha), &cut.bounds[..]));
+    let columns: Vec<(String, &[BoundRecord])> = columns.collect();
     html! {
         p {
             "A fuzzy number says which values are possible to which degree. At each degree every statistic lies between its two \
              bounds; the higher the degree, the less is possible and the closer they are."
         }
+        (in_columns(&columns, result, writer))
+    }
+}
+
+/// Of a study whose parameters have distributions.
+pub(super) fn percentiles(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let columns = result.percentiles.iter();
+    let columns = columns.map(|each| (percentile_words(each.percentile, writer), &each.bounds[..]));
+    let columns: Vec<(String, &[BoundRecord])> = columns.collect();
+    html! {
+        p { (PERCENTILES_MEAN) }
+        (in_columns(&columns, result, writer))
+    }
+}
+
+fn in_columns(columns: &[(String, &[BoundRecord])], result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let Some((_, first)) = columns.first() else { return html! {} };
+    let is_single = |(_, bound): &(usize, &BoundRecord)| !matches!(bound.at, ResponsePoint::Curve { .. });
+    let rows: Vec<(usize, &BoundRecord)> = first.iter().enumerate().filter(is_single).collect();
+    let others = rows.len().saturating_sub(MOST_STATISTICS);
+    html! {
         table.cards {
             thead {
                 tr {
                     th scope="col" { "Statistic" }
-                    @for cut in &result.cuts { th.number scope="col" { "Degree " (cut.alpha) } }
+                    @for (title, _) in columns { th.number scope="col" { (title) } }
                 }
             }
             tbody {
@@ -36,9 +57,9 @@ pub(super) fn cuts(result: &StudyResult, writer: &NumberWriter) -> Markup {
                             (place_words(bound.at, writer)) ": "
                             (statistic_words(bound.statistic, &output_unit(result, &bound.output), writer))
                         }
-                        @for cut in &result.cuts {
-                            @let bound = &cut.bounds[*index];
-                            td.number data-label=(format!("Degree {}", cut.alpha)) {
+                        @for (title, bounds) in columns {
+                            @let bound = &bounds[*index];
+                            td.number data-label=(title) {
                                 (end_value(&bound.lower, bound, Rounding::Down, writer)) " to "
                                 (end_value(&bound.upper, bound, Rounding::Up, writer))
                             }

@@ -52,6 +52,13 @@ pub fn study_page(result: &StudyResult) -> String {
     if !result.cuts.is_empty() {
         sections.push(Section::new("degrees", "By degree of possibility", cuts::cuts(result, &writer)));
     }
+    if !result.percentiles.is_empty() {
+        sections.push(Section::new(
+            "percentiles",
+            "How well each statistic is known",
+            cuts::percentiles(result, &writer),
+        ));
+    }
     if !result.curves.is_empty() {
         sections.push(Section::new("curves", "Deviation over the cycle", curves::deviation_charts(result, &writer)));
     }

@@ -161,6 +161,8 @@ fn kind_words(kind: &InputKind) -> &'static str {
     match kind {
         InputKind::Random => "random",
         InputKind::Interval { .. } => "interval",
+        InputKind::Periodic { .. } => "periodic",
+        InputKind::SecondOrder { .. } => "parameter with a distribution",
         InputKind::Evidence { is_scattering: false, .. } => "evidence",
         InputKind::Evidence { is_scattering: true, .. } => "probability box",
         InputKind::Fuzzy { .. } => "fuzzy number",

@@ -6,17 +6,18 @@ use super::{Material, deviation_kind};
 use crate::bounds::{Purpose, Statistic};
 use crate::study::columns::{BAND, PlannedAsk};
 use crate::study::file::{Deviation, Where};
-use crate::study::result::{CurveRange, DeviationCurve};
+use crate::study::result::{CurveRange, DeviationCurve, SimultaneousCurve};
+use crate::study::simultaneous::CurveBand;
 
 /// One curve for each ask for the whole cycle.
-pub fn curves(material: &Material<'_>, pictures: &Pictures) -> Vec<DeviationCurve> {
+pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand]) -> Vec<DeviationCurve> {
     let asks = material.plan().asks.iter();
     asks.filter(|planned| planned.ask.location == Where::Cycle)
-        .map(|planned| curve(material, pictures, planned))
+        .map(|planned| curve(material, pictures, bands, planned))
         .collect()
 }
 
-fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> DeviationCurve {
+fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], planned: &PlannedAsk) -> DeviationCurve {
     let output = &material.plan().outputs[planned.output];
     let centre = centre_point(material);
     let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
@@ -35,6 +36,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> 
         // Bounds of the mean stand in the table: beside a band of quantiles people read them as part of it.
         mean: CurveRange::default(),
         worst_case: CurveRange::default(),
+        simultaneous: simultaneous(material, bands, planned),
     };
     for &column in &planned.columns {
         curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
@@ -54,6 +56,28 @@ fn curve(material: &Material<'_>, pictures: &Pictures, planned: &PlannedAsk) -> 
         }
     }
     curve
+}
+
+/// The bands for the whole curve that were asked for.
+fn simultaneous(material: &Material<'_>, bands: &[CurveBand], planned: &PlannedAsk) -> Vec<SimultaneousCurve> {
+    let of_share = |&share: &f64| {
+        let own = bands.iter().find(|band| band.columns == planned.columns && band.share == share);
+        let found = own.and_then(|own| own.found.as_ref());
+        let ends = found.map_or_else(Vec::new, |found| (0..planned.columns.len()).map(|k| found.ends(k)).collect());
+        SimultaneousCurve {
+            share,
+            factor: found.map_or(f64::NAN, |found| found.factor.widened.max(1.0)),
+            witness: found
+                .and_then(|found| found.factor.witness.as_ref())
+                .map(|witness| material.witness(&witness.epistemic))
+                .unwrap_or_default(),
+            band: CurveRange {
+                lower_si: ends.iter().map(|[lower, _]| lower.widened).collect(),
+                upper_si: ends.iter().map(|[_, upper]| upper.widened).collect(),
+            },
+        }
+    };
+    planned.ask.simultaneous_bands.iter().map(of_share).collect()
 }
 
 /// Quantiles of the scatter at one value of the epistemic inputs.

@@ -61,6 +61,17 @@ pub fn inputs(study: &Study) -> Vec<InputDescription> {
                 let kind = InputKind::Fuzzy { cuts: fuzzy.cuts().iter().map(cut).collect() };
                 (kind, format!("possible are {}", listed(&shown, "and")))
             }
+            (EpistemicVariable::Periodic(interval), _) => {
+                (InputKind::Periodic { lower_si, upper_si }, format!("any on a circle, {}", ends(interval)))
+            }
+            (EpistemicVariable::SecondOrder(parameter), _) => {
+                let known = distribution_words(parameter.variable().distribution(), input.dimension(&study.model));
+                let range = ends(&parameter.range());
+                (
+                    InputKind::SecondOrder { lower_si, upper_si },
+                    format!("one value, as far as known {known}; looked at {range}"),
+                )
+            }
             (_, Some(of)) => {
                 let words = format!("one of {}", listed(&of, "and"));
                 (InputKind::Choice { of }, words)
@@ -96,6 +107,7 @@ fn uncertain_words(input: &RandomInput, study: &Study) -> String {
     let words = |uncertain: &UncertainParameter| {
         let known = &study.epistemic[uncertain.epistemic];
         let known_words = match known.members_written(&study.model) {
+            None if matches!(known.variable, EpistemicVariable::SecondOrder(_)) => "with a distribution".to_owned(),
             Some(of) => format!("any of {}", listed(&of, "and")),
             None => {
                 let [lower, upper] = known.variable.ends().map(|end| known.written(&study.model, end));

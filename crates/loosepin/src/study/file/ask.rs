@@ -37,6 +37,8 @@ enum Asked {
     Statistic(Statistic),
     Contributors,
     Rare(Statistic, RareMethod),
+    /// A band that a share of whole curves stays in.
+    SimultaneousBand(f64),
 }
 
 /// Words with what they mean.
@@ -93,11 +95,22 @@ impl StudyReader {
             }
             return None;
         }
+        let bands: Vec<f64> = asked
+            .iter()
+            .filter_map(|asked| if let Asked::SimultaneousBand(share) = asked { Some(*share) } else { None })
+            .collect();
+        if location != Where::Cycle && !bands.is_empty() {
+            if let Some(entry) = table.get("statistics") {
+                self.complain(&StudyProblem::BandOfPoint { entry: table.path.describe() }, &entry);
+            }
+            return None;
+        }
         let statistics = asked.into_iter().filter_map(|asked| match asked {
             Asked::Statistic(statistic) | Asked::Rare(statistic, _) => Some(statistic),
-            Asked::Contributors => None,
+            Asked::Contributors | Asked::SimultaneousBand(_) => None,
         });
-        Some(Ask { output, deviation: deviation?, location, statistics: statistics.collect(), contributors, rare })
+        let statistics = statistics.collect();
+        Some(Ask { output, deviation: deviation?, location, statistics, contributors, rare, simultaneous_bands: bands })
     }
 
     /// Reads the requirements.
@@ -225,6 +238,9 @@ impl StudyReader {
         if key == "quantile" {
             return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
         }
+        if key == "simultaneous_band" {
+            return self.reader.number(&table, key).map(Asked::SimultaneousBand);
+        }
         let entry = table.get(key)?;
         let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
         let statistic = match key {
@@ -241,8 +257,9 @@ impl StudyReader {
     /// How a probability is estimated; inside, nothing where it is only counted.
     fn method(&mut self, table: &Table<'_>, key: &str) -> Option<Option<RareMethod>> {
         let Some(entry) = table.get("method") else { return Some(None) };
-        if key == "quantile" {
-            self.complain(&StudyProblem::MethodOfQuantile { entry: table.path.describe() }, &entry);
+        if key == "quantile" || key == "simultaneous_band" {
+            let of = if key == "quantile" { "a quantile" } else { "a simultaneous band" };
+            self.complain(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, &entry);
             return None;
         }
         let meanings = [None, Some(RareMethod::Importance), Some(RareMethod::Subset), Some(RareMethod::Automatic)];
@@ -252,7 +269,7 @@ impl StudyReader {
             return None;
         }
         let has_masses = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
-        let of = match self.reading {
+        let of = match self.readings[0] {
             Reading::RandomSet => Some("reading = \"random-set\""),
             _ => has_masses.then_some("masses of evidence"),
         };

@@ -1,8 +1,9 @@
 //! Checks of the inputs together with the rules of the model.
 
 use super::StudyReader;
-use super::description::RandomInput;
+use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
+use crate::bounds::Reading;
 use crate::diagnostics::Complaint;
 use crate::diagnostics::Place;
 use crate::document::{Entry, Table};
@@ -71,6 +72,7 @@ impl StudyReader {
         if self.reader.complaints.has_errors() {
             return;
         }
+        self.check_second_order(root);
         let place_of = |key: &str| root.get(key).map(|entry| entry.key_span).unwrap_or_default();
         if let Err(error) = self.check_corners() {
             let problem = StudyProblem::ImpossibleTogether { error };
@@ -88,6 +90,25 @@ impl StudyReader {
                     .map_or(root.span, |entry| entry.span);
                 let place = Place::new(&self.reader.source, span);
                 self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+            }
+        }
+    }
+
+    /// A parameter with a distribution has one value for all samples, and no masses go with its probabilities.
+    fn check_second_order(&mut self, root: &Table<'_>) {
+        let is_second_order = |input: &&EpistemicInput| matches!(input.variable, EpistemicVariable::SecondOrder(_));
+        let Some(path) = self.epistemic.iter().find(is_second_order).map(|input| input.path.clone()) else { return };
+        let has_evidence = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
+        for (key, beside, is_there) in [
+            (
+                "reading",
+                "this reading of intervals: the parameter has one value",
+                self.readings != [Reading::FixedButUnknown],
+            ),
+            ("epistemic", "masses of evidence", has_evidence),
+        ] {
+            if let Some(entry) = root.get(key).filter(|_| is_there) {
+                self.complain(&StudyProblem::SecondOrderBeside { path: path.clone(), beside }, &entry.at_key());
             }
         }
     }

@@ -29,8 +29,10 @@ pub struct Study {
     pub sampling: Sampling,
     /// The surrogate whose bounds stand beside the direct ones; nothing where none is asked for.
     pub surrogate: Option<StudySurrogate>,
-    /// How an interval is read.
-    pub reading: Reading,
+    /// How an interval is read: first the reading of everything that has one, then those whose bounds stand beside; never empty.
+    pub readings: Vec<Reading>,
+    /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself.
+    pub percentiles: Vec<f64>,
     /// Random inputs in file order.
     pub random: Vec<RandomInput>,
     /// How the random inputs go together; nothing where they are independent.
@@ -226,7 +228,7 @@ impl EpistemicInput {
     }
 
     /// What its values measure; a pure number for a law.
-    fn dimension(&self, model: &Model) -> Dimension {
+    pub fn dimension(&self, model: &Model) -> Dimension {
         match self.subject {
             EpistemicSubject::Quantity(quantity) => model.quantities[quantity].dimension,
             EpistemicSubject::Parameter { dimension, .. } => dimension,
@@ -324,12 +326,14 @@ pub struct Ask {
     pub deviation: Deviation,
     /// Where in the cycle.
     pub location: Where,
-    /// Which statistics; limits in the SI unit of the output. At least one, or contributors.
+    /// Which statistics; limits in the SI unit of the output. At least one, or contributors, or a band.
     pub statistics: Vec<Statistic>,
     /// Whether it is asked what contributes to the answer.
     pub contributors: bool,
     /// Probabilities among the statistics that are not only counted.
     pub rare: Vec<(Statistic, RareMethod)>,
+    /// Shares of mechanisms for which a band is wanted that they stay in for the whole cycle.
+    pub simultaneous_bands: Vec<f64>,
 }
 
 /// How a small probability is estimated.

@@ -6,6 +6,7 @@ use super::keys::{
     BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
     TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
 };
+use super::parameter_keys::PARAMETER_FAMILIES;
 use super::problem::StudyProblem;
 use crate::contact::NormalDescription;
 use crate::document::{DocumentProblem, Entry, Keys, Table};
@@ -20,8 +21,16 @@ const FIRST_WORDS: [&str; 6] = ["parameter", "body", "joint", "contact", "drive"
 /// its interval; below, it is two values; and its quantiles take longer than the runs.
 const SHAPES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 
+/// Ends in degrees become radians with this relative error, at most.
+const PERIOD_ROUND_OFF: f64 = 1e-12;
+
 const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
 const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
+
+/// Whether a key states the distribution of a parameter.
+fn is_family(key: &str) -> bool {
+    PARAMETER_FAMILIES.contains(&key)
+}
 
 impl StudyReader {
     /// Reads the table of random inputs.
@@ -56,6 +65,8 @@ impl StudyReader {
             self.refuse_stray(&table, &[("diameter", "fit")]);
             let variable = if let Some(written) = table.get("interval") {
                 self.interval(&written, quantity, entry.name).map(EpistemicVariable::from)
+            } else if let Some(written) = table.get("periodic") {
+                self.period(&written, quantity, entry.name).map(EpistemicVariable::Periodic)
             } else if let Some(written) = table.get("any_of") {
                 self.numbers(&written, quantity, entry.name).map(EpistemicVariable::from)
             } else if let Some(written) = table.get("fit") {
@@ -63,7 +74,7 @@ impl StudyReader {
             } else {
                 None
             };
-            let is_plain = ["interval", "any_of", "fit"].into_iter().any(|key| table.has(key));
+            let is_plain = ["interval", "periodic", "any_of", "fit"].into_iter().any(|key| table.has(key));
             let variable = match (table.get("support"), is_plain) {
                 (Some(support), true) => {
                     self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
@@ -179,6 +190,21 @@ impl StudyReader {
                 None
             }
         }
+    }
+
+    /// One period of a quantity: of an angle a whole turn, or a whole fraction of one.
+    fn period(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
+        let interval = self.interval(entry, quantity, path)?;
+        let dimension = self.model.quantities[quantity].dimension;
+        let width = interval.upper() - interval.lower();
+        let periods = core::f64::consts::TAU / width;
+        let is_whole = (periods - periods.round()).abs() <= PERIOD_ROUND_OFF * periods && periods.round() >= 1.0;
+        if dimension == Dimension::ANGLE && !is_whole {
+            let found = format_value(width, dimension);
+            self.complain(&StudyProblem::Period { entry: entry.path.describe(), found }, entry);
+            return None;
+        }
+        Some(interval)
     }
 
     pub(super) fn interval(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Interval> {
@@ -316,6 +342,15 @@ impl StudyReader {
     pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
         if let Some(entry) = table.get(key) {
             let found = format_value(value, dimension);
+            // A value that stands nowhere in the file: the end of what is looked at of a parameter with a distribution.
+            let is_quantile = entry.is_table() && self.reader.any_keys(&entry).iter().any(|key| is_family(key.name));
+            let rule = if is_quantile {
+                format!(
+                    "{rule} wherever the parameter is looked at: without two ends, from its 0.135 % to its 99.865 % quantile"
+                )
+            } else {
+                rule
+            };
             self.complain(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, &entry);
         }
     }

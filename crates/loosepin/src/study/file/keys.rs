@@ -4,6 +4,8 @@ use crate::document::{Key, Keys, Kind, optional, required};
 use crate::model::CYCLE_NUMBERS;
 use crate::units::Rule;
 
+use super::parameter_keys::{PARAMETER_KEYS, ends, moments};
+
 /// What a double holds exactly, so that a seed survives every file format.
 const LARGEST_SEED: u64 = (1 << 53) - 1;
 /// Points in the box of the epistemic inputs, at most.
@@ -86,69 +88,30 @@ pub(super) static SURROGATE_KEYS: Keys = Keys::new(
     ],
 );
 
-/// What is known of a parameter of a distribution.
-pub(super) static PARAMETER_KEYS: Keys = Keys::new(
-    "what is known of a parameter of a distribution; with it the distribution is a probability box",
-    &[
-        optional(
-            "interval",
-            Kind::List(&Kind::AnyQuantity),
-            "[\"119.98 mm\", \"120.02 mm\"]",
-            "lower and upper end; every value between is possible, and nothing else is known",
-        ),
-        optional(
-            "any_of",
-            Kind::List(&Kind::AnyQuantity),
-            "[\"119.98 mm\", \"120.02 mm\"]",
-            "all values that are possible, with their unit",
-        ),
-    ],
-)
-.with_exactly_one(&[&["interval", "any_of"]]);
-
 /// A parameter with a unit: a number, or what is known of it.
 const PARAMETER: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::Table(&PARAMETER_KEYS)]);
 /// The same, a pure number.
 const SHAPE: Kind = Kind::AnyOf(&[Kind::Number { rule: Rule::Finite }, Kind::Table(&PARAMETER_KEYS)]);
 
-/// The ends that most distributions have.
-macro_rules! ends {
-    () => {
-        [
-            required("lower", PARAMETER, "\"49.9 mm\"", "lower end"),
-            required("upper", PARAMETER, "\"50.1 mm\"", "upper end"),
-        ]
-    };
-}
-
-macro_rules! moments {
-    () => {
-        [
-            required("mean", PARAMETER, "\"50 mm\"", "mean"),
-            required("standard_deviation", PARAMETER, "\"0.02 mm\"", "standard deviation"),
-        ]
-    };
-}
-
-pub(super) static NORMAL_KEYS: Keys = Keys::new("a normal distribution", &moments!());
+pub(super) static NORMAL_KEYS: Keys = Keys::new("a normal distribution", &moments!(PARAMETER));
 pub(super) static LOGNORMAL_KEYS: Keys =
-    Keys::new("a lognormal distribution, by mean and standard deviation of the variable itself", &moments!());
+    Keys::new("a lognormal distribution, by mean and standard deviation of the variable itself", &moments!(PARAMETER));
 pub(super) static TRUNCATED_NORMAL_KEYS: Keys = Keys::new(
     "a normal distribution cut to an interval; mean and standard deviation are those before the cut",
-    &[moments!()[0], moments!()[1], ends!()[0], ends!()[1]],
+    &[moments!(PARAMETER)[0], moments!(PARAMETER)[1], ends!(PARAMETER)[0], ends!(PARAMETER)[1]],
 );
-pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!());
+pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!(PARAMETER));
 pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
     "a triangular distribution",
-    &[ends!()[0], required("mode", PARAMETER, "\"50 mm\"", "most likely value"), ends!()[1]],
+    &[ends!(PARAMETER)[0], required("mode", PARAMETER, "\"50 mm\"", "most likely value"), ends!(PARAMETER)[1]],
 );
 pub(super) static BETA_KEYS: Keys = Keys::new(
     "a beta distribution between two ends",
     &[
         required("alpha", SHAPE, "2", "first shape, from 0.001 to 1e6"),
         required("beta", SHAPE, "3", "second shape, from 0.001 to 1e6"),
-        ends!()[0],
-        ends!()[1],
+        ends!(PARAMETER)[0],
+        ends!(PARAMETER)[1],
     ],
 );
 
@@ -396,6 +359,12 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
             "",
             "intervals with masses: the true value lies in one of them, as much speaks for it as its mass says",
         ),
+        optional(
+            "periodic",
+            Kind::List(&Kind::AnyQuantity),
+            "[\"0 deg\", \"360 deg\"]",
+            "one period of an angle or a phase that may have any value: its two ends are the same",
+        ),
         optional("fuzzy", Kind::Table(&FUZZY_KEYS), "", "values possible to different degrees"),
         optional(
             "quantiles",
@@ -419,13 +388,14 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
         DIAMETER,
     ],
 )
-.with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "fuzzy", "quantiles", "mean"]]);
+.with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "periodic", "fuzzy", "quantiles", "mean"]]);
 
 pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
 pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
 pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
 pub(super) const PLAIN_STATISTICS: [&str; 4] = ["mean", "standard_deviation", "cdf", "contributors"];
-pub(super) const STATISTICS: [&str; 4] = ["quantile", "probability_above", "probability_below", "probability_beyond"];
+pub(super) const STATISTICS: [&str; 5] =
+    ["quantile", "probability_above", "probability_below", "probability_beyond", "simultaneous_band"];
 
 /// Ways to estimate a probability.
 pub(super) const METHODS: [&str; 4] = ["count", "importance", "subset", "automatic"];
@@ -442,6 +412,12 @@ pub(super) static STATISTIC_KEYS: Keys = Keys::new(
         optional(STATISTICS[1], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
         optional(STATISTICS[2], Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
         optional(STATISTICS[3], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
+        optional(
+            STATISTICS[4],
+            Kind::Number { rule: Rule::Probability },
+            "0.95",
+            "of a curve: the band in which this share of mechanisms stays for the whole cycle, whatever the unknown values",
+        ),
         optional(
             "method",
             Kind::Choice(&METHODS),
@@ -470,7 +446,7 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
             "statistics",
             Kind::List(&Kind::AnyOf(&[Kind::Choice(&PLAIN_STATISTICS), Kind::Table(&STATISTIC_KEYS)])),
             "[\"mean\", { quantile = 0.975 }]",
-            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond; contributors",
+            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond; simultaneous_band; contributors",
         ),
         optional(
             "accuracy",
@@ -562,9 +538,15 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
         ),
         optional(
             "reading",
-            Kind::Choice(&READINGS),
+            Kind::AnyOf(&[Kind::Choice(&READINGS), Kind::List(&Kind::Choice(&READINGS))]),
             "\"fixed\"",
-            "how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left out",
+            "how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left out; of several, bounds stand side by side",
+        ),
+        optional(
+            "percentiles",
+            Kind::List(&Kind::Number { rule: Rule::Probability }),
+            "[0.05, 0.5, 0.95]",
+            "where a parameter of a distribution has a distribution: percentiles of each statistic; 0.05, 0.5 and 0.95 if left out",
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),

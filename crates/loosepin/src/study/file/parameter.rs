@@ -1,11 +1,11 @@
-//! Parameters of distributions that are themselves uncertain.
+//! Parameters of distributions that are themselves uncertain: known by an interval, a list, or a distribution of their own.
 
 use super::StudyReader;
 use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
-use super::keys::PARAMETER_KEYS;
+use super::parameter_keys::{PARAMETER_FAMILIES, PARAMETER_KEYS};
 use super::problem::StudyProblem;
 use crate::document::{Entry, Table};
-use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members, Parameter, RandomVariable};
+use crate::uncertainty::{Distribution, EpistemicVariable, Interval, Members, Parameter, RandomVariable, SecondOrder};
 use crate::units::{Dimension, Rule, format_value};
 
 /// Parameters of one distribution that may be uncertain: every corner of their box is checked.
@@ -25,11 +25,13 @@ pub enum Pass {
 pub struct Parameters {
     pass: Pass,
     found: Vec<(Parameter, Dimension, EpistemicVariable)>,
+    /// Whether the distribution of one of them is being read: the numbers of that one are numbers.
+    is_inner: bool,
 }
 
 impl Default for Parameters {
     fn default() -> Self {
-        Self { pass: Pass::Middle, found: Vec::new() }
+        Self { pass: Pass::Middle, found: Vec::new(), is_inner: false }
     }
 }
 
@@ -79,7 +81,7 @@ impl StudyReader {
         table: &Table<'_>,
         dimension: Dimension,
     ) -> Option<RandomVariable> {
-        self.parameters = Parameters { pass, found: Vec::new() };
+        self.parameters = Parameters { pass, found: Vec::new(), is_inner: false };
         let distribution: Distribution = self.distribution(table, dimension)?;
         let distribution = self.cut(table, distribution, dimension)?;
         match RandomVariable::try_new(distribution) {
@@ -98,8 +100,14 @@ impl StudyReader {
         if !entry.is_table() {
             return self.reader.measured(&entry, dimension, Rule::Finite);
         }
+        if self.parameters.is_inner {
+            self.complain(&StudyProblem::ParameterOfAParameter { entry: entry.path.describe() }, &entry);
+            return None;
+        }
         let table = self.reader.table(&entry, &PARAMETER_KEYS)?;
-        let variable = if let Some(written) = table.get("interval") {
+        let variable = if PARAMETER_FAMILIES.into_iter().any(|family| table.has(family)) {
+            self.distribution_of_a_parameter(&entry, &table, dimension).map(EpistemicVariable::from)
+        } else if let Some(written) = table.get("interval") {
             self.interval_of_a_parameter(&written, dimension).map(EpistemicVariable::from)
         } else {
             table.get("any_of").and_then(|written| self.members_of_a_parameter(&written, dimension)).map(Into::into)
@@ -114,6 +122,25 @@ impl StudyReader {
         };
         self.parameters.found.push((parameter, dimension, variable));
         Some(value)
+    }
+
+    fn distribution_of_a_parameter(
+        &mut self,
+        entry: &Entry<'_>,
+        table: &Table<'_>,
+        dimension: Dimension,
+    ) -> Option<SecondOrder> {
+        self.parameters.is_inner = true;
+        let distribution = self.distribution(table, dimension);
+        self.parameters.is_inner = false;
+        match RandomVariable::try_new(distribution?) {
+            Ok(variable) => SecondOrder::try_new(variable).ok(),
+            Err(error) => {
+                let problem = StudyProblem::Distribution { entry: entry.path.describe(), error, dimension };
+                self.complain(&problem, entry);
+                None
+            }
+        }
     }
 
     fn interval_of_a_parameter(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Interval> {

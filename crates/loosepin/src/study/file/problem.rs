@@ -32,6 +32,20 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// An uncertain parameter of the distribution of a parameter.
+    #[error("{entry} is itself uncertain; the distribution of a parameter has numbers for parameters")]
+    ParameterOfAParameter {
+        /// The entry.
+        entry: String,
+    },
+    /// A distribution of a parameter beside what leaves statistics without a single value at it.
+    #[error("'{path}' has a distribution, which does not go with {beside}")]
+    SecondOrderBeside {
+        /// The parameter in words.
+        path: String,
+        /// What it does not go with.
+        beside: &'static str,
+    },
     /// More uncertain parameters of one distribution than are checked together.
     #[error("{entry} has {found} uncertain parameters; at most {most} are accepted")]
     TooManyParameters {
@@ -79,6 +93,14 @@ pub enum StudyProblem {
         entry: String,
         /// Both ends, with their unit.
         value: String,
+    },
+    /// A period of an angle after which it does not begin again.
+    #[error("{entry} is {found} wide; must be a whole turn (360°) or a whole fraction of it")]
+    Period {
+        /// The entry.
+        entry: String,
+        /// Its width with its unit.
+        found: String,
     },
     /// Intervals that do not fit together.
     #[error("{entry}: {words}")]
@@ -226,8 +248,16 @@ pub enum StudyProblem {
         due: String,
     },
     /// A method for what is no probability.
-    #[error("{entry}: a quantile has no method")]
+    #[error("{entry}: {of} has no method")]
     MethodOfQuantile {
+        /// The entry.
+        entry: String,
+        /// What it is.
+        of: &'static str,
+    },
+    /// A band for whole curves of what is no curve.
+    #[error("{entry}: a simultaneous band is of a whole curve")]
+    BandOfPoint {
         /// The entry.
         entry: String,
     },
@@ -335,9 +365,11 @@ impl Problem for StudyProblem {
             Self::UnquotedPath { .. } => Code::UnknownPath,
             Self::InputTwice { .. } => Code::InputTwice,
             Self::UncertainParameter { .. } => Code::NotYetSupported,
-            Self::DistributionRule { .. } | Self::Distribution { .. } | Self::TooManyParameters { .. } => {
-                Code::BadDistribution
-            }
+            Self::DistributionRule { .. }
+            | Self::Distribution { .. }
+            | Self::TooManyParameters { .. }
+            | Self::ParameterOfAParameter { .. }
+            | Self::SecondOrderBeside { .. } => Code::BadDistribution,
             Self::SingleMember { .. } | Self::MemberTwice { .. } => Code::BadList,
             Self::Structure { .. }
             | Self::Corners { .. }
@@ -348,6 +380,7 @@ impl Problem for StudyProblem {
             Self::RandomLaw { .. } | Self::IntervalOfLaws { .. } => Code::BadList,
             Self::IntervalTurnedRound { .. } => Code::IntervalTurnedRound,
             Self::IntervalWithoutWidth { .. } => Code::IntervalWithoutWidth,
+            Self::Period { .. } => Code::BadPeriod,
             Self::ClearanceTouchesZero { .. } => Code::ClearanceTouchesZero,
             Self::ImpossibleEnd { error, .. } | Self::ImpossibleTogether { error } => error.code(),
             Self::ImpossibleShare { .. } => Code::ImpossibleShare,
@@ -357,6 +390,7 @@ impl Problem for StudyProblem {
             | Self::Empty { .. }
             | Self::Limit { .. }
             | Self::MethodOfQuantile { .. }
+            | Self::BandOfPoint { .. }
             | Self::NothingRandom { .. }
             | Self::RareCurve { .. }
             | Self::RareOfSets { .. }
@@ -375,7 +409,10 @@ impl Problem for StudyProblem {
             Self::UnquotedPath { path } => Some(format!("write \"{path}\" = {{ ... }}")),
             Self::InputTwice { .. } => Some("keep one of the two".to_owned()),
             Self::TooManyParameters { .. } => Some("write one number for those that matter least".to_owned()),
-            Self::UncertainParameter { .. } => Some("write one number with its unit".to_owned()),
+            Self::SecondOrderBeside { .. } => Some("state the parameter as an interval".to_owned()),
+            Self::ParameterOfAParameter { .. } | Self::UncertainParameter { .. } => {
+                Some("write one number with its unit".to_owned())
+            }
             Self::Distribution {
                 error: DistributionError::NothingKept { .. } | DistributionError::NothingLeft { .. },
                 ..
@@ -393,6 +430,7 @@ impl Problem for StudyProblem {
             Self::IntervalWithoutWidth { .. } => {
                 Some("write the value in the model file, or widen the interval".to_owned())
             }
+            Self::Period { .. } => Some("for an angle between two ends write interval = [...]".to_owned()),
             Self::ClearanceTouchesZero { end, is_member: true, .. } => {
                 Some(format!("leave {end} out, and run the ideal joint as a study of its own"))
             }
@@ -412,6 +450,9 @@ impl Problem for StudyProblem {
             Self::AllowedInput { .. } => Some("name the input under [epistemic] or [random] first".to_owned()),
             Self::NothingRequired => Some("add [[require]]".to_owned()),
             Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
+            Self::BandOfPoint { .. } => {
+                Some("write at = \"cycle\", or ask for two quantiles of a single number".to_owned())
+            }
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
             Self::RareCurve { .. } => {

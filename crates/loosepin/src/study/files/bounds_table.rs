@@ -1,12 +1,15 @@
 //! `bounds.csv`: one bound a row.
 
 use super::FilesError;
-use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Witness, WitnessValue};
+use crate::study::result::{
+    BoundEnd, BoundRecord, PercentileBounds, ResponsePoint, StudyResult, Witness, WitnessValue,
+};
 
 /// The columns of `bounds.csv`. `parameter` is the probability of a quantile or the limit of a probability (SI);
-/// `unit` is that of the values, errors included; a witness is `path=value` joined by `;`, values in SI. `alpha` is the
-/// degree of possibility, empty where the row holds for all that is possible.
-pub const BOUNDS_COLUMNS: [&str; 24] = [
+/// `unit` is that of the values, errors included; a witness is `path=value` joined by `;`, values in SI. `percentile` is that of a
+/// statistic which is itself random, empty where the row is no percentile; `alpha` is the degree of possibility, empty where the row
+/// holds for all that is possible.
+pub const BOUNDS_COLUMNS: [&str; 25] = [
     "output",
     "of",
     "at",
@@ -29,6 +32,7 @@ pub const BOUNDS_COLUMNS: [&str; 24] = [
     "upper_error_optimisation",
     "upper_error_surrogate",
     "upper_witness",
+    "percentile",
     "guarantee",
     "alpha",
 ];
@@ -42,17 +46,22 @@ pub fn bounds_csv(result: &StudyResult) -> Result<Vec<u8>, FilesError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(BOUNDS_COLUMNS).map_err(|source| FilesError::Csv { source })?;
     for bound in &result.bounds {
-        writer.write_record(row(bound, None)).map_err(|source| FilesError::Csv { source })?;
+        writer.write_record(row(bound, None, None)).map_err(|source| FilesError::Csv { source })?;
     }
     for cut in &result.cuts {
         for bound in &cut.bounds {
-            writer.write_record(row(bound, Some(cut.alpha))).map_err(|source| FilesError::Csv { source })?;
+            writer.write_record(row(bound, Some(cut.alpha), None)).map_err(|source| FilesError::Csv { source })?;
+        }
+    }
+    for PercentileBounds { percentile, bounds } in &result.percentiles {
+        for bound in bounds {
+            writer.write_record(row(bound, None, Some(*percentile))).map_err(|source| FilesError::Csv { source })?;
         }
     }
     writer.into_inner().map_err(|error| FilesError::Csv { source: csv::Error::from(error.into_error()) })
 }
 
-fn row(bound: &BoundRecord, alpha: Option<f64>) -> Vec<String> {
+fn row(bound: &BoundRecord, alpha: Option<f64>, percentile: Option<f64>) -> Vec<String> {
     let (statistic, parameter) = bound.statistic.word_and_parameter();
     let at = match bound.at {
         ResponsePoint::Whole => "whole",
@@ -75,6 +84,7 @@ fn row(bound: &BoundRecord, alpha: Option<f64>) -> Vec<String> {
     ];
     cells.extend(end_cells(&bound.lower));
     cells.extend(end_cells(&bound.upper));
+    cells.push(optional(percentile));
     cells.push(match confidence {
         Some(confidence) => format!("{guarantee} {}", number(confidence)),
         None => guarantee.to_owned(),

@@ -192,6 +192,11 @@ pub enum StatisticKind {
         /// Probability, in (0, 1).
         probability: f64,
     },
+    /// The band in which a share of mechanisms stays for the whole cycle, at one of its points.
+    SimultaneousBand {
+        /// The share, in (0, 1).
+        share: f64,
+    },
     /// Probability that the response is above a limit.
     ProbabilityAbove {
         /// The limit.
@@ -216,6 +221,7 @@ impl StatisticKind {
             StatisticKind::Mean => ("mean", None),
             StatisticKind::StandardDeviation => ("standard_deviation", None),
             StatisticKind::Quantile { probability } => ("quantile", Some(probability)),
+            StatisticKind::SimultaneousBand { share } => ("simultaneous_band", Some(share)),
             StatisticKind::ProbabilityAbove { limit_si } => ("probability_above", Some(limit_si)),
             StatisticKind::ProbabilityBelow { limit_si } => ("probability_below", Some(limit_si)),
             StatisticKind::ProbabilityBeyond { limit_si } => ("probability_beyond", Some(limit_si)),

@@ -40,6 +40,24 @@ pub struct DeviationCurve {
     pub mean: CurveRange,
     /// Quasi-static worst case; empty where it was not computed.
     pub worst_case: CurveRange,
+    /// Bands in which a share of mechanisms stays for the whole cycle, where they were asked for.
+    #[serde(default)]
+    pub simultaneous: Vec<SimultaneousCurve>,
+}
+
+/// A band in which a share of mechanisms stays for the whole cycle, whatever the unknown values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SimultaneousCurve {
+    /// The share, in (0, 1).
+    #[serde(with = "extended")]
+    pub share: f64,
+    /// How many times as wide as the band of the same share at each point by itself, numerical error included; at least 1.
+    #[serde(with = "extended")]
+    pub factor: f64,
+    /// The epistemic inputs at which most mechanisms leave it.
+    pub witness: Witness,
+    /// Both ends, numerical error included; empty where the runs do not tell them.
+    pub band: CurveRange,
 }
 
 /// Lower and upper values over the cycle.

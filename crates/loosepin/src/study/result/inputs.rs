@@ -42,6 +42,20 @@ pub enum InputKind {
         /// The values possible to at least each degree, degrees increasing.
         cuts: Vec<CutDescription>,
     },
+    /// Fixed but unknown, anywhere on a circle: one period of an angle or a phase.
+    Periodic {
+        /// Where the period begins.
+        lower_si: f64,
+        /// Where it ends and begins again.
+        upper_si: f64,
+    },
+    /// Fixed but unknown, a parameter of which it is known how probable each value is; the words tell how.
+    SecondOrder {
+        /// Lower end of what is looked at.
+        lower_si: f64,
+        /// Upper end of what is looked at.
+        upper_si: f64,
+    },
     /// Fixed but unknown, one of a list.
     Choice {
         /// The list.

@@ -20,7 +20,7 @@ pub use bound::{
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
-    TreatmentBand, TreatmentComparison,
+    SimultaneousCurve, TreatmentBand, TreatmentComparison,
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
@@ -41,6 +41,15 @@ pub struct CutBounds {
     /// The degree, in [0, 1].
     pub alpha: f64,
     /// The bounds.
+    pub bounds: Vec<BoundRecord>,
+}
+
+/// A percentile of every statistic that is itself random, in the order of [`StudyResult::bounds`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PercentileBounds {
+    /// With this probability the parameters are such that a statistic does not exceed the percentile, in (0, 1).
+    pub percentile: f64,
+    /// The percentile of each statistic, from the least to the greatest over the other epistemic inputs.
     pub bounds: Vec<BoundRecord>,
 }
 
@@ -90,6 +99,9 @@ pub struct StudyResult {
     /// The same bounds for what is possible to at least each degree, where an input is a fuzzy number.
     #[serde(default)]
     pub cuts: Vec<CutBounds>,
+    /// Percentiles of the statistics, where parameters of distributions have distributions themselves.
+    #[serde(default)]
+    pub percentiles: Vec<PercentileBounds>,
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,

@@ -1,0 +1,137 @@
+//! Bands that whole curves stay in, not only each of their points by itself.
+//!
+//! A curve is a list of columns Y_k; around centres m_k with half-widths a_k, its largest excess is a number of each run,
+//!
+//! ```text
+//! M = max over k of |Y_k - m_k|/a_k,    q = max over u of the quantile of M at the stated share
+//! ```
+//!
+//! and for every u at least that share of the runs stays within m_k ± q a_k at all k together. M is a response like any other: its
+//! quantile has bounds over u by the same runs, with the same errors and the same readings of intervals. How m_k and a_k were found does
+//! not matter for that; bands whose half-widths go with the pointwise ones are the narrowest at every k alike.
+
+use super::assemble::{Evidence, Modelled};
+use super::bound::{Bound, BoundError, Guarantee, Reading};
+use super::combine::QuantileJob;
+use super::measure::Measure;
+use super::plan::{DoubleLoop, PlanError};
+use super::pool::Pool;
+use super::random_set::RandomSet;
+use super::search::Direction;
+use super::statistic::Statistic;
+use super::table::{Purpose, SampleTable};
+
+/// A half-width below this share of the largest is made as wide, so that round-off where a curve does not scatter is no excess.
+const LEAST_HALF_WIDTH: f64 = 1e-3;
+
+/// A band for a whole curve, with what it is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SimultaneousBand {
+    /// Share of the runs that stay inside for every u, in (0, 1).
+    pub share: f64,
+    /// m_k.
+    pub centres: Vec<f64>,
+    /// a_k > 0.
+    pub half_widths: Vec<f64>,
+    /// q, its errors and where it is attained.
+    pub factor: Bound,
+    /// Runs in which a point of the curve is missing; they are taken as outside.
+    pub failed_runs: usize,
+}
+
+impl DoubleLoop {
+    /// The band in which at least `share` of the runs stay at all of `columns` together, whatever the epistemic inputs; its form is
+    /// that of `shape`, lower and upper ends column by column. Nothing where the ends are not finite or nowhere apart.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] where the table lacks runs.
+    pub fn simultaneous_band(
+        &self,
+        table: &SampleTable,
+        columns: &[usize],
+        shape: &[[f64; 2]],
+        share: f64,
+    ) -> Result<Option<SimultaneousBand>, PlanError> {
+        let centres: Vec<f64> = shape.iter().map(|[lower, upper]| 0.5 * (lower + upper)).collect();
+        let widest = shape.iter().fold(0.0, |widest: f64, [lower, upper]| widest.max(0.5 * (upper - lower)));
+        let is_finite = centres.iter().all(|centre| centre.is_finite()) && widest.is_finite();
+        if !is_finite || widest <= 0.0 {
+            return Ok(None);
+        }
+        let half_widths: Vec<f64> =
+            shape.iter().map(|[lower, upper]| (0.5 * (upper - lower)).max(LEAST_HALF_WIDTH * widest)).collect();
+        let excess = |values: &[f64]| {
+            let each = columns.iter().zip(centres.iter().zip(&half_widths));
+            let each = each.map(|(&column, (centre, half_width))| (values[column] - centre).abs() / half_width);
+            // A point that is missing leaves the excess unknown.
+            each.fold(0.0, |most: f64, own| if own.is_nan() || most.is_nan() { f64::NAN } else { most.max(own) })
+        };
+        let mut excesses = SampleTable::new(1);
+        for (run, inputs) in table.inputs().iter().enumerate() {
+            if inputs.purpose == Purpose::DoubleLoop {
+                let outcome = [excess(table.values(run))];
+                // A row of one column fits a table of one column.
+                let _ = excesses.push(inputs.clone(), table.failure(run).map_or(Ok(&outcome[..]), Err));
+            }
+        }
+        let pool = Pool::gather(&excesses, Purpose::DoubleLoop, [0]);
+        self.check_points(&pool)?;
+        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table: &excesses };
+        let failed_runs = pool.samples(0).iter().map(|sample| sample.failed()).sum();
+        let factor = evidence.greatest_quantile(share);
+        Ok(Some(SimultaneousBand { share, centres, half_widths, factor, failed_runs }))
+    }
+}
+
+impl Evidence<'_> {
+    /// The greatest quantile of the only column over all that is possible.
+    fn greatest_quantile(&self, probability: f64) -> Bound {
+        let parts = self.parts(self.plan.structure().widest());
+        let statistic = Statistic::Quantile(probability);
+        if self.plan.problem().reading == Reading::RandomSet {
+            let [_, upper] = RandomSet::new(self, &parts, 0).bounds(self, statistic);
+            return upper;
+        }
+        let [(_, part)] = &parts.parts[..] else {
+            let jobs = [QuantileJob { column: 0, probability, direction: Direction::Maximum }];
+            return self.quantiles(&jobs, &parts).swap_remove(0);
+        };
+        let samples = self.pool.samples(0);
+        let Some(measure) = Measure::new(&samples, statistic, self.plan.confidence()) else {
+            return self.nothing(Direction::Maximum);
+        };
+        let search = self.search([&measure].into_iter());
+        let modelled = Modelled::new(&search, &measure);
+        self.bound(&search, &samples, &modelled, Direction::Maximum, part)
+    }
+}
+
+impl SimultaneousBand {
+    /// Both ends of the band at column `place` of the curve. Where at every u a share larger than stated stays inside the shape itself,
+    /// the band is the shape: it is never narrower than what each point needs by itself.
+    pub fn ends(&self, place: usize) -> [Bound; 2] {
+        let (centre, half_width) = (self.centres[place], self.half_widths[place]);
+        let (value, widened) = (self.factor.value.max(1.0), self.factor.widened.max(1.0));
+        let total = self.factor.error.total();
+        // What the shape makes up for is no error.
+        let kept = if total > 0.0 && total.is_finite() { ((widened - value) / total).clamp(0.0, 1.0) } else { 1.0 };
+        let scaled = |error: f64| if error > 0.0 { kept * half_width * error } else { 0.0 };
+        let error = BoundError {
+            sampling: scaled(self.factor.error.sampling),
+            optimisation: scaled(self.factor.error.optimisation),
+            surrogate: scaled(self.factor.error.surrogate),
+        };
+        Direction::BOTH.map(|direction| Bound {
+            value: centre + direction.sign() * half_width * value,
+            widened: centre + direction.sign() * half_width * widened,
+            error,
+            ..self.factor.clone()
+        })
+    }
+
+    /// What the band promises.
+    pub fn guarantee(&self) -> Guarantee {
+        self.factor.guarantee
+    }
+}
