@@ -4,7 +4,7 @@ use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
 use super::wording::{counted, deviation_words, place_words, statistic_words};
 use crate::study::result::{AccuracyOutcome, AccuracyRecord, AccuracyStop, BudgetRecord, StudyResult};
-use crate::units::{Dimension, format_value};
+use crate::units::format_number;
 
 /// Digits of an error, and of a number of runs that is foreseen.
 const ERROR_DIGITS: usize = 2;
@@ -36,7 +36,8 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
     let budget = match record.budget {
         BudgetRecord::Runs { runs } => counted(runs, "run", writer),
         BudgetRecord::Time { seconds } => {
-            format_value(seconds, Dimension::TIME).replace(' ', &writer.space().to_string())
+            let (value, unit) = if seconds < 60.0 { (seconds, "s") } else { (seconds / 60.0, "min") };
+            format!("{}{}{unit}", format_number(value), writer.space())
         }
         BudgetRecord::Rounds { rounds } => counted(u64::from(rounds), "round", writer),
     };

@@ -6,17 +6,19 @@ use crate::bounds::{
 };
 use std::collections::BTreeSet;
 
-/// Deviation of X.
+/// What |X| counts.
 const SCATTER: f64 = 0.3;
 const QUANTILE: f64 = 0.9;
-/// Of a standard normal variable, at [`QUANTILE`].
-const STANDARD_QUANTILE: f64 = 1.281_551_565_544_6;
+/// Of the magnitude of a standard normal variable, at [`QUANTILE`].
+const MAGNITUDE_QUANTILE: f64 = 1.644_853_626_951_472_2;
 
-/// 0.3 X + sin(5 u) + 0.4 u: the mean has both its least and its greatest value inside.
+/// 0.3 |X| + sin(5 u) + 0.4 u: the mean has both its least and its greatest value inside. With the kink the runs are counted, no
+/// polynomial is believed.
 fn wave() -> Function<impl Fn(&[f64], &[f64]) -> f64 + Sync> {
-    Function(|x: &[f64], u: &[f64]| SCATTER * x[0] + mean(u[0]))
+    Function(|x: &[f64], u: &[f64]| SCATTER * x[0].abs() + mean(u[0]))
 }
 
+/// The part of the mean that depends on u.
 fn mean(u: f64) -> f64 {
     libm::sin(5.0 * u) + 0.4 * u
 }
@@ -69,10 +71,9 @@ fn analytic_bounds_become_as_near_as_is_asked_and_hold() {
     assert_eq!(refinement.standing(), Standing::Reached, "{:#?}", refinement.history());
     let bounds = refinement.results(&table).unwrap();
     let (least, greatest) = extremes();
-    let shift = SCATTER * STANDARD_QUANTILE;
-    for ((pair, goal), exact) in
-        bounds.pairs.iter().zip(&goals).zip([(least, greatest), (least + shift, greatest + shift)])
-    {
+    let shifts = [libm::sqrt(std::f64::consts::FRAC_2_PI), MAGNITUDE_QUANTILE].map(|shift| SCATTER * shift);
+    for ((pair, goal), shift) in bounds.pairs.iter().zip(&goals).zip(shifts) {
+        let exact = (least + shift, greatest + shift);
         assert!(widenings(pair).into_iter().all(|widening| widening <= goal.most), "{pair:#?}");
         assert!(pair.lower.widened <= exact.0 && pair.upper.widened >= exact.1, "{exact:?} {pair:#?}");
     }
@@ -133,7 +134,7 @@ fn identity_the_same_number_of_rounds_gives_the_same_bits() {
 }
 
 /// Seeds of the test of frequencies.
-const SEEDS: u64 = 40;
+const SEEDS: u64 = 16;
 
 #[test]
 fn analytic_bounds_miss_as_rarely_as_stated_wherever_they_end() {
@@ -143,7 +144,7 @@ fn analytic_bounds_miss_as_rarely_as_stated_wherever_they_end() {
     let centre = 0.5 * libm::sqrt(std::f64::consts::FRAC_2_PI);
     let (mut misses, mut runs) = (0, 0);
     for seed in 0..SEEDS {
-        let (mut problem, goals) = small(&[(Statistic::Mean, 0.02)]);
+        let (mut problem, goals) = small(&[(Statistic::Mean, 0.03)]);
         problem.random = vec![problem.random[0].clone(); 5];
         problem.sampling.seed = seed;
         problem.compared_columns.clear();
@@ -154,8 +155,8 @@ fn analytic_bounds_miss_as_rarely_as_stated_wherever_they_end() {
         misses += u32::from(pair.lower.widened > 0.1 + centre || pair.upper.widened < 1.3 + centre);
         runs += table.len();
     }
-    // P(Binomial(40, 0.05) > 6) = 0.003.
-    assert!(misses <= 6, "{misses} of {SEEDS}, {} runs each", runs / SEEDS as usize);
+    // P(Binomial(16, 0.01) > 2) = 5e-4.
+    assert!(misses <= 2, "{misses} of {SEEDS}, {} runs each", runs / SEEDS as usize);
 }
 
 #[test]

@@ -16,7 +16,7 @@ pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup 
         p {
             "The same runs, read in three ways. Each reading names a band and promises that a stated share of mechanisms \
              lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at \
-             each of those that were run."
+             each of those that were run, in the runs that the mixed band was made from."
             @if has_lists(&result.inputs) {
                 " " (EQUALLY_PROBABLE)
             }

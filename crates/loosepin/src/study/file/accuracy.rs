@@ -374,8 +374,7 @@ fn parse_budget(text: &str) -> Result<Budget, AccuracyProblem> {
             if measured.value_si > 0.0 {
                 return Ok(Budget::Time { seconds: measured.value_si });
             }
-            let found = format_value(measured.value_si, Dimension::TIME);
-            Err(AccuracyProblem::NotPositive { what: "a budget".to_owned(), found })
+            Err(AccuracyProblem::NotPositive { what: "a budget".to_owned(), found: trimmed.to_owned() })
         }
         _ => Err(AccuracyProblem::Budget { text: trimmed.to_owned() }),
     }
