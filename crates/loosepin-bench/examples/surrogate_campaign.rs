@@ -48,7 +48,6 @@ fn main() {
         .map(|&(statistic, exact)| Tally { statistic, exact, held: 0, found: Vec::new(), widened: Vec::new() })
         .collect();
     let (started, mut runs, mut all_held) = (Instant::now(), 0, 0);
-    let mut lines = Vec::new();
     for seed in 1..=seeds as u64 {
         let bounds = bounds(&case, case.problem(seed), &settings);
         runs = runs.max(bounds.training_runs + bounds.confirming_runs);
@@ -70,7 +69,7 @@ fn main() {
         }
         all_held += u64::from(is_held);
         let output = group.learned.surrogates.as_ref().expect("the case can be learned")[0].outputs()[0].clone();
-        lines.push(format!(
+        println!(
             "seed {seed}: {:?}, held-out rms {:.2e}, {:?}, ratio {:.2}, reach {:.1} {}",
             output.kinds(),
             output.quality.rms,
@@ -78,7 +77,7 @@ fn main() {
             group.largest_ratio,
             group.reach,
             missed.join(" ")
-        ));
+        );
     }
     println!("{:32} {:>26} {:>9} {:>10} {:>10} {:>10}", "statistic", "exact", "held", "found", "widened", "most");
     for tally in &mut tallies {
@@ -96,9 +95,6 @@ fn main() {
         "all statistics held in {all_held} of {seeds} seeds; {training} training runs, at most {runs} in all; {:.2} s a seed",
         started.elapsed().as_secs_f64() / seeds as f64
     );
-    for line in lines {
-        println!("{line}");
-    }
 }
 
 fn bounds(case: &impl Response, problem: Problem, settings: &SurrogateSettings) -> SurrogateBounds {

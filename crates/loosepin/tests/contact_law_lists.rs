@@ -87,7 +87,7 @@ fn furthest(singles: &[Vec<BoundRecord>], index: usize, sign: f64) -> (&'static 
 #[test]
 fn identity_bounds_over_laws_are_the_envelope_of_the_laws() {
     let singles = single_laws(0.125, 1, "");
-    let Conducted { result, runs } = bounds(&study(LAWS[0], 0.125, 3, &format!("[epistemic]\n{LIST}")), 2);
+    let Conducted { result, runs, .. } = bounds(&study(LAWS[0], 0.125, 3, &format!("[epistemic]\n{LIST}")), 2);
     assert_eq!((result.counts.failed, result.bounds.len()), (0, 3));
     for (index, bound) in result.bounds.iter().enumerate() {
         // The same random numbers and nothing between the laws: the same bits, and the law that has them.

@@ -1,14 +1,15 @@
 //! Surrogates from the study file to files and page, beside the direct bounds of the same study.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
-use loosepin::study::files::{read_json, to_json};
+use loosepin::study::files::{read_json, surrogates_json, to_json};
 use loosepin::study::result::{
     BoundRecord, GuaranteeKind, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict,
 };
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Means, Progress, SavedSurrogates, Study, conduct};
 use loosepin::templates::find_template;
 
 struct Silent;
@@ -111,7 +112,7 @@ fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     assert!(page.contains("The same by surrogate") && page.contains("held-out-0"));
     let text = study_text(&result);
     assert!(text.contains("The same by surrogate") && text.contains("by surrogate"), "{text}");
-    let again: StudyResult = read_json("summary.json", &to_json(&result).expect("json")).expect("summary");
+    let again: StudyResult = read_json(&to_json(&result).expect("json"), "summary.json").expect("summary");
     assert_eq!(again.surrogate, result.surrogate);
 }
 
@@ -125,11 +126,83 @@ fn identity_a_surrogate_leaves_the_direct_bounds_as_they_are() {
 }
 
 #[test]
+fn identity_a_surrogate_alone_makes_no_other_runs_and_agrees_with_the_direct_bounds() {
+    const TOLERANCE_M: f64 = 2e-6; // sampling of 64 stratified runs of a scatter of 10 µm
+    let alone =
+        conducted("[surrogate]\nkind = \"chaos\"\ntraining_runs = 30\nconfirming_runs = 8\ndirect = \"confirming\"");
+    let direct = conducted("");
+    let record = alone.surrogate.as_ref().expect("a surrogate was asked for");
+    assert_eq!((alone.counts.runs, record.direct_runs), (30 + record.confirming_runs, 0));
+    assert!(10 * alone.counts.runs < direct.counts.runs, "{} {}", alone.counts.runs, direct.counts.runs);
+    assert!(alone.bounds.len() == direct.bounds.len() && alone.boxes.is_empty() && alone.treatments.is_empty());
+    for (own, direct) in alone.bounds.iter().zip(&direct.bounds) {
+        assert_eq!((own.at, own.statistic), (direct.at, direct.statistic));
+        if own.statistic == StatisticKind::Mean {
+            for (own, direct) in [(&own.lower, &direct.lower), (&own.upper, &direct.upper)] {
+                let apart = (own.value_si - direct.value_si).abs();
+                assert!(apart < TOLERANCE_M + own.error.surrogate_si, "{own:?} {direct:?}");
+            }
+        }
+    }
+    assert!(study_page(&alone).contains("from which a surrogate was learned"));
+    let text = study_text(&alone);
+    assert!(text.contains("from 30 runs; held-out error") && !text.contains("NaN"), "{text}");
+}
+
+#[test]
+fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
+    let study =
+        study("[surrogate]\nkind = \"chaos\"\ntraining_runs = 30\nconfirming_runs = 8\ndirect = \"confirming\"")
+            .unwrap_or_else(|complaints| panic!("{complaints}"));
+    let conducted =
+        conduct(&study, "a1", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+            .unwrap_or_else(|error| panic!("{error}"));
+    let saved = conducted.surrogates.expect("a surrogate was asked for");
+    let text = surrogates_json(&saved).expect("json");
+    let loaded = SavedSurrogates::from_json(&text).expect("what was written");
+    assert_eq!((loaded.inputs.len(), loaded.input_hash.as_str()), (2, "a1"));
+    let mut values: BTreeMap<String, f64> =
+        [("parameter.crank_length".to_owned(), 0.05001), ("parameter.rod_length".to_owned(), 0.1203)].into();
+    for output in 0..saved.outputs.len() {
+        assert_eq!(saved.predict(output, &values), loaded.predict(output, &values));
+        let quality = |saved: &SavedSurrogates| saved.outputs[output].surrogate.outputs()[0].quality.clone();
+        assert_eq!(quality(&saved), quality(&loaded));
+    }
+    values.insert("parameter.rod_length".to_owned(), 0.1215);
+    let error = loaded.predict(0, &values).expect_err("beyond the interval").to_string();
+    assert!(error.starts_with("'parameter.rod_length' is 0.1215 m; learned was from 0.1195 to 0.1207 m"), "{error}");
+    values.remove("parameter.rod_length");
+    assert_eq!(
+        loaded.predict(0, &values).expect_err("a value is missing").to_string(),
+        "no value of 'parameter.rod_length'; the surrogates depend on it"
+    );
+    assert!(SavedSurrogates::from_json("{\"format\": 9}").is_err_and(|error| error.to_string().contains("format 9")));
+}
+
+#[test]
+fn what_only_direct_runs_tell_is_not_asked_of_a_surrogate_alone() {
+    let text = "[surrogate]\ndirect = \"confirming\"\n[[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\n\
+                statistics = [\"contributors\"]";
+    let complaints = study(text).err().expect("contributors need direct runs");
+    assert!(
+        complaints.contains(
+            "contributors and small probabilities by a method are had from direct runs alone\n\
+             hint: write direct = \"double-loop\", or do not ask for them"
+        ),
+        "{complaints}"
+    );
+}
+
+#[test]
 fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
     let study = study("[surrogate]\nconfirming_runs = 7").unwrap_or_else(|complaints| panic!("{complaints}"));
     let error =
         conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
             .err()
             .expect("7 runs in 4 replicates");
-    assert_eq!(error.complaint(&study).to_string().lines().next().unwrap_or_default(), "");
+    assert_eq!(
+        error.complaint(&study).to_string().lines().next().unwrap_or_default(),
+        "study.toml:4:10: error[E0611]: surrogate: 7 confirming runs; must be a multiple of the 4 replicates, at least 2 in each, \
+         and at most the 64 inner runs"
+    );
 }

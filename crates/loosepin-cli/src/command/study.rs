@@ -6,7 +6,8 @@ use loosepin::report::{study_page, study_text};
 use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder};
 use loosepin::store::{Beginning, RunStore, STORE_FILE, StoreIdentity, remove_store};
 use loosepin::study::files::{
-    BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, read_summary, runs_parquet, write_study,
+    BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, SURROGATES_FILE, TIMING_FILE, Timing, read_summary, runs_parquet,
+    surrogates_json, write_study,
 };
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::runs::RunsTable;
@@ -54,8 +55,12 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();
     match outcome {
-        Ok(Conducted { result, runs }) => {
+        Ok(Conducted { result, runs, surrogates }) => {
             let count = runs.columns.first().map_or(0, |column| column.data.len());
+            if let Some(surrogates) = &surrogates {
+                let text = surrogates_json(surrogates).map_err(|error| Failure::of(&error))?;
+                folder.write(SURROGATES_FILE, text.as_bytes())?;
+            }
             write(&mut folder, &result, &runs, &Timing::since(started, count, threads))?;
             store.remove().map_err(|error| Failure::of(&error))?;
             tell(&result, &folder)

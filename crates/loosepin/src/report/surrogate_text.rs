@@ -12,26 +12,33 @@ use crate::study::result::{
 /// Rows of a table; the others stand in `summary.json`.
 pub(super) const MOST_ROWS: usize = 24;
 
+/// What the part is called.
+pub(super) fn title(record: &SurrogateRecord) -> &'static str {
+    if record.direct_runs == 0 { "The surrogate" } else { "The same by surrogate" }
+}
+
 /// How many runs the surrogates needed, beside the direct bounds.
 pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> String {
     let failed =
         if record.failed > 0 { format!(", {} of which failed", count(record.failed, writer)) } else { String::new() };
+    let direct = match record.direct_runs {
+        0 => "there are no direct bounds beside".to_owned(),
+        runs => format!("the direct bounds took {}", count(runs, writer)),
+    };
     format!(
-        "Learned from {} and held against {} more at the values that attain the bounds{failed}; the direct bounds took {}.",
+        "Learned from {} and held against {} more at the values that attain the bounds{failed}; {direct}.",
         counted(record.training_runs, "run", writer),
         count(record.confirming_runs, writer),
-        count(record.direct_runs, writer)
     )
 }
 
 /// One sentence or more for each output: what was learned, how well, and what more runs would do.
 pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Vec<String> {
+    // Where the surrogate is alone its bounds are those of the study.
+    let bounds = if record.direct_runs == 0 { &result.bounds } else { &record.bounds };
     let is_asked = |output: &&SurrogateOutput| {
-        output.at == ResponsePoint::Whole
-            || record
-                .bounds
-                .iter()
-                .any(|bound| bound.output == output.output && bound.of == output.of && bound.at == output.at)
+        let own = |bound: &BoundRecord| bound.output == output.output && bound.of == output.of && bound.at == output.at;
+        output.at == ResponsePoint::Whole || bounds.iter().any(own)
     };
     // What nothing was learned of has no bounds, and is said all the same.
     let shown = record.outputs.iter().filter(|output| output.problem.is_some() || is_asked(output));
@@ -151,7 +158,7 @@ pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> Str
 /// The surrogates of a study for a terminal; empty where there are none.
 pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> String {
     let Some(record) = &result.surrogate else { return String::new() };
-    let mut text = format!("\nThe same by surrogate\n\n{}\n", wrapped(&runs_sentence(record, writer), ""));
+    let mut text = format!("\n{}\n\n{}\n", title(record), wrapped(&runs_sentence(record, writer), ""));
     for sentence in output_sentences(result, record, writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
     }

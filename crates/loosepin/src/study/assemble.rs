@@ -491,7 +491,7 @@ pub(super) fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
             let least = 1.0 - pair.upper.widened;
             // What was really seen beyond the limit, failed runs taken as inside.
             let seen = pair.estimates.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
-            let attained = 1.0 - (seen - pair.upper.error.sampling).max(0.0);
+            let attained = 1.0 - (seen - pair.upper.error.sampling - pair.upper.error.surrogate).max(0.0);
             let verdict = if least >= requirement.probability_at_least {
                 Verdict::Met
             } else if attained < requirement.probability_at_least {

@@ -20,9 +20,11 @@ impl Problem for StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Code::AskNotPossible,
-            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::BudgetTooSmall { .. } => {
-                Code::SamplingNotPossible
-            }
+            Self::Plan(_)
+            | Self::Contributors(_)
+            | Self::Surrogate(_)
+            | Self::AccuracyOfSurrogate
+            | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
@@ -53,6 +55,7 @@ impl Problem for StudyError {
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Store(error) => error.hint(),
             Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
+            Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
@@ -67,8 +70,12 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) => {
-                let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::AccuracyOfSurrogate => {
+                let key = if matches!(self, Self::Surrogate(_) | Self::AccuracyOfSurrogate) {
+                    "surrogate"
+                } else {
+                    "sampling"
+                };
                 let mut complaint = Complaint::error(self, Some(place_of(key, study)));
                 // These errors bring their way out with them.
                 if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {

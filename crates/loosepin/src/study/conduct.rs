@@ -10,8 +10,9 @@ use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
+use super::saved_surrogates::SavedSurrogates;
 use super::simultaneous::curve_bands;
-use super::surrogate::{most_surrogate_runs, surrogate_bounds, surrogate_plan};
+use super::surrogate::{learned_bounds, most_surrogate_runs, saved_surrogates, surrogate_plan, surrogate_record};
 use crate::bounds::{
     Bounds, DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, SurrogatePlanError,
     TableError,
@@ -53,6 +54,9 @@ pub enum StudyError {
     /// The runs of its surrogate are not possible.
     #[error("surrogate: {0}")]
     Surrogate(#[from] SurrogatePlanError),
+    /// An accuracy or a budget where there is no direct double loop.
+    #[error("surrogate: accuracy and budget let the samples of the direct double loop grow, and there is none")]
+    AccuracyOfSurrogate,
     /// Shares of the variance are not possible.
     #[error(transparent)]
     Contributors(#[from] IndexPlanError),
@@ -121,12 +125,13 @@ pub struct Means<'a> {
 }
 
 /// A finished study.
-#[derive(Debug)]
 pub struct Conducted {
     /// Everything for pages and files.
     pub result: StudyResult,
     /// Every run.
     pub runs: RunsTable,
+    /// What was learned, to be saved; nothing where the study asks for no surrogate.
+    pub surrogates: Option<SavedSurrogates>,
 }
 
 /// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.
@@ -137,8 +142,11 @@ pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plan = DoubleLoop::try_new(problem(study, &response))?;
     let contributor_plan = ContributorPlan::new(study, &plan)?;
-    let surrogates = surrogate_plan(study, &response)?.map_or(0, |plan| most_surrogate_runs(study, &plan));
-    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref()) + surrogates;
+    let surrogate_runs = surrogate_plan(study, &response)?.map_or(0, |plan| most_surrogate_runs(study, &plan));
+    if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) {
+        return Ok(surrogate_runs);
+    }
+    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref()) + surrogate_runs;
     let reserved = most_runs - plan.most_runs();
     if let Some(Budget::Runs(budget)) = study.budget {
         let least = plan.next_round(&SampleTable::new(response.row_length()))?.len() + reserved;
@@ -212,11 +220,13 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
     let mut table = SampleTable::new(response.row_length());
     let stated = refinement.plan(&table);
     let contributor_plan = ContributorPlan::new(study, stated)?;
+    let is_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
     let surrogate_plan = surrogate_plan(study, &response)?;
     let surrogate_runs = surrogate_plan.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
     let stated_runs = most_runs(study, &response, stated, contributor_plan.as_ref()) + surrogate_runs;
     let reserved = stated_runs - stated.most_runs();
-    table = SampleTable::with_capacity(response.row_length(), stated.most_runs());
+    let direct_runs = if is_alone { surrogate_runs } else { stated.most_runs() };
+    table = SampleTable::with_capacity(response.row_length(), direct_runs);
     let budget = budget(study, stated_runs, response.row_length());
     let watch = Watch::new(budget, reserved);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
@@ -236,24 +246,21 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
     };
     progress.runs(0, most_runs);
     let mut rounds = 0;
-    let mut round = refinement.next_round(&table)?;
+    let mut round = if is_alone { Vec::new() } else { refinement.next_round(&table)? };
     while !round.is_empty() && watch.allows(round.len(), table.len(), rounds) {
         runner.most_runs = watch.most_runs(stated_runs.max(table.len() + round.len() + reserved));
         runner.run(&round, &mut table)?;
         rounds += 1;
         round = pool.install(|| refinement.next_round(&table))?;
     }
-    if table.is_empty() {
+    if table.is_empty() && !is_alone {
         let budget = study.budget.map_or(0, |budget| if let Budget::Runs(runs) = budget { runs } else { 0 });
         return Err(StudyError::BudgetTooSmall { budget, least: round.len() + reserved });
     }
     let left = Some(round.len()).filter(|runs| *runs > 0);
     let ended = Ended::new(&refinement, left, (rounds, table.len()), budget);
-    if table.failed() == table.len() {
-        return Err(all_failed(&response, &table));
-    }
     let plan = refinement.plan(&table).clone();
-    let bounds = pool.install(|| plan.results(&table))?;
+    let direct = if is_alone { None } else { Some(direct_results(&runner, &plan, &table)?) };
     // What the samples have become.
     let grown = plan.problem().sampling;
     let mut refined = study.clone();
@@ -261,15 +268,23 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
     refined.sampling.inner = grown.inner;
     refined.sampling.replicates = grown.replicates;
     let runner = Runner { study: &refined, ..runner };
-    if let Some(contributor_plan) = &contributor_plan {
+    if let (Some(contributor_plan), Some(bounds)) = (&contributor_plan, &direct) {
         runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
     }
-    let rare = rare_probabilities(&runner, &plan, &bounds, &mut table)?;
-    let surrogate = match &surrogate_plan {
-        Some(plan) => Some(surrogate_bounds(&runner, plan, &bounds, &mut table)?),
-        None => None,
+    let rare = match &direct {
+        Some(bounds) => rare_probabilities(&runner, &plan, bounds, &mut table)?,
+        None => Vec::new(),
     };
     let runner = Runner { study, ..runner };
+    let learned = match &surrogate_plan {
+        Some(plan) => Some((plan, learned_bounds(&runner, plan, &mut table)?)),
+        None => None,
+    };
+    let bounds = match (direct, &learned) {
+        (Some(bounds), _) => bounds,
+        (None, Some((plan, learned))) if table.failed() < table.len() => learned.to_bounds(plan, made_rounds(&table)),
+        (None, _) => return Err(all_failed(&response, &table)),
+    };
     // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
     runner.advance(table.len());
     let kept = |error: StudyError| match error {
@@ -295,7 +310,9 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
         .collect::<Result<_, _>>()?;
     let curve_bands = pool.install(|| curve_bands(&material, &plan))?;
     let result = pool.install(|| {
-        let contributors = contributors(&material, &plan, contributor_plan.as_ref());
+        let contributors =
+            if is_alone { Vec::new() } else { contributors(&material, &plan, contributor_plan.as_ref()) };
+        let surrogate = learned.as_ref().map(|(plan, learned)| surrogate_record(&material, plan, learned));
         let accuracy = record(&material, &ended);
         assemble(
             &material,
@@ -303,7 +320,21 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
             Extra { accuracy, contributors, allowances, allocation, surrogate, curve_bands, beside },
         )
     });
-    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table) })
+    let surrogates = learned.as_ref().map(|(plan, learned)| saved_surrogates(&material, input_hash, plan, learned));
+    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table), surrogates })
+}
+
+/// What the direct double loop says.
+fn direct_results(runner: &Runner<'_>, plan: &DoubleLoop, table: &SampleTable) -> Result<Bounds, StudyError> {
+    if table.failed() == table.len() {
+        return Err(all_failed(runner.response, table));
+    }
+    Ok(runner.pool.install(|| plan.results(table))?)
+}
+
+/// Rounds that the runs were made in.
+fn made_rounds(table: &SampleTable) -> u32 {
+    table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
 }
 
 /// What runs need, whatever they are for.

@@ -156,7 +156,7 @@ fn read(
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
-    let surrogate = file.read_surrogate(&root, sampling.replicates, sampling.inner);
+    let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);

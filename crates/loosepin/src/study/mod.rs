@@ -20,6 +20,7 @@ mod recorder;
 mod response;
 pub mod result;
 pub mod runs;
+mod saved_surrogates;
 mod simultaneous;
 mod surrogate;
 
@@ -32,3 +33,4 @@ pub use file::{
 };
 pub use input_file::{InputFile, InputFileProblem};
 pub use iso_286::FitError;
+pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};

@@ -9,10 +9,12 @@ use super::result::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
     SurrogateVerdict,
 };
+use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::bounds::{
-    BoundPair, Bounds, ColumnGroup, GroupBounds, SampleTable, SurrogateInput, SurrogatePlan, SurrogateSettings,
+    ColumnGroup, GroupBounds, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan, SurrogateSettings,
 };
-use crate::surrogate::{OutputSurrogate, Verdict};
+use crate::surrogate::{OutputSurrogate, Surrogate, Verdict};
+use crate::units::SiUnit;
 
 /// The most witnesses at which direct runs are made; `bounds` looks at no more.
 const MOST_WITNESSES: usize = 24;
@@ -22,7 +24,12 @@ const MOST_WITNESSES: usize = 24;
 /// # Errors
 /// The numbers of runs are not possible.
 pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<SurrogatePlan>, StudyError> {
-    let Some(StudySurrogate { choice, training_runs, confirming_runs }) = study.surrogate else { return Ok(None) };
+    let Some(StudySurrogate { choice, training_runs, confirming_runs, is_alone }) = study.surrogate else {
+        return Ok(None);
+    };
+    if is_alone && (study.budget.is_some() || !study.accuracy.is_empty()) {
+        return Err(StudyError::AccuracyOfSurrogate);
+    }
     let mut problem = problem(study, response);
     // Distribution functions and treatments are shown of the direct runs.
     problem.requests.retain(|request| request.statistic != crate::bounds::Statistic::Cdf);
@@ -60,34 +67,40 @@ fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
     groups
 }
 
-/// Makes the runs of `plan`, adds them to `table`, and gives the bounds.
+/// Makes the runs of `plan` and adds them to `table`.
 ///
 /// # Errors
 /// The study was interrupted.
-pub(super) fn surrogate_bounds(
+pub(super) fn learned_bounds(
     runner: &Runner<'_>,
     plan: &SurrogatePlan,
-    bounds: &Bounds,
     table: &mut SampleTable,
-) -> Result<SurrogateRecord, StudyError> {
+) -> Result<SurrogateBounds, StudyError> {
     let round = table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0);
     runner.run(&plan.training_round(round)?, table)?;
     let learned = runner.pool.install(|| plan.learn(table));
     let confirmation = runner.pool.install(|| plan.confirmation(&learned, round + 1))?;
     runner.run(&confirmation.round, table)?;
-    let found = runner.pool.install(|| plan.results(learned, &confirmation, table))?;
-    let pairs: Vec<BoundPair> =
-        found.groups.iter().flat_map(|group| group.pairs.iter().map(|pair| pair.pair.clone())).collect();
-    let material = Material { study: runner.study, response: runner.response, table, bounds, pairs: &pairs, rare: &[] };
-    let outputs = found.groups.iter().map(|group| output(&material, plan, group)).collect();
-    Ok(SurrogateRecord {
+    Ok(runner.pool.install(|| plan.results(learned, &confirmation, table))?)
+}
+
+/// What was learned, with the bounds where they stand beside direct ones.
+pub(super) fn surrogate_record(
+    material: &Material<'_>,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> SurrogateRecord {
+    let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
+    let pairs = if is_alone { Vec::new() } else { found.to_bounds(plan, 0).pairs };
+    let of_surrogate = Material { pairs: &pairs, rare: &[], ..*material };
+    SurrogateRecord {
         training_runs: found.training_runs as u64,
         confirming_runs: found.confirming_runs as u64,
         failed: found.failed_runs as u64,
-        direct_runs: bounds.runs as u64,
-        outputs,
-        bounds: asked_bounds(&material),
-    })
+        direct_runs: if is_alone { 0 } else { material.bounds.runs as u64 },
+        outputs: found.groups.iter().map(|group| output(material, plan, group)).collect(),
+        bounds: asked_bounds(&of_surrogate),
+    }
 }
 
 fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) -> SurrogateOutput {
@@ -129,7 +142,9 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     record.runs = learned.quality.runs as u64;
     record.held_out_si = learned.quality.rms;
     record.q2 = learned.quality.q2;
-    record.verdict = Some(verdict(learned.residual.verdict));
+    // What does not fall and yet is too small to be drawn from makes no difference.
+    let is_small = learned.residual.verdict.keeps_residual() && !group.learned.keeps_residual();
+    record.verdict = Some(if is_small { SurrogateVerdict::Resolved } else { verdict(learned.residual.verdict) });
     let learning = learned.residual.learning.iter();
     record.learning =
         learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
@@ -142,16 +157,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
         held_out_si: learned.quality.rms_along.clone(),
     });
     record.picture = plan.section(group, combination, material.table).map(|section| {
-        let (path, input_unit) = match section.input {
-            SurrogateInput::Random(index) => {
-                let input = &material.study.random[index];
-                (input.path.clone(), super::assemble::unit(&material.study.model.quantities, input.quantity))
-            }
-            SurrogateInput::Epistemic(index) => {
-                let input = &material.study.epistemic[index];
-                (input.path.clone(), input.unit(&material.study.model))
-            }
-        };
+        let (path, input_unit) = input_names(material, section.input);
         SurrogatePicture {
             path,
             input_unit,
@@ -164,6 +170,56 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
         }
     });
     record
+}
+
+/// All surrogates as they are saved.
+pub(super) fn saved_surrogates(
+    material: &Material<'_>,
+    input_hash: &str,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> SavedSurrogates {
+    let inputs = plan.inputs().iter().map(|&input| {
+        let (path, unit) = input_names(material, input);
+        SavedInput { path, unit }
+    });
+    let of_group = |group: &GroupBounds| {
+        let columns = &group.learned.group.columns;
+        let surrogates = group.learned.surrogates.iter().flatten().enumerate();
+        let saved = |(combination, surrogate): (usize, &Surrogate)| {
+            let mut epistemic: Vec<f64> =
+                material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
+            let members = plan.members(combination);
+            members.iter().for_each(|&(index, value)| epistemic[index] = value);
+            let lists: Vec<&str> = members.iter().map(|&(i, _)| material.study.epistemic[i].path.as_str()).collect();
+            let named = material.witness(&epistemic).into_iter();
+            SavedOutput {
+                output: material.name_of(columns[0]),
+                of: deviation_kind(material.response.shared.plan.columns[columns[0]].deviation),
+                at: columns.iter().map(|&column| material.point_of(column, columns.len() > 1)).collect(),
+                unit: material.unit_of(columns[0]),
+                members: named.filter(|(path, _)| lists.contains(&path.as_str())).collect(),
+                surrogate: surrogate.clone(),
+            }
+        };
+        surrogates.map(saved).collect::<Vec<_>>()
+    };
+    let outputs = found.groups.iter().flat_map(of_group).collect();
+    SavedSurrogates::new(&material.study.name, input_hash, inputs.collect(), outputs)
+}
+
+/// Path and unit of an input.
+fn input_names(material: &Material<'_>, input: SurrogateInput) -> (String, SiUnit) {
+    match input {
+        SurrogateInput::Random(index) => {
+            let input = &material.study.random[index];
+            (input.path.clone(), super::assemble::unit(&material.study.model.quantities, input.quantity))
+        }
+        SurrogateInput::Epistemic(index) => {
+            let input = &material.study.epistemic[index];
+            (input.path.clone(), input.unit(&material.study.model))
+        }
+    }
 }
 
 fn verdict(verdict: Verdict) -> SurrogateVerdict {

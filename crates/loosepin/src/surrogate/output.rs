@@ -16,6 +16,9 @@ use serde::{Deserialize, Serialize};
 
 /// Of the held-out squared error of all modes, the share from which on a mode is worth a network.
 const WORTH_A_NETWORK: f64 = 0.02;
+/// Of the variance of the output, the share of held-out squared error from which on networks are tried: below it they cannot be better
+/// by more than this in Q².
+const WORTH_ANY_NETWORK: f64 = 1e-4;
 /// Something must be better than the mean by this factor in the squared error before it is believed to be something.
 const BETTER_THAN_THE_MEAN: f64 = 0.95;
 
@@ -139,8 +142,12 @@ fn choose(runs: &Runs, options: &Options) -> Option<Vec<Chosen>> {
     if !networks.is_empty() {
         let least = |tried: &Vec<Candidate>| tried.iter().map(|c| c.square).fold(f64::INFINITY, f64::min);
         let total: f64 = candidates.iter().map(least).sum();
+        let constant = |tried: &Vec<Candidate>| {
+            tried.iter().find(|candidate| candidate.kind == Kind::Constant).map_or(0.0, |candidate| candidate.square)
+        };
+        let variance: f64 = candidates.iter().map(constant).sum();
         let worth: Vec<(usize, Kind)> = (0..modes)
-            .filter(|&mode| total > 0.0 && least(&candidates[mode]) >= WORTH_A_NETWORK * total)
+            .filter(|&mode| total > WORTH_ANY_NETWORK * variance && least(&candidates[mode]) >= WORTH_A_NETWORK * total)
             .map(|mode| (mode, Kind::Network))
             .collect();
         for (mode, candidate) in all(worth) {

@@ -5,8 +5,9 @@ use super::super::sample::{Confidence, replicate_error};
 use super::super::search::Direction;
 use super::super::statistic::Statistic;
 use super::super::table::{Purpose, RunInputs, SampleTable};
-use super::learned::{LearnedGroup, LearnedResponse};
+use super::learned::LearnedGroup;
 use super::plan::SurrogatePlan;
+use super::response::LearnedFunction;
 use super::search::Searched;
 
 /// Values of the epistemic inputs at which direct runs are made, at most.
@@ -34,12 +35,9 @@ impl Confirmation {
         }
         let per_replicate = plan.settings.confirming / plan.problem().sampling.replicates;
         let runs_at = |(point, epistemic): (usize, &Vec<f64>)| {
-            let place = plan.direct.epistemic_box().place_of(epistemic);
-            let epistemic = epistemic.clone();
-            let runs = plan.direct.runs_at(round, point as u32, plan.direct.epistemic_box().values_at(&place));
+            let runs = plan.direct.runs_at(round, point as u32, epistemic.clone());
             let runs = runs.filter(move |inputs| (inputs.index as usize) < per_replicate);
-            runs.map(move |inputs| RunInputs { purpose: Purpose::Confirming, epistemic: epistemic.clone(), ..inputs })
-                .collect::<Vec<_>>()
+            runs.map(move |inputs| RunInputs { purpose: Purpose::Confirming, ..inputs }).collect::<Vec<_>>()
         };
         let round = witnesses.iter().enumerate().flat_map(runs_at).collect();
         Self { searched, witnesses, round }
@@ -92,16 +90,15 @@ pub(super) fn confirmed(
 ) -> Vec<Confirmed> {
     let Ok(surrogates) = &group.surrogates else { return Vec::new() };
     let places: Vec<usize> = (0..group.group.columns.len()).collect();
-    let response = LearnedResponse { space: &plan.space, surrogates, places: &places, reach: 0.0 };
+    let function = LearnedFunction { plan, surrogates, places: &places };
     let replicates = if plan.problem().random.is_empty() { 1 } else { plan.problem().sampling.replicates };
     let mut all: Vec<Confirmed> = confirmation
         .witnesses
         .iter()
         .map(|epistemic| {
-            let place = plan.direct.epistemic_box().place_of(epistemic);
             let mut surrogate = vec![Vec::new(); replicates];
-            for inputs in plan.direct.runs_at(0, 0, plan.direct.epistemic_box().values_at(&place)) {
-                let answer = response.plain(&inputs.random, epistemic).ok();
+            for inputs in plan.direct.runs_at(0, 0, epistemic.clone()) {
+                let answer = function.at(&inputs.random, epistemic).ok();
                 surrogate[inputs.replicate as usize].push(answer.map(|(values, _)| values));
             }
             Confirmed { epistemic: epistemic.clone(), surrogate, direct: vec![Vec::new(); replicates] }
@@ -112,7 +109,7 @@ pub(super) fn confirmed(
             continue;
         }
         let own: Vec<f64> = group.group.columns.iter().map(|&column| table.values(run)[column]).collect();
-        let answer = response.plain(&inputs.random, &inputs.epistemic).ok();
+        let answer = function.at(&inputs.random, &inputs.epistemic).ok();
         let answer = answer.filter(|_| own.iter().all(|value| value.is_finite()));
         if let Some(confirmed) = all.get_mut(inputs.point as usize) {
             let row = answer.map(|(values, deviations)| [own, values, deviations]);
@@ -151,8 +148,15 @@ impl Confirmed {
         self.direct.iter().flatten().filter(|row| row.is_none()).count()
     }
 
-    /// The mean or probability at `place`, corrected; nothing for other statistics and where runs are missing.
-    pub fn corrected(&self, place: usize, statistic: Statistic, confidence: &Confidence) -> Option<Corrected> {
+    /// The mean or probability at `place`, corrected; nothing for other statistics and where runs are missing. `known` is that of the
+    /// surrogate with its error, where it is better known than from the inner runs themselves.
+    pub fn corrected(
+        &self,
+        place: usize,
+        statistic: Statistic,
+        known: Option<(f64, f64)>,
+        confidence: &Confidence,
+    ) -> Option<Corrected> {
         let of: Box<dyn Fn(f64) -> f64> = match statistic {
             Statistic::Mean => Box::new(|y| y),
             Statistic::ProbabilityAbove(limit) => Box::new(move |y| f64::from(u8::from(y > limit))),
@@ -164,20 +168,23 @@ impl Confirmed {
             let values = values.filter(|values| !values.is_empty())?;
             Some(values.iter().sum::<f64>() / values.len() as f64)
         };
-        let pairs = self.surrogate.iter().zip(&self.direct);
-        let means: Option<Vec<f64>> = pairs
-            .map(|(surrogate, direct)| {
-                let all = surrogate.iter().map(|row| Some(of(row.as_ref()?[place])));
-                let differences = direct.iter().map(|row| {
-                    let [direct, surrogate, _] = row.as_ref()?;
-                    Some(of(direct[place]) - of(surrogate[place]))
-                });
-                Some(mean(all.collect())? + mean(differences.collect())?)
-            })
-            .collect();
-        let means = means?;
-        let value = means.iter().sum::<f64>() / means.len() as f64;
+        let of_replicate = |(surrogate, direct): (&Vec<Option<Vec<f64>>>, &Vec<Option<[Vec<f64>; 3]>>)| {
+            let differences = direct.iter().map(|row| {
+                let [direct, surrogate, _] = row.as_ref()?;
+                Some(of(direct[place]) - of(surrogate[place]))
+            });
+            let difference = mean(differences.collect())?;
+            if known.is_some() {
+                return Some(difference);
+            }
+            let all = surrogate.iter().map(|row| Some(of(row.as_ref()?[place])));
+            Some(mean(all.collect())? + difference)
+        };
+        let means: Vec<f64> = self.surrogate.iter().zip(&self.direct).map(of_replicate).collect::<Option<_>>()?;
+        let (start, error) = known.unwrap_or((0.0, 0.0));
+        let value = start + means.iter().sum::<f64>() / means.len() as f64;
         let (below, above) = if means.len() == 1 { (0.0, 0.0) } else { replicate_error(&means, confidence) };
+        let (below, above) = (below + error, above + error);
         if statistic == Statistic::Mean {
             return Some(Corrected { value, below, above });
         }

@@ -36,6 +36,7 @@
 mod confirm;
 mod learned;
 mod plan;
+mod response;
 mod results;
 mod search;
 mod section;

@@ -10,7 +10,7 @@ use super::confirm::Confirmation;
 use super::learned::Learned;
 use super::results::{FIRST_REACH, SurrogateBounds};
 use super::search::search_all;
-use super::space::TrainingSpace;
+use super::space::{SurrogateInput, TrainingSpace};
 use crate::surrogate::{Choice, FEWEST_RUNS};
 
 /// Columns that are learned together: a number, or a curve place by place.
@@ -108,6 +108,16 @@ impl SurrogatePlan {
     /// The problem.
     pub fn problem(&self) -> &Problem {
         self.direct.problem()
+    }
+
+    /// The inputs of the surrogates, in their order.
+    pub fn inputs(&self) -> &[SurrogateInput] {
+        self.space.coordinates()
+    }
+
+    /// The values of the epistemic inputs that are lists, by their position, in one combination of their members.
+    pub fn members(&self, combination: usize) -> Vec<(usize, f64)> {
+        self.space.members(combination)
     }
 
     /// What is to be learned.

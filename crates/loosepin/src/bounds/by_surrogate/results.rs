@@ -1,6 +1,6 @@
 //! Bounds put together from surrogates and direct runs.
 
-use super::super::bound::{Bound, BoundError, BoundPair, Guarantee};
+use super::super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds};
 use super::super::probability_box::ProbabilityBox;
 use super::super::problem::Request;
 use super::super::search::Direction;
@@ -8,8 +8,9 @@ use super::super::statistic::Statistic;
 use super::super::table::{Purpose, SampleTable};
 use super::super::treatment::TreatmentComparison;
 use super::confirm::{Confirmation, Confirmed, confirmed};
-use super::learned::{Aspect, Learned, LearnedGroup};
+use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
+use super::response::Aspect;
 use super::search::{Searched, search_group};
 
 /// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
@@ -81,6 +82,44 @@ impl SurrogateBounds {
         })
     }
 
+    /// All bounds in the shape of direct ones, in the order of the requests, for a table of `runs` runs in `rounds` rounds. Without
+    /// distribution functions and treatments; a statistic of which nothing was learned has no entry.
+    pub fn to_bounds(&self, plan: &SurrogatePlan, rounds: u32) -> Bounds {
+        let ordered = |pairs: Vec<&SurrogatePair>| -> Vec<BoundPair> {
+            let requests = plan.problem().requests.iter();
+            let found = |request: &Request| {
+                let own = |pair: &&&SurrogatePair| {
+                    (pair.pair.column, pair.pair.statistic) == (request.column, request.statistic)
+                };
+                Some(pairs.iter().find(own)?.pair.clone())
+            };
+            requests.filter_map(found).collect()
+        };
+        let mut alphas: Vec<f64> = Vec::new();
+        for (alpha, _) in self.groups.iter().flat_map(|group| &group.levels) {
+            if !alphas.contains(alpha) {
+                alphas.push(*alpha);
+            }
+        }
+        let level = |&alpha: &f64| {
+            let own = self.groups.iter().flat_map(|group| &group.levels).filter(|(of, _)| *of == alpha);
+            LevelBounds { alpha: Some(alpha), pairs: ordered(own.flat_map(|(_, pairs)| pairs).collect()) }
+        };
+        Bounds {
+            reading: plan.problem().reading,
+            pairs: ordered(self.groups.iter().flat_map(|group| &group.pairs).collect()),
+            levels: alphas.iter().map(level).collect(),
+            percentiles: Vec::new(),
+            boxes: Vec::new(),
+            comparisons: Vec::new(),
+            outer_points: Vec::new(),
+            centre_point: 0,
+            runs: self.training_runs + self.confirming_runs,
+            failed_runs: self.failed_runs,
+            rounds,
+        }
+    }
+
     /// The bounds of `statistic` of `column`.
     pub fn pair(&self, column: usize, statistic: Statistic) -> Option<&SurrogatePair> {
         let mut pairs = self.groups.iter().flat_map(|group| &group.pairs);
@@ -99,6 +138,7 @@ fn group_bounds(
     // The values stay those whose witnesses were looked at; only what is conceded grows.
     let again = if reach > FIRST_REACH { Some(search_group(plan, &learned, reach)?) } else { None };
     let wide = again.as_deref().unwrap_or(searched);
+    let has_rest = learned.keeps_residual() && !plan.problem().random.is_empty();
     let failed = learned.failed + confirmed.iter().map(Confirmed::failed).sum::<usize>();
     let mut levels: Vec<(Option<f64>, Vec<SurrogatePair>)> = Vec::new();
     for (near, far) in searched.iter().zip(wide) {
@@ -110,7 +150,7 @@ fn group_bounds(
                 let place = learned.group.columns.iter().position(|&column| column == request.column).unwrap_or(0);
                 let end = |bound: &Bound, direction| {
                     let furthest = far.furthest(far_pairs, request, direction);
-                    put_together(plan, bound, furthest, confirmed, (place, request), direction)
+                    put_together(plan, bound, furthest, (confirmed, has_rest), (place, request), direction)
                 };
                 let (mut lower, is_lower) = end(&pair.lower, Direction::Minimum);
                 let (mut upper, is_upper) = end(&pair.upper, Direction::Maximum);
@@ -159,14 +199,16 @@ fn put_together(
     plan: &SurrogatePlan,
     bound: &Bound,
     furthest: f64,
-    confirmed: &[Confirmed],
+    (confirmed, has_rest): (&[Confirmed], bool),
     (place, request): (usize, Request),
     direction: Direction,
 ) -> (Bound, bool) {
     let sign = direction.sign();
     let at_witness = bound.witness.as_ref().and_then(|witness| {
         let confirmed = confirmed.iter().find(|confirmed| confirmed.is_at(&witness.epistemic))?;
-        confirmed.corrected(place, request.statistic, plan.direct.confidence())
+        // With a rest that is drawn from, the bound is not that of ŝ alone.
+        let known = (!has_rest).then_some((bound.value, bound.error.sampling));
+        confirmed.corrected(place, request.statistic, known, plan.direct.confidence())
     });
     let is_confirmed = at_witness.is_some();
     let (value, sampling) = at_witness.map_or((bound.value, bound.error.sampling), |corrected| {

@@ -5,8 +5,9 @@ use super::super::evaluate::{EvaluateError, evaluate};
 use super::super::problem::{Problem, Request};
 use super::super::search::Direction;
 use super::super::statistic::Statistic;
-use super::learned::{Aspect, Learned, LearnedGroup, LearnedResponse};
+use super::learned::{Learned, LearnedGroup};
 use super::plan::SurrogatePlan;
+use super::response::{Aspect, BandResponse, LearnedFunction};
 use crate::surrogate::Surrogate;
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
@@ -75,7 +76,7 @@ fn search_places(
         compared_columns: compared.map(|slot| column_of(slot, Aspect::Value)).collect(),
         ..direct.clone()
     };
-    let response = LearnedResponse { space: &plan.space, surrogates, places, reach };
+    let response = BandResponse::new(LearnedFunction { plan, surrogates, places }, reach);
     Ok(Searched { places: places.to_vec(), asked, bounds: evaluate(problem, &response)? })
 }
 
@@ -84,10 +85,11 @@ fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
     let error = match statistic {
         Statistic::Cdf => Vec::new(),
         Statistic::StandardDeviation => vec![(Aspect::Square, Statistic::Mean)],
-        Statistic::ProbabilityBeyond(_) => vec![(Aspect::Near, statistic), (Aspect::Far, statistic)],
-        Statistic::Mean | Statistic::Quantile(_) | Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) => {
-            vec![(Aspect::Low, statistic), (Aspect::High, statistic)]
-        }
+        Statistic::Mean
+        | Statistic::Quantile(_)
+        | Statistic::ProbabilityAbove(_)
+        | Statistic::ProbabilityBelow(_)
+        | Statistic::ProbabilityBeyond(_) => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
     };
     [(Aspect::Value, statistic)].into_iter().chain(error).collect()
 }

@@ -60,6 +60,14 @@ impl TrainingSpace {
         self.epistemic_box.combinations()
     }
 
+    /// Position and value of the lists among the epistemic inputs, in one combination of their members.
+    pub fn members(&self, combination: usize) -> Vec<(usize, f64)> {
+        let at = vec![0.0; self.epistemic_box.dimensions()];
+        let values = self.epistemic_box.values_at(&Place { combination, at });
+        let lists = self.epistemic_box.inputs().iter().enumerate().filter(|(_, input)| input.choices() > 1);
+        lists.map(|(index, _)| (index, values[index])).collect()
+    }
+
     /// The combination that these epistemic inputs belong to.
     pub fn combination(&self, epistemic: &[f64]) -> usize {
         self.epistemic_box.place_of(epistemic).combination

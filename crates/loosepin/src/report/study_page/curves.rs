@@ -39,7 +39,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         let label = format!("{} for the whole cycle", writer.percent(each.share, Rounding::Nearest));
         add(label, Role::Mixed, true, EntryValues::pair(&lower, &upper));
     }
-    if !curve.random.lower_si.is_empty() {
+    if curve.random.lower_si.iter().any(|value| value.is_finite()) {
         let (lower, upper) = range(&curve.random);
         add(format!("{share}, random scatter alone"), Role::Random, false, EntryValues::band(&lower, &upper));
     }

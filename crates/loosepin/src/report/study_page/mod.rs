@@ -47,7 +47,7 @@ pub fn study_page(result: &StudyResult) -> String {
     }
     if let Some(record) = &result.surrogate {
         let markup = surrogate::surrogate(result, record, &writer);
-        sections.push(Section::new("surrogate", "The same by surrogate", markup));
+        sections.push(Section::new("surrogate", super::surrogate_text::title(record), markup));
     }
     if !result.cuts.is_empty() {
         sections.push(Section::new("degrees", "By degree of possibility", cuts::cuts(result, &writer)));

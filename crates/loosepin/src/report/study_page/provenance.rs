@@ -15,9 +15,12 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
     let share = result.counts.failed as f64 / result.counts.runs.max(1) as f64;
     html! {
         p {
-            (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
-            " values of the " (unknown_words(&result.inputs)) ", each with " (count(result.counts.inner, writer))
-            " random samples, the same for every one of them. "
+            @if is_by_surrogate(result) { (count(result.counts.runs, writer)) " runs, from which a surrogate was learned. " }
+            @else {
+                (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
+                " values of the " (unknown_words(&result.inputs)) ", each with " (count(result.counts.inner, writer))
+                " random samples, the same for every one of them. "
+            }
             @if result.counts.failed == 0 { "No run failed. " }
             @else {
                 strong { (count(result.counts.failed, writer)) " runs failed" }
@@ -157,6 +160,11 @@ pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
     }
 }
 
+/// Whether there was no direct double loop.
+fn is_by_surrogate(result: &StudyResult) -> bool {
+    result.surrogate.as_ref().is_some_and(|record| record.direct_runs == 0)
+}
+
 fn kind_words(kind: &InputKind) -> &'static str {
     match kind {
         InputKind::Random => "random",
@@ -194,9 +202,13 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
         (
             "Runs".to_owned(),
             html! {
-                (count(counts.runs, writer)) " = " (count(counts.outer, writer)) " values of the " (unknown_words(&result.inputs)) " × "
-                (count(counts.inner, writer)) " random samples"
-                @if let Some(others) = counts.runs.checked_sub(counts.outer * counts.inner).filter(|&others| others > 0) {
+                (count(counts.runs, writer))
+                @if is_by_surrogate(result) { ", from which a surrogate was learned" }
+                @else {
+                    " = " (count(counts.outer, writer)) " values of the " (unknown_words(&result.inputs)) " × "
+                    (count(counts.inner, writer)) " random samples"
+                }
+                @if let Some(others) = counts.runs.checked_sub(counts.outer * counts.inner).filter(|&others| others > 0 && !is_by_surrogate(result)) {
                     " + " (count(others, writer)) " for the two other treatments"
                 }
                 @if counts.replicates > 1 { " in " (counts.replicates) " independent replicates" }

@@ -19,7 +19,7 @@ pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: 
     let others = record.bounds.len() - shown.len().min(MOST_ROWS);
     html! {
         p {
-            "A surrogate is a function learned from runs; the bounds beside the direct ones come from it. "
+            "A surrogate is a function learned from runs, and these bounds come from it. "
             (runs_sentence(record, writer))
             " Means and probabilities are corrected by these runs; every bound is widened by what the surrogate does not know."
         }

@@ -125,6 +125,8 @@ pub struct StudySurrogate {
     pub training_runs: usize,
     /// Direct runs at each witness (default: 16 in each replicate).
     pub confirming_runs: usize,
+    /// Whether the direct double loop is not run at all, so that the bounds are those of the surrogate (default: it is run).
+    pub is_alone: bool,
 }
 
 /// A quantity that scatters with a known distribution.

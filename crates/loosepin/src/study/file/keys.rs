@@ -61,6 +61,8 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
 
 /// Kinds of surrogates.
 const SURROGATES: [&str; 5] = ["auto", "chaos", "kriging", "network", "none"];
+/// Direct runs beside a surrogate.
+const DIRECT_RUNS: [&str; 2] = ["double-loop", "confirming"];
 /// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
 const MOST_TRAINING: u64 = 2000;
 
@@ -84,6 +86,12 @@ pub(super) static SURROGATE_KEYS: Keys = Keys::new(
             Kind::Count { least: 2, most: MOST_INNER },
             "64",
             "direct runs at each witness, a multiple of the replicates; 16 in each if left out",
+        ),
+        optional(
+            "direct",
+            Kind::Choice(&DIRECT_RUNS),
+            "\"confirming\"",
+            "double-loop (if left out): the direct bounds stand beside; confirming: no direct runs but those",
         ),
     ],
 );

@@ -275,6 +275,12 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// A question that the surrogate alone does not answer.
+    #[error("{entry}: contributors and small probabilities by a method are had from direct runs alone")]
+    NeedsDirectRuns {
+        /// The entry.
+        entry: String,
+    },
     /// A small probability of which only sums over focal elements, or belief and plausibility, are wanted.
     #[error("{entry}: a method finds where the probability is largest over fixed values; it knows no {of}")]
     RareOfSets {
@@ -394,6 +400,7 @@ impl Problem for StudyProblem {
             | Self::NothingRandom { .. }
             | Self::RareCurve { .. }
             | Self::RareOfSets { .. }
+            | Self::NeedsDirectRuns { .. }
             | Self::AllowedInput { .. }
             | Self::AllowedRange { .. }
             | Self::Costs { .. }
@@ -455,6 +462,7 @@ impl Problem for StudyProblem {
             }
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
+            Self::NeedsDirectRuns { .. } => Some("write direct = \"double-loop\", or do not ask for them".to_owned()),
             Self::RareCurve { .. } => {
                 Some("write reduce = \"maximum_absolute\" for anywhere in the cycle, or name poses".to_owned())
             }

@@ -1,8 +1,9 @@
 //! The surrogate of a study: which kind, and from how many runs.
 
 use super::StudyReader;
-use super::description::StudySurrogate;
+use super::description::{Ask, StudySurrogate};
 use super::keys::SURROGATE_KEYS;
+use super::problem::StudyProblem;
 use crate::document::Table;
 use crate::surrogate::{Choice, Kind};
 
@@ -14,6 +15,8 @@ const KINDS: [(&str, Option<Choice>); 5] = [
     ("network", Some(Choice::Only(Kind::Network))),
     ("none", None),
 ];
+/// Which direct runs are made, and whether the surrogate is then alone.
+const DIRECT: [(&str, bool); 2] = [("double-loop", false), ("confirming", true)];
 /// Training runs for each uncertain input, and at least, where the file does not say.
 const TRAINING_PER_INPUT: usize = 25;
 const LEAST_TRAINING: usize = 100;
@@ -22,13 +25,19 @@ const CONFIRMING_PER_REPLICATE: usize = 16;
 
 impl StudyReader {
     /// Reads what stands behind `surrogate`: a kind, or a table.
-    pub fn read_surrogate(&mut self, root: &Table<'_>, replicates: usize, inner: usize) -> Option<StudySurrogate> {
+    pub fn read_surrogate(
+        &mut self,
+        root: &Table<'_>,
+        (replicates, inner): (usize, usize),
+        asks: &[Ask],
+    ) -> Option<StudySurrogate> {
         let entry = root.get("surrogate")?;
         let inputs = self.random.len() + self.epistemic.len();
         let mut surrogate = StudySurrogate {
             choice: Choice::Auto,
             training_runs: (TRAINING_PER_INPUT * inputs).max(LEAST_TRAINING),
             confirming_runs: (CONFIRMING_PER_REPLICATE * replicates).min(inner),
+            is_alone: false,
         };
         if entry.is_text() {
             surrogate.choice = self.reader.choice(&entry, &KINDS)??;
@@ -42,6 +51,13 @@ impl StudyReader {
             [("training_runs", &mut surrogate.training_runs), ("confirming_runs", &mut surrogate.confirming_runs)]
         {
             *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
+        }
+        if let Some(entry) = table.get("direct") {
+            surrogate.is_alone = self.reader.choice(&entry, &DIRECT)?;
+            let has_own_runs = |ask: &Ask| ask.contributors || !ask.rare.is_empty();
+            if surrogate.is_alone && asks.iter().any(has_own_runs) {
+                self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe() }, &entry);
+            }
         }
         Some(surrogate)
     }

@@ -18,6 +18,7 @@ pub use timing::Timing;
 
 use super::result::StudyResult;
 use super::runs::RunsTable;
+use super::saved_surrogates::SavedSurrogates;
 pub use crate::results::SUMMARY_FILE;
 use crate::results::{ResultsError, write_whole};
 
@@ -25,6 +26,8 @@ use crate::results::{ResultsError, write_whole};
 pub const BOUNDS_FILE: &str = "bounds.csv";
 /// Name of the file with one run a row.
 pub const RUNS_FILE: &str = "runs.parquet";
+/// Name of the file with what was learned.
+pub const SURROGATES_FILE: &str = "surrogates.json";
 /// Name of the file with everything that does not repeat.
 pub const TIMING_FILE: &str = "timing.json";
 
@@ -105,6 +108,14 @@ pub fn write_study(folder: &Path, result: &StudyResult, runs: &RunsTable, timing
     write_whole(&folder.join(RUNS_FILE), &runs_parquet(runs)?)?;
     write_whole(&folder.join(TIMING_FILE), to_json(timing)?.as_bytes())?;
     Ok(write_whole(&folder.join(SUMMARY_FILE), summary.as_bytes())?)
+}
+
+/// The text of `surrogates.json`.
+///
+/// # Errors
+/// What cannot be laid out.
+pub fn surrogates_json(surrogates: &SavedSurrogates) -> Result<String, FilesError> {
+    surrogates.to_json().map_err(|source| FilesError::Json { source })
 }
 
 /// Reads the `summary.json` of a folder.
