@@ -123,7 +123,7 @@ fn truth(study: &Study, mechanisms: usize, at: Vec<f64>, seed: u64) -> Truth {
     for (input, &value) in known.epistemic.iter_mut().zip(&at) {
         input.variable = EpistemicVariable::from(Interval::try_new(value, value).expect("a finite value"));
     }
-    let Conducted { runs, result } = run(&known);
+    let Conducted { runs, result, .. } = run(&known);
     let first = 6 + known.random.len() + known.epistemic.len();
     let responses = (first..first + result.treatments.len()).map(|column| double_loop(&runs, column)).collect();
     Truth { at, responses }

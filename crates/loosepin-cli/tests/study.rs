@@ -148,7 +148,7 @@ fn an_accuracy_is_reached_or_it_is_said_what_it_would_take() {
     let desk = desk(&format!("{SHORT_STUDY}{KEPT}"));
     let reached = desk.succeed(&["study", "study.toml", "--accuracy", "slider.mean=20um", "--out", "near"]);
     assert!(reached.output.contains("\nAccuracy\n\n- All bounds are as near as asked, after "), "{}", reached.output);
-    assert!(reached.output.contains(", asked 20 µm."), "{}", reached.output);
+    assert!(reached.output.contains(", asked 0.02 mm."), "{}", reached.output);
     // Not reached is said and is no error; nothing is lost.
     let ended = desk.succeed(&["study", "study.toml", "--accuracy", "1nm", "--budget", "2500 runs", "--out", "ended"]);
     assert!(
@@ -185,7 +185,7 @@ fn accuracies_and_budgets_are_complained_about_with_the_column_in_their_text() {
             "--accuracy:1:1: error[E0304]: the accuracy is a mass; must be a length\n\
              hint: an accuracy is measured as the bounds are; of probabilities it is a number such as 0.01",
         ),
-        ("--accuracy", "-1um", "--accuracy:1:1: error[E0501]: the accuracy is -1 µm; must be > 0"),
+        ("--accuracy", "-1um", "--accuracy:1:1: error[E0501]: the accuracy is -0.001 mm; must be > 0"),
         (
             "--accuracy",
             "0.01",

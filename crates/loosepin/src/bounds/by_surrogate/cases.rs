@@ -93,7 +93,10 @@ fn analytic_a_slider_crank_with_play_from_a_hundred_runs() {
         &[(0.1, 0.5), (0.0, core::f64::consts::TAU)],
         &statistics.map(|(statistic, _)| statistic),
     );
-    let found = bounds(small(of, 5), settings(Kind::Chaos, 100), &Function(slider));
+    // Sixteen points of the box leave the search unresolved by a third of the width; these are the usual 64.
+    let of = Problem { sampling: Sampling { inner: 256, seed: 5, ..Sampling::default() }, ..of };
+    let settings = SurrogateSettings { confirming: 64, ..settings(Kind::Chaos, 100) };
+    let found = bounds(of, settings, &Function(slider));
     for (pair, (_, exact)) in found.groups[0].pairs.iter().zip(statistics) {
         holds(pair, exact);
     }
