@@ -9,6 +9,9 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
+/// A response: from inputs to columns.
+type Function = fn(&[f64]) -> Vec<f64>;
+
 const TEST_POINTS: usize = 1_000;
 const DESIGN_SEED: u64 = 7;
 const TEST_SEED: u64 = 99;
@@ -18,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [case, runs, designs, kinds, folder @ ..] = arguments.as_slice() else {
         return Err("usage: surrogates ishigami|oscillator RUNS DESIGNS KINDS [FOLDER]".into());
     };
-    let (inputs, response): (Vec<Input>, fn(&[f64]) -> Vec<f64>) = match case.as_str() {
+    let (inputs, response): (Vec<Input>, Function) = match case.as_str() {
         "ishigami" => (ishigami_inputs(), |x| vec![ishigami(x)]),
         "oscillator" => (oscillator_inputs(), oscillator),
         other => return Err(format!("no case '{other}'; there are ishigami and oscillator").into()),

@@ -172,7 +172,7 @@ fn is_short(coverage: f64, promised: f64, mechanisms: usize) -> bool {
     coverage + STANDARD_ERRORS * standard_error(coverage, mechanisms) < promised
 }
 
-fn band<'t>(of: &'t TreatmentComparison, treatment: TreatmentKind) -> &'t TreatmentBand {
+fn band(of: &TreatmentComparison, treatment: TreatmentKind) -> &TreatmentBand {
     of.bands.iter().find(|band| band.treatment == treatment).expect("all treatments are compared")
 }
 

@@ -61,7 +61,7 @@ fn shortened(study: &str) -> String {
         assert!(short.contains(changed), "{changed} in {short}");
     }
     // Poses must lie within that tenth.
-    short.replace("\"60 deg\", \"240 deg\"", "\"10 deg\", \"30 deg\"")
+    short.replace("\"60 deg\", \"240 deg\"", "\"40 deg\", \"60 deg\"")
 }
 
 /// One test for each template; the last one fails where a template has none.

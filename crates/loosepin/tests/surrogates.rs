@@ -183,7 +183,7 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
 fn what_only_direct_runs_tell_is_not_asked_of_a_surrogate_alone() {
     let text = "[surrogate]\ndirect = \"confirming\"\n[[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\n\
                 statistics = [\"contributors\"]";
-    let complaints = study(text).err().expect("contributors need direct runs");
+    let complaints = study(text).expect_err("contributors need direct runs");
     assert!(
         complaints.contains(
             "contributors and small probabilities by a method are had from direct runs alone\n\

@@ -23,8 +23,11 @@ fn analytic_bounds_of_tail_quantiles_hold_or_are_not_confirmed() {
             for inner in [64, 256] {
                 let (mut missed, mut confirmed) = (0, 0);
                 for seed in 0..SEEDS {
-                    let mut problem =
-                        problem(&[exponential.clone()], &[(-0.5, 0.5)], &[Statistic::Quantile(PROBABILITY)]);
+                    let mut problem = problem(
+                        std::slice::from_ref(&exponential),
+                        &[(-0.5, 0.5)],
+                        &[Statistic::Quantile(PROBABILITY)],
+                    );
                     problem.reading = reading;
                     problem.sampling = Sampling { outer: 6, inner, seed, ..Sampling::default() };
                     let upper = evaluate(problem, &Function(response)).unwrap().pairs[0].upper.clone();

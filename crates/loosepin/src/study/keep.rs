@@ -58,7 +58,7 @@ impl KeptList<'_> {
     /// Keeps the run at `place`.
     pub fn keep(&self, place: usize, inputs: &RunInputs, row: &Row) {
         if let Some(store) = self.store {
-            let outcome = row.as_ref().map(Clone::clone).map_err(|failure| failure.0);
+            let outcome = row.clone().map_err(|failure| failure.0);
             store.keep(self.list, place as u64, KeptRun { inputs: key(inputs), outcome });
         }
     }

@@ -10,6 +10,11 @@ use super::plan::SurrogatePlan;
 use super::response::LearnedFunction;
 use super::search::Searched;
 
+/// ŝ for the runs of a replicate; nothing where the surrogate gave no answer.
+type Answers = Vec<Option<Vec<f64>>>;
+/// Values of the direct runs of a replicate, with ŝ and σ at the same inputs; nothing where a run failed.
+type DirectAnswers = Vec<Option<[Vec<f64>; 3]>>;
+
 /// Values of the epistemic inputs at which direct runs are made, at most.
 const MOST_WITNESSES: usize = 24;
 
@@ -69,9 +74,9 @@ fn extreme_bounds(group: &[Searched]) -> Vec<&Bound> {
 pub(super) struct Confirmed {
     epistemic: Vec<f64>,
     /// Replicate by replicate and run by run, ŝ of every place; nothing where the surrogate gave no answer.
-    surrogate: Vec<Vec<Option<Vec<f64>>>>,
+    surrogate: Vec<Answers>,
     /// The same for the direct runs: their values, ŝ and σ.
-    direct: Vec<Vec<Option<[Vec<f64>; 3]>>>,
+    direct: Vec<DirectAnswers>,
 }
 
 /// A corrected estimate with the distances to both ends of its confidence interval.
@@ -168,7 +173,7 @@ impl Confirmed {
             let values = values.filter(|values| !values.is_empty())?;
             Some(values.iter().sum::<f64>() / values.len() as f64)
         };
-        let of_replicate = |(surrogate, direct): (&Vec<Option<Vec<f64>>>, &Vec<Option<[Vec<f64>; 3]>>)| {
+        let of_replicate = |(surrogate, direct): (&Answers, &DirectAnswers)| {
             let differences = direct.iter().map(|row| {
                 let [direct, surrogate, _] = row.as_ref()?;
                 Some(of(direct[place]) - of(surrogate[place]))

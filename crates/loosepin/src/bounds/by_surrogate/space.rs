@@ -6,6 +6,9 @@ use super::super::search_box::{Place, SearchBox};
 use crate::surrogate::Input;
 use crate::uncertainty::{Interval, Level, ScrambledSobol, SobolError, hash, normal_quantile};
 
+/// Values of the random inputs and of the epistemic ones.
+type RunValues = (Vec<f64>, Vec<f64>);
+
 /// Standard deviations of the random inputs in the training runs, over their own: the tails that the inner runs reach are learned
 /// too.
 const SPREAD: f64 = 1.3;
@@ -112,7 +115,7 @@ impl TrainingSpace {
     /// `count` places for each combination, values of the random inputs and of the epistemic ones: low-discrepancy points, the
     /// epistemic ones denser towards their ends (the distribution under which Chebyshev's polynomials are orthogonal), the
     /// random ones SPREAD times as wide; the corners of the epistemic box among them.
-    pub fn places(&self, problem: &Problem, count: usize) -> Result<Vec<(Vec<f64>, Vec<f64>)>, SobolError> {
+    pub fn places(&self, problem: &Problem, count: usize) -> Result<Vec<RunValues>, SobolError> {
         let (randoms, wide) = (problem.random.len(), self.epistemic_box.dimensions());
         let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, TRAINING), randoms + wide)?;
         let corners = corners(wide);
