@@ -201,7 +201,7 @@ fn words(study: &Study, treatments: &[TreatmentComparison], truths: &[Truth], di
     let _ = write!(
         page,
         "# What bands promise and what they hold\n\n\
-         <!-- Written by `just campaign worn-pin --write docs/worn-pin.md`; do not edit. -->\n\n\
+         <!-- Written by `just campaign worn-pin {mechanisms} --write docs/worn-pin.md`; do not edit. -->\n\n\
          Whoever takes an unmeasured play for a random one promises too much; whoever takes scatter for an interval, too little; \
          kept apart they give a band that holds and is no wider than it must be. That is the claim of D. Sun and G. Chen, European \
          Journal of Mechanics A/Solids 58 (2016) 256-261. Here it is put to the test on \
