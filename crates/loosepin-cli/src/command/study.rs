@@ -66,10 +66,8 @@ pub fn run(arguments: &StudyArguments) -> Ending {
             tell(&result, &folder)
         }
         Err(StudyError::Interrupted { finished, most_runs }) => keep(&mut folder, &finished, most_runs),
-        Err(error @ StudyError::Store(_)) => {
-            folder.leave_unfinished()?;
-            Err(error.complaint(&study).into())
-        }
+        // The folder says since it was taken that it is not finished; there may be no room to say it again.
+        Err(error @ StudyError::Store(_)) => Err(error.complaint(&study).into()),
         Err(error) => {
             store.remove().map_err(|error| Failure::of(&error))?;
             folder.abandon()?;
