@@ -88,6 +88,10 @@ compare *ARGUMENTS:
 compare-bounds *ARGUMENTS:
     python3 tools/compare/bounds.py {{ ARGUMENTS }}
 
+# Holds what surrogates predict, ours and those of other packages, against the same points; tools/compare/surrogates/README.md says how.
+compare-surrogates *ARGUMENTS:
+    python3 tools/compare/surrogates.py {{ ARGUMENTS }}
+
 # Where the processor time of the reference case goes, by perf; docs/performance.md says what follows.
 profile *ARGUMENTS:
     python3 tools/profile/profile.py {{ ARGUMENTS }}

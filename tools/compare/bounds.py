@@ -21,7 +21,18 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from compare import HERE, REPOSITORY, Refusal, check_python, commit, prepare_venv, processor_name, run, say
+from compare import (
+    HERE,
+    REPOSITORY,
+    Refusal,
+    check_python,
+    commit,
+    exit_status,
+    prepare_venv,
+    processor_name,
+    run,
+    say,
+)
 
 PROGRAMS = HERE / "bounds"
 OURS = "loosepin"
@@ -336,17 +347,5 @@ def compare_bounds() -> None:
         arguments.page.write_text(text, encoding="utf-8")
 
 
-def main() -> int:
-    """Exit status 2 where something is missing or wrong."""
-    try:
-        compare_bounds()
-    except Refusal as refusal:
-        print(refusal, file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        return 130
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_status(compare_bounds))

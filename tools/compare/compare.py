@@ -399,10 +399,10 @@ def compare() -> None:
         print(as_text(rows))
 
 
-def main() -> int:
-    """Exit status 2 where something is missing or wrong."""
+def exit_status(comparison: Callable[[], None]) -> int:
+    """Runs a comparison; 2 where something is missing or wrong."""
     try:
-        compare()
+        comparison()
     except Refusal as refusal:
         print(refusal, file=sys.stderr)
         return 2
@@ -412,4 +412,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_status(compare))

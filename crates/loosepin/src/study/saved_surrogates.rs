@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::result::{DeviationKind, ResponsePoint, Witness};
-use crate::surrogate::{Prediction, Surrogate, SurrogateError};
+use crate::surrogate::{Prediction, Surrogate, SurrogateError, from_versioned_json};
 use crate::units::SiUnit;
 
 /// Version of the file.
@@ -109,16 +109,7 @@ impl SavedSurrogates {
     /// # Errors
     /// [`SurrogateError::NotLoaded`] and [`SurrogateError::OtherFormat`].
     pub fn from_json(text: &str) -> Result<Self, SavedSurrogateError> {
-        #[derive(Deserialize)]
-        struct Header {
-            format: u32,
-        }
-        let reason = |error: serde_json::Error| SurrogateError::NotLoaded { reason: error.to_string() };
-        let header: Header = serde_json::from_str(text).map_err(reason)?;
-        if header.format != FORMAT {
-            return Err(SurrogateError::OtherFormat { found: header.format, expected: FORMAT }.into());
-        }
-        Ok(serde_json::from_str(text).map_err(reason)?)
+        Ok(from_versioned_json(text, FORMAT)?)
     }
 
     /// What output number `output` is at these values, SI, by the paths of the inputs.

@@ -7,7 +7,6 @@ use super::file::{Study, StudySurrogate, Where};
 use super::response::StudyResponse;
 use super::result::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
-    SurrogateVerdict,
 };
 use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::bounds::{
@@ -144,7 +143,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     record.q2 = learned.quality.q2;
     // What does not fall and yet is too small to be drawn from makes no difference.
     let is_small = learned.residual.verdict.keeps_residual() && !group.learned.keeps_residual();
-    record.verdict = Some(if is_small { SurrogateVerdict::Resolved } else { verdict(learned.residual.verdict) });
+    record.verdict = Some(if is_small { Verdict::Resolved } else { learned.residual.verdict });
     let learning = learned.residual.learning.iter();
     record.learning =
         learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
@@ -219,17 +218,5 @@ fn input_names(material: &Material<'_>, input: SurrogateInput) -> (String, SiUni
             let input = &material.study.epistemic[index];
             (input.path.clone(), input.unit(&material.study.model))
         }
-    }
-}
-
-fn verdict(verdict: Verdict) -> SurrogateVerdict {
-    match verdict {
-        Verdict::Constant => SurrogateVerdict::Constant,
-        Verdict::Resolved => SurrogateVerdict::Resolved,
-        Verdict::Falling => SurrogateVerdict::Falling,
-        Verdict::Floor => SurrogateVerdict::Floor,
-        Verdict::Nothing => SurrogateVerdict::Nothing,
-        Verdict::Jump => SurrogateVerdict::Jump,
-        Verdict::Unknown => SurrogateVerdict::Unknown,
     }
 }

@@ -59,6 +59,7 @@ pub use polynomial::Family;
 pub use quality::Quality;
 pub use residual::{Residual, SHARES, Verdict};
 pub use spread::Spread;
+pub(crate) use trained::from_versioned_json;
 pub use trained::{Prediction, Surrogate};
 
 #[cfg(test)]

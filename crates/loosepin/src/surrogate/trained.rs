@@ -6,6 +6,7 @@ use super::error::SurrogateError;
 use super::input::Input;
 use super::options::Options;
 use super::output::OutputSurrogate;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 /// Version of the saved form.
@@ -129,17 +130,26 @@ impl Surrogate {
     ///
     /// [`SurrogateError::NotLoaded`] and [`SurrogateError::OtherFormat`].
     pub fn from_json(text: &str) -> Result<Self, SurrogateError> {
-        #[derive(Deserialize)]
-        struct Header {
-            format: u32,
-        }
-        let reason = |error: serde_json::Error| SurrogateError::NotLoaded { reason: error.to_string() };
-        let header: Header = serde_json::from_str(text).map_err(reason)?;
-        if header.format != FORMAT {
-            return Err(SurrogateError::OtherFormat { found: header.format, expected: FORMAT });
-        }
-        serde_json::from_str(text).map_err(reason)
+        from_versioned_json(text, FORMAT)
     }
+}
+
+/// What a file of version `format` holds; the version is looked at before the rest.
+///
+/// # Errors
+///
+/// [`SurrogateError::NotLoaded`] and [`SurrogateError::OtherFormat`].
+pub(crate) fn from_versioned_json<T: DeserializeOwned>(text: &str, format: u32) -> Result<T, SurrogateError> {
+    #[derive(Deserialize)]
+    struct Header {
+        format: u32,
+    }
+    let reason = |error: serde_json::Error| SurrogateError::NotLoaded { reason: error.to_string() };
+    let header: Header = serde_json::from_str(text).map_err(reason)?;
+    if header.format != format {
+        return Err(SurrogateError::OtherFormat { found: header.format, expected: format });
+    }
+    serde_json::from_str(text).map_err(reason)
 }
 
 /// The range of the runs in input `k`, with its reach, within the support.

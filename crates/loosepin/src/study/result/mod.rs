@@ -27,10 +27,10 @@ pub use inputs::{
     InputDescription, InputKind, OutputDescription, RunCounts,
 };
 
+/// What held-out errors say about a response.
+pub use crate::surrogate::Verdict as SurrogateVerdict;
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
-pub use surrogate::{
-    SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord, SurrogateVerdict,
-};
+pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};

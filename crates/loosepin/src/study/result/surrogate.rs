@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{BoundRecord, DeviationKind, ResponsePoint};
+use crate::surrogate::Verdict;
 use crate::units::{SiUnit, extended};
 
 /// Bounds by surrogates, beside the direct ones.
@@ -49,7 +50,7 @@ pub struct SurrogateOutput {
     #[serde(with = "extended")]
     pub q2: Option<f64>,
     /// What the held-out errors say about the response.
-    pub verdict: Option<SurrogateVerdict>,
+    pub verdict: Option<Verdict>,
     /// Held-out error from fewer runs.
     pub learning: Vec<SurrogateLearning>,
     /// By how many of its standard deviations the surrogate is taken to err in the bounds.
@@ -62,26 +63,6 @@ pub struct SurrogateOutput {
     pub along: Option<SurrogateAlong>,
     /// Runs against the input that matters most, with the surrogate.
     pub picture: Option<SurrogatePicture>,
-}
-
-/// Whether more runs would make the error smaller.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum SurrogateVerdict {
-    /// All runs gave the same.
-    Constant,
-    /// Nothing is left that would matter.
-    Resolved,
-    /// The error falls with more runs.
-    Falling,
-    /// Part is learned, and the rest does not fall with more runs.
-    Floor,
-    /// Nothing is learned.
-    Nothing,
-    /// The response jumps.
-    Jump,
-    /// Too few runs to tell.
-    Unknown,
 }
 
 /// Held-out error from a number of runs.
