@@ -22,6 +22,10 @@ use super::treatment::TreatmentComparison;
 /// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
 const LEAST_SHARE_BETWEEN: f64 = 0.5;
 
+/// A model that takes more than this share of the sampling variance for noise has averaged over points; errors that all points share,
+/// as with the same random numbers at each, are no noise to it.
+const LEAST_NOISE_SHARE: f64 = 0.1;
+
 /// By this share of the range of all responses a bound may lie beyond the furthest of them.
 const RESPONSE_MARGIN: f64 = 0.1;
 
@@ -251,16 +255,12 @@ impl Evidence<'_> {
             Direction::Maximum => &measure.high,
         };
         let guarantee = self.guarantee();
-        let Some(witness) = modelled.witness(direction, part) else {
+        let Some((witness, sampling)) = modelled.witness(direction, part) else {
             let error = BoundError { sampling: f64::INFINITY, ..BoundError::default() };
             let widened = measure.kind.limited(direction.sign() * f64::INFINITY);
             return Bound { value: f64::NAN, widened, witness: None, error, guarantee };
         };
         let estimate = estimates[witness];
-        let sampling = match direction {
-            Direction::Minimum => estimate.below,
-            Direction::Maximum => estimate.above,
-        };
         let sign = direction.sign();
         let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
@@ -361,16 +361,21 @@ impl<'a> Modelled<'a> {
         Self { measure, branches: search.branches(&measure.target), margin_branches }
     }
 
-    /// The outer point in `part` at which the statistic, smoothed where its differences are partly noise, goes furthest.
-    fn witness(&self, direction: Direction, part: &Part<'_>) -> Option<usize> {
+    /// The outer point in `part` at which the statistic, smoothed where its differences are partly noise, goes furthest; and the
+    /// sampling error there: how far its confidence interval, or that of any other point in `part`, reaches beyond it.
+    fn witness(&self, direction: Direction, part: &Part<'_>) -> Option<(usize, f64)> {
         let measure = self.measure;
         let estimates = match direction {
             Direction::Minimum => &measure.low,
             Direction::Maximum => &measure.high,
         };
         let outward = direction.sign() * f64::INFINITY;
+        let own_error = |point: usize| match direction {
+            Direction::Minimum => estimates[point].below,
+            Direction::Maximum => estimates[point].above,
+        };
         if let Some(&point) = part.members.iter().find(|&&point| estimates[point].value == outward) {
-            return Some(point);
+            return Some((point, own_error(point)));
         }
         let mut scores = smoothed(&measure.target, &self.branches, |point| measure.target_errors[point]);
         for (point, score) in scores.iter_mut().enumerate() {
@@ -394,7 +399,23 @@ impl<'a> Modelled<'a> {
                 best = Some(point);
             }
         }
-        best
+        let best = best?;
+        // The statistic itself at a point, as it was compared.
+        let compared = |point: usize| match measure.kind {
+            MeasureKind::Plain | MeasureKind::Probability(_) => scores[point],
+            MeasureKind::Deviation => scores[point].max(0.0).sqrt(),
+            MeasureKind::SmoothProbability(_) => estimates[point].value,
+        };
+        // Where differences are noise the neighbours of a point have been heard too: its own interval says nothing more.
+        let least_noise = LEAST_NOISE_SHARE * measure.target.noise_variance;
+        let is_averaged = |point: usize| {
+            let own = self.branches.iter().find(|branch| branch.points.contains(&point));
+            own.is_some_and(|branch| branch.noise_variance() > least_noise)
+        };
+        let beyond = |&point: &usize| direction.sign() * (compared(point) - estimates[best].value) + own_error(point);
+        let is_known = |point: usize| scores[point].is_finite() && estimates[point].value.is_finite();
+        let known = part.members.iter().filter(|&&point| is_known(point) && !is_averaged(point));
+        Some((best, known.map(beyond).fold(own_error(best), f64::max)))
     }
 
     /// How far the statistic may go in `direction`, `attained` at the point `witness`.

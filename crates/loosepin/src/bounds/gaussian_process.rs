@@ -66,7 +66,23 @@ pub(super) struct Model {
     projection_diagonal: Vec<f64>,
     /// ln det V + ln det FᵀV⁻¹F
     ln_determinants: f64,
-    at_places: OnceLock<(Vec<f64>, Vec<f64>)>,
+    at_places: OnceLock<Vec<Prediction>>,
+}
+
+/// What a place has to do with the points.
+struct Prediction {
+    /// c = W k
+    correlations: Vec<f64>,
+    /// r = f - Bᵀc
+    rest: Vec<f64>,
+    /// For σ = 1.
+    variance: f64,
+}
+
+impl Prediction {
+    fn mean_and_variance(&self, white: &[f64], of_trend: &[f64]) -> (f64, f64) {
+        (dot(&self.correlations, white) + dot(&self.rest, of_trend), self.variance)
+    }
 }
 
 impl Model {
@@ -152,29 +168,36 @@ impl Model {
         rest
     }
 
-    /// Weights of the estimates, and the variance for σ = 1, of the process at `place`.
-    pub fn predict(&self, place: &[f64]) -> (Vec<f64>, f64) {
-        let count = self.points.len();
-        let correlations: Vec<f64> = self.points.iter().map(|point| self.kernel.correlation(point, place)).collect();
-        let mut white = self.whitening.multiply(&correlations);
-        let explained = multiply(&self.white_terms, &white);
-        let rest: Vec<f64> = self.trend.terms(place).iter().zip(explained).map(|(term, known)| term - known).collect();
-        let gain = multiply(&self.trend_covariance, &rest);
-        let variance = 1.0 - dot(&white, &white) + dot(&rest, &gain);
-        for (share, column) in gain.iter().zip(self.white_terms.chunks(count)) {
-            for (entry, value) in white.iter_mut().zip(column) {
-                *entry += share * value;
-            }
-        }
-        (self.whitening.multiply_transposed(&white), variance.max(0.0))
+    /// W y, and G Bᵀ W y: what the mean at any place takes of `values`.
+    pub fn whitened(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let white = self.whitening.multiply(values);
+        let of_trend = multiply(&self.trend_covariance, &multiply(&self.white_terms, &white));
+        (white, of_trend)
     }
 
-    /// The same at all of `places`, row by row; worked out once, so the places must not change.
-    pub fn at_places(&self, places: &[Vec<f64>]) -> (&[f64], &[f64]) {
-        let (weights, variances) = self.at_places.get_or_init(|| {
-            let (weights, variances): (Vec<_>, Vec<_>) = places.iter().map(|place| self.predict(place)).unzip();
-            (weights.concat(), variances)
-        });
-        (weights, variances)
+    /// Mean, and variance for σ = 1, of the process at `place`, from [`Self::whitened`] estimates.
+    pub fn mean_and_variance(&self, place: &[f64], (white, of_trend): (&[f64], &[f64])) -> (f64, f64) {
+        self.predict(place).mean_and_variance(white, of_trend)
+    }
+
+    fn predict(&self, place: &[f64]) -> Prediction {
+        let correlations: Vec<f64> = self.points.iter().map(|point| self.kernel.correlation(point, place)).collect();
+        let correlations = self.whitening.multiply(&correlations);
+        let explained = multiply(&self.white_terms, &correlations);
+        let rest: Vec<f64> = self.trend.terms(place).iter().zip(explained).map(|(term, known)| term - known).collect();
+        let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &multiply(&self.trend_covariance, &rest));
+        Prediction { correlations, rest, variance: variance.max(0.0) }
+    }
+
+    /// Mean, and variance for σ = 1, at all of `places` in their order; what the estimates have no part in is worked out once, so the
+    /// places must not change.
+    pub fn at_places(
+        &self,
+        places: &[Vec<f64>],
+        (white, of_trend): (&[f64], &[f64]),
+    ) -> impl Iterator<Item = (f64, f64)> {
+        let predictions =
+            self.at_places.get_or_init(|| places.iter().map(|place| self.predict(place)).collect::<Vec<Prediction>>());
+        predictions.iter().map(move |prediction| prediction.mean_and_variance(white, of_trend))
     }
 }

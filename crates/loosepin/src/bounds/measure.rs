@@ -78,7 +78,8 @@ pub(super) enum MeasureKind {
 /// above: (m - L)/s   below, up to: (L - m)/s   beyond: (m² - L²)/(D s), D = L + max |m|
 /// ```
 ///
-/// where s² = deviation² + (1e-3 of the range of m)², so that it exists for a response that does not scatter.
+/// where s² = deviation² + (1e-3 of the range of m and the largest deviation together)², so that it exists for a response that does
+/// not scatter.
 #[derive(Debug, Clone)]
 pub(super) struct Margin {
     pub target: Target,

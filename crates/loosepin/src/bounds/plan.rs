@@ -237,6 +237,12 @@ impl DoubleLoop {
         self.first_outer[..count].iter().rev().map(|place| place.at.clone()).collect()
     }
 
+    /// Whether each axis of that box is an angle over a whole turn, so that its ends are the same.
+    pub fn box_closes(&self) -> Vec<bool> {
+        let axes = self.epistemic_box.axes();
+        (0..self.epistemic_box.dimensions()).map(|axis| axes.is_periodic(axis)).collect()
+    }
+
     /// Combinations of the members of lists, each with a box of intervals of its own; 1 without lists.
     pub fn box_combinations(&self) -> usize {
         self.epistemic_box.combinations()
@@ -661,9 +667,10 @@ fn random_axes(problem: &Problem) -> impl Iterator<Item = Axis> {
     })
 }
 
-/// Polynomials of the random inputs on the inner points.
+/// Polynomials of the random inputs on the inner points; none where an input takes single values only: runs do not show what a response
+/// does at one that was never drawn.
 fn inner_basis(problem: &Problem) -> Result<Option<InnerBasis>, SobolError> {
-    if problem.random.is_empty() {
+    if problem.random.is_empty() || problem.random.iter().any(RandomVariable::has_atoms) {
         return Ok(None);
     }
     let axes: Vec<Axis> = random_axes(problem).collect();

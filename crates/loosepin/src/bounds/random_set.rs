@@ -35,6 +35,14 @@ struct Ends {
     widened: [Sample; 2],
 }
 
+impl Ends {
+    /// Whether a model lets a run go anywhere that was finished at every point.
+    fn are_unlimited(&self) -> bool {
+        let [attained, widened] = [&self.attained, &self.widened].map(|ends| ends[0].failed() + ends[1].failed());
+        widened > attained
+    }
+}
+
 /// Least and greatest response of one run: attained, and as far as a model lets them go.
 type EndsOfRun = ([f64; 2], [f64; 2]);
 
@@ -153,7 +161,9 @@ impl RandomSet {
         estimate: impl Fn(&[Sample; 2]) -> Estimate,
     ) -> Bound {
         let of_element = |ends: &Ends| {
-            let (attained, widened) = (estimate(&ends.attained), estimate(&ends.widened));
+            let attained = estimate(&ends.attained);
+            let unlimited = Estimate::symmetric(direction.sign() * f64::INFINITY, 0.0);
+            let widened = if ends.are_unlimited() { unlimited } else { estimate(&ends.widened) };
             let sampling = if direction == Direction::Minimum { widened.below } else { widened.above };
             let optimisation = (direction.sign() * (widened.value - attained.value)).max(0.0);
             let error = BoundError { sampling, optimisation, surrogate: 0.0 };
@@ -243,6 +253,9 @@ impl RandomSet {
                 range.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (a, b)| (low.min(a), high.max(b)));
             estimate(of, golden(low, high, |c| estimate(of, c)[0]))
         };
+        if self.elements.iter().any(Ends::are_unlimited) {
+            return evidence.nothing(direction);
+        }
         let [attained, _] = least(|ends| &ends.attained);
         let [widened, sampling] = least(|ends| &ends.widened);
         let sign = direction.sign();

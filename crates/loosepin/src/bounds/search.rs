@@ -120,6 +120,11 @@ pub(super) struct Branch<'a> {
 }
 
 impl Branch<'_> {
+    /// What the model takes of the differences between the points for noise, as a variance.
+    pub fn noise_variance(&self) -> f64 {
+        self.fit.as_ref().map_or(0.0, Fit::noise_variance)
+    }
+
     /// Mean and standard deviation of the target at the candidates of the search, in their order, then at other places; nothing
     /// without a model.
     pub fn at_candidates(&self) -> Option<impl Iterator<Item = (f64, f64)>> {
@@ -208,7 +213,7 @@ impl<'a> Search<'a> {
         let most = if is_located {
             located_reach(self.axes, fit, direction, region)
         } else {
-            reach(fit, direction, region).optimistic
+            reach(fit, direction, region, CONCEDED).optimistic
         };
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
@@ -445,7 +450,7 @@ impl<'a> Search<'a> {
             let Some(fit) = branch.fit.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
             for (element, (part, members)) in elements.iter().zip(members).enumerate() {
                 for &direction in directions {
-                    let reach = reach(fit, direction, &part.region);
+                    let reach = reach(fit, direction, &part.region, OPTIMISM);
                     let attained = extreme_among(&target.values, members.iter().copied(), direction)
                         .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
                     let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
@@ -496,15 +501,15 @@ fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
     kept
 }
 
-/// How far the model lets its target go in `direction`, over all candidates and points in `region`.
-fn reach(fit: &Fit<'_>, direction: Direction, region: &Region) -> Reach {
+/// How far the model lets its target go in `direction`, by `optimism` standard deviations, over all candidates and points in `region`.
+fn reach(fit: &Fit<'_>, direction: Direction, region: &Region, optimism: f64) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
     for (place, (mean, deviation)) in fit.at_places().enumerate() {
         if !region.holds(&fit.places()[place]) {
             continue;
         }
-        let most = sign * mean + OPTIMISM * deviation;
+        let most = sign * mean + optimism * deviation;
         // A model that overflows allows anything.
         let most = if most.is_nan() { f64::INFINITY } else { most };
         if most > optimistic.0 {
@@ -531,7 +536,7 @@ fn reach(fit: &Fit<'_>, direction: Direction, region: &Region) -> Reach {
 
 /// The same over the whole region: the most that the model allows, located from the best of the places.
 fn located_reach(axes: &Axes, fit: &Fit<'_>, direction: Direction, region: &Region) -> f64 {
-    let coarse = reach(fit, direction, region);
+    let coarse = reach(fit, direction, region, OPTIMISM);
     let place = locate(axes, fit, direction, CONCEDED, coarse.optimistic_at, region);
     let (mean, deviation) = fit.at(&place);
     let located = mean + direction.sign() * CONCEDED * deviation;
@@ -620,10 +625,12 @@ fn locate(
             for signed in [step, -step] {
                 let mut trial = place.clone();
                 trial[axis] = inside(axis, trial[axis] + signed);
-                if trial[axis] != place[axis] && value(&trial) > best {
-                    best = value(&trial);
-                    place = trial;
-                    has_moved = true;
+                if trial[axis] == place[axis] {
+                    continue;
+                }
+                let found = value(&trial);
+                if found > best {
+                    (best, place, has_moved) = (found, trial, true);
                     break;
                 }
             }
@@ -632,9 +639,9 @@ fn locate(
             moves += 1;
             let ahead = place.iter().zip(&before).enumerate();
             let trial: Vec<f64> = ahead.map(|(axis, (x, y))| inside(axis, 2.0 * x - y)).collect();
-            if value(&trial) > best {
-                best = value(&trial);
-                place = trial;
+            let found = value(&trial);
+            if found > best {
+                (best, place) = (found, trial);
             }
         } else {
             step *= 0.5;

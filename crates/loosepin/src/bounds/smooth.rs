@@ -22,6 +22,8 @@ const HOPELESS: f64 = 100.0;
 const TRIED_DEGREES: usize = 4;
 /// What the polynomials leave between the runs may be more than at any of them, by this factor.
 const RESIDUAL_MARGIN: f64 = 2.0;
+/// Responses that differ by less than this share of their size differ by round-off.
+const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 /// Steps of the search for a quantile, at most; and its resolution in standard deviations.
 const QUANTILE_STEPS: usize = 100;
 const QUANTILE_RESOLUTION: f64 = 1e-12;
@@ -31,8 +33,6 @@ const TAIL: f64 = 1e-4;
 /// Indices beyond c are compressed; beyond the largest they are not told apart.
 const INDEX_SCALE: f64 = 1.0;
 const LARGEST_INDEX: f64 = 40.0;
-/// Indices that differ by less change places gradually (τ).
-const CHANGE_OF_PLACES: f64 = 2.0;
 /// Steps of the index that are always worth a point: deep in a tail it only has to tell where to go.
 const COARSEST_INDEX: f64 = 0.1;
 
@@ -53,12 +53,17 @@ pub(super) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
     }
     let deviations: Vec<f64> = samples.iter().map(|sample| deviation(sample.values())).collect();
     let largest = deviations.iter().fold(0.0_f64, |largest, deviation| largest.max(*deviation));
+    let magnitude = samples.iter().fold(0.0_f64, |most, sample| most.max(largest_magnitude(sample.values())));
+    // A response that is the same in all runs may still differ in those that were not made.
+    if largest <= ROUND_OFF * magnitude {
+        return;
+    }
     let allowed = |point: usize| (LARGEST_RESIDUAL * deviations[point]).max(LARGEST_RESIDUAL_OF_ALL * largest);
     // Relative to what is allowed.
     let left = |design: &Design, point: usize| {
         let residual = largest_magnitude(&design.fit(samples[point].values()).residuals);
         // Of a response that does not scatter at all, round-off is left.
-        let round_off = 64.0 * f64::EPSILON * largest_magnitude(samples[point].values());
+        let round_off = ROUND_OFF * largest_magnitude(samples[point].values());
         (residual - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
     };
     let step = samples.len().div_ceil(TRIAL_POINTS).max(1);
@@ -182,7 +187,8 @@ impl Smooth {
     ///
     /// ```text
     /// c asinh(z/c), z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
-    /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there
+    /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there;
+    /// beyond a limit on either side: z = Φ⁻¹(Φ(z above) + Φ(z below))
     /// ```
     ///
     /// The inverse hyperbolic sine keeps the spikes down that z has where the response hardly scatters; that scale is never less than
@@ -202,14 +208,7 @@ impl Smooth {
         let index = match event {
             Event::Above(limit) => above(limit),
             Event::Below(limit) | Event::UpTo(limit) => -above(limit),
-            Event::Beyond(limit) => {
-                let share = self.probability(event, 0.0).value;
-                if (TAIL..=1.0 - TAIL).contains(&share) {
-                    normal_quantile(share)
-                } else {
-                    smooth_maximum(above(limit), -above(-limit))
-                }
-            }
+            Event::Beyond(limit) => index_of_either(above(limit), -above(-limit)),
         };
         INDEX_SCALE * libm::asinh(index.clamp(-LARGEST_INDEX, LARGEST_INDEX) / INDEX_SCALE)
     }
@@ -231,7 +230,7 @@ impl Smooth {
     pub fn quantile(&self, probability: f64, near: f64, deviation: f64) -> Option<Estimate> {
         let residual = self.residual();
         let resolution = QUANTILE_RESOLUTION * deviation;
-        if deviation <= residual || deviation <= 64.0 * f64::EPSILON * near.abs() {
+        if deviation <= residual || deviation <= ROUND_OFF * near.abs() {
             return Some(Estimate::symmetric(near, residual + 8.0 * deviation));
         }
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -264,9 +263,15 @@ impl Smooth {
     }
 }
 
-/// τ ln(exp(a/τ) + exp(b/τ)): the greater of two indices, without the kink where they change places.
-fn smooth_maximum(a: f64, b: f64) -> f64 {
-    a.max(b) + CHANGE_OF_PLACES * libm::log1p(libm::exp(-(a - b).abs() / CHANGE_OF_PLACES))
+/// Φ⁻¹(Φ(a) + Φ(b)): the index of the probability of either of two events that exclude each other, from theirs; the greater of
+/// the two where numbers are too small for the sum.
+fn index_of_either(a: f64, b: f64) -> f64 {
+    let (most, least) = (a.max(b), a.min(b));
+    let share = normal_cdf(most) + normal_cdf(least);
+    // What neither has, without the round-off of 1 - Φ.
+    let rest = normal_cdf(-most) - normal_cdf(least);
+    let index = if share < 0.5 { normal_quantile(share) } else { -normal_quantile(rest) };
+    if index.is_finite() { index } else { most }
 }
 
 /// The probability with this index ([`Smooth::index`]), where it is neither below ε nor above 1 - ε.

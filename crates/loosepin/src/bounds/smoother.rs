@@ -63,9 +63,11 @@ pub(super) struct Smoother {
 pub(super) struct Fit<'a> {
     smoother: &'a Smoother,
     model: &'a Model,
-    values: Vec<f64>,
+    /// What the mean at any place takes of the values.
+    whitened: (Vec<f64>, Vec<f64>),
     centre: f64,
     deviation: f64,
+    noise_variance: f64,
 }
 
 impl Smoother {
@@ -140,7 +142,9 @@ impl Smoother {
         let (model, variance, _) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
         let surprise = if variance > 0.0 { model.largest_error(&residual) / variance.sqrt() } else { 0.0 };
         let deviation = variance.sqrt() * (surprise / EXPECTED_SURPRISE).max(1.0);
-        Fit { smoother: self, model, values, centre, deviation }
+        let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
+        let noise_variance = if is_noisy { model.noise_ratio() * variance } else { 0.0 };
+        Fit { smoother: self, model, whitened: model.whitened(&values), centre, deviation, noise_variance }
     }
 
     /// What the polynomial alone, by ordinary least squares, leaves: the models see the same misfit with less round-off.
@@ -160,7 +164,12 @@ impl Smoother {
 impl Fit<'_> {
     /// Whether the fit passes beside the estimates rather than through them.
     pub fn is_smoothed(&self) -> bool {
-        self.model.noise_ratio() > NOISE_RATIOS[0]
+        self.noise_variance > 0.0
+    }
+
+    /// Variance of the noise, 0 where the fit passes through the estimates.
+    pub fn noise_variance(&self) -> f64 {
+        self.noise_variance
     }
 
     /// Places of [`Fit::at_places`].
@@ -170,15 +179,15 @@ impl Fit<'_> {
 
     /// Mean and standard deviation of S at every place: first the candidates, then the points.
     pub fn at_places(&self) -> impl Iterator<Item = (f64, f64)> {
-        let (weights, variances) = self.model.at_places(&self.smoother.seen_places);
-        let means = weights.chunks(self.values.len()).map(|weights| self.centre + dot(weights, &self.values));
-        means.zip(variances).map(|(mean, variance)| (mean, self.deviation * variance.sqrt()))
+        let found = self.model.at_places(&self.smoother.seen_places, (&self.whitened.0, &self.whitened.1));
+        found.map(|(mean, variance)| (self.centre + mean, self.deviation * variance.sqrt()))
     }
 
     /// Mean and standard deviation of S at `place`.
     pub fn at(&self, place: &[f64]) -> (f64, f64) {
-        let (weights, variance) = self.model.predict(&self.smoother.axes.seen(place));
-        (self.centre + dot(&weights, &self.values), self.deviation * variance.sqrt())
+        let seen = self.smoother.axes.seen(place);
+        let (mean, variance) = self.model.mean_and_variance(&seen, (&self.whitened.0, &self.whitened.1));
+        (self.centre + mean, self.deviation * variance.sqrt())
     }
 }
 

@@ -228,6 +228,9 @@ fn greatest_spread(boxes: &[[f64; 2]], masses: &[f64]) -> f64 {
         let centre: f64 = means.iter().zip(masses).map(|(mean, mass)| mass * mean).sum();
         means.iter().zip(masses).map(|(mean, mass)| mass * (mean - centre) * (mean - centre)).sum::<f64>()
     };
+    if boxes.iter().flatten().any(|end| !end.is_finite()) {
+        return f64::INFINITY;
+    }
     // Where an end changes: in the middle of a box; just to either side all choices are met.
     let middles = boxes.iter().map(|[low, high]| 0.5 * (low + high));
     let sides = middles.flat_map(|middle| [middle.next_down(), middle.next_up()]);

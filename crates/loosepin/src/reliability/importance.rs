@@ -88,7 +88,7 @@ fn estimate(sums: &[f64; REPLICATES], done: usize, runs: usize, failed: usize) -
     let standard_error = (squares / ((REPLICATES - 1) * REPLICATES) as f64).sqrt();
     let half = student_factor(RARE_CONFIDENCE, REPLICATES - 1) * standard_error;
     // Where nothing was met, nothing is known.
-    let interval = if value > 0.0 { [(value - half).max(0.0), (value + half).min(1.0)] } else { [0.0, 1.0] };
+    let interval = if value > 0.0 { [value - half, value + half].map(|end| end.clamp(0.0, 1.0)) } else { [0.0, 1.0] };
     RareProbability { value: value.min(1.0), standard_error, interval, runs, failed }
 }
 

@@ -19,7 +19,7 @@ const SUBSETS: u64 = 0x7375_6273_6574_7300;
 /// How much is sampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SubsetSimulation {
-    /// Points of each level, a multiple of 100, at least 200. Default: 3,400, which is under 20,000 runs down to 1e-6.
+    /// Points of each level; the next multiple of 100 is taken, at least 200. Default: 3,400, which is under 20,000 runs down to 1e-6.
     pub level: usize,
     /// Seed. Default: 1.
     pub seed: u64,

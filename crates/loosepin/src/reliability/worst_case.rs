@@ -47,7 +47,8 @@ pub struct IndexRange {
 }
 
 /// The extremes of the reliability index over the unit box, of the `candidates` (at least one) and then by a pattern search along
-/// the axes from the best of them. Nothing where a candidate has no design point.
+/// the axes from the best of them; an axis that `closes` has no ends, 0 and 1 are the same there. Nothing where a candidate has no
+/// design point.
 ///
 /// The probability itself is flat at zero over most of a box and shows no way; the index is smooth. Where the event has several
 /// parts the index is that of the nearest, so that a probability of many equal parts may be largest elsewhere.
@@ -58,6 +59,7 @@ pub fn index_range<E>(
     limit_state: &mut impl FnMut(&[Vec<f64>], &[f64]) -> Result<Vec<f64>, E>,
     dimensions: usize,
     candidates: &[Vec<f64>],
+    closes: &[bool],
     search: &BoxSearch,
 ) -> Result<Option<IndexRange>, E> {
     let mut runs = 0;
@@ -88,7 +90,8 @@ pub fn index_range<E>(
             for axis in 0..at.len() {
                 for signed in [step, -step] {
                     let mut trial = at.clone();
-                    trial[axis] = (trial[axis] + signed).clamp(0.0, 1.0);
+                    let moved = trial[axis] + signed;
+                    trial[axis] = if closes[axis] { moved.rem_euclid(1.0) } else { moved.clamp(0.0, 1.0) };
                     if trial[axis] == at[axis] {
                         continue;
                     }
@@ -99,12 +102,14 @@ pub fn index_range<E>(
                     let Some(nearby) = follow(&mut counted, &designs)? else { continue };
                     let change = index(&nearby) - index(&designs);
                     if sign * change < 0.0 {
+                        // Where the moves end here, a further one may gain as much again.
+                        unresolved = unresolved.max(change.abs());
                         (at, designs, has_moved) = (trial, nearby, true);
                         moves += 1;
                         break;
                     }
                     // At a face of the box a worse neighbour shows that the extreme is the face itself.
-                    if at[axis] > 0.0 && at[axis] < 1.0 {
+                    if closes[axis] || at[axis] > 0.0 && at[axis] < 1.0 {
                         unresolved = unresolved.max(change.abs());
                     }
                 }
@@ -164,7 +169,7 @@ mod tests {
         let mut limit_state = |points: &[Vec<f64>], at: &[f64]| -> Result<Vec<f64>, Infallible> {
             Ok(points.iter().map(|x| 3.0 * at[0] - 1.0 - (x[0] - 2.0 * x[1]) / 5.0_f64.sqrt()).collect())
         };
-        let range = index_range(&mut limit_state, 2, &[vec![0.5]], &BoxSearch::default()).unwrap().unwrap();
+        let range = index_range(&mut limit_state, 2, &[vec![0.5]], &[false], &BoxSearch::default()).unwrap().unwrap();
         for (found, (place, index)) in [(&range.smallest, (0.0, -1.0)), (&range.largest, (1.0, 2.0))] {
             assert_eq!(found.at, [place], "{range:?}");
             assert!((found.designs[0].index - index).abs() < INDEX_TOLERANCE, "{range:?}");
@@ -179,7 +184,7 @@ mod tests {
             Ok(points.iter().map(|x| index - (x[0] + 2.0 * x[1]) / 5.0_f64.sqrt()).collect())
         };
         let corners = [[0.5, 0.5], [0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|at| at.to_vec());
-        let range = index_range(&mut limit_state, 2, &corners, &BoxSearch::default()).unwrap().unwrap();
+        let range = index_range(&mut limit_state, 2, &corners, &[false; 2], &BoxSearch::default()).unwrap().unwrap();
         for (found, expected) in range.smallest.at.iter().zip([0.3, 0.0]) {
             assert!((found - expected).abs() < PLACE_TOLERANCE, "{range:?}");
         }
@@ -187,5 +192,29 @@ mod tests {
         assert!(range.smallest.unresolved > range.smallest.designs[0].index - 4.0, "{range:?}");
         assert_eq!((&range.largest.at[..], range.largest.unresolved), (&[1.0, 1.0][..], 0.0));
         assert!((range.largest.designs[0].index - 5.48).abs() < INDEX_TOLERANCE, "{range:?}");
+    }
+
+    #[test]
+    fn analytic_an_extreme_across_the_seam_of_an_angle() {
+        // β(u) = 3 + cos(2π(u - 0.97)): largest at 0.97, which is near 0.05 on a circle and far on a line.
+        let mut limit_state = |points: &[Vec<f64>], at: &[f64]| -> Result<Vec<f64>, Infallible> {
+            let index = 3.0 + (std::f64::consts::TAU * (at[0] - 0.97)).cos();
+            Ok(points.iter().map(|x| index - (x[0] + 2.0 * x[1]) / 5.0_f64.sqrt()).collect())
+        };
+        let range = index_range(&mut limit_state, 2, &[vec![0.05]], &[true], &BoxSearch::default()).unwrap().unwrap();
+        assert!((range.largest.at[0] - 0.97).abs() < PLACE_TOLERANCE, "{range:?}");
+        assert!(range.largest.unresolved >= 4.0 - range.largest.designs[0].index, "{range:?}");
+    }
+
+    #[test]
+    fn analytic_moves_that_run_out_are_told() {
+        // β(u) = 3 + 2 u, three moves of a search that needs more than that to the end.
+        let mut limit_state = |points: &[Vec<f64>], at: &[f64]| -> Result<Vec<f64>, Infallible> {
+            let index = 3.0 + 2.0 * at[0] + 1.5 * at[1] + 1.2 * at[2] + 1.1 * at[3];
+            Ok(points.iter().map(|x| index - (x[0] + 2.0 * x[1]) / 5.0_f64.sqrt()).collect())
+        };
+        let search = BoxSearch { moves: 3, ..BoxSearch::default() };
+        let range = index_range(&mut limit_state, 2, &[vec![0.5; 4]], &[false; 4], &search).unwrap().unwrap();
+        assert!(range.largest.at != [1.0; 4] && range.largest.unresolved > 0.2, "{range:?}");
     }
 }

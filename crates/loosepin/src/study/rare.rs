@@ -175,11 +175,14 @@ impl Event<'_, '_> {
         let dimensions = self.dimensions();
         let search = BoxSearch { design: DesignSearch { seed, ..DesignSearch::default() }, ..BoxSearch::default() };
         let places = self.places();
+        let closes = self.plan.box_closes();
         let mut ends: [Option<(usize, IndexExtreme)>; 2] = [None, None];
         for combination in 0..self.plan.box_combinations() {
             self.combination = combination;
             let mut limit_state = |points: &[Vec<f64>], at: &[f64]| self.limit_state(points, at);
-            let Some(range) = index_range(&mut limit_state, dimensions, &places, &search)? else { return Ok(None) };
+            let Some(range) = index_range(&mut limit_state, dimensions, &places, &closes, &search)? else {
+                return Ok(None);
+            };
             for (end, extreme, sign) in [(0, range.largest, -1.0), (1, range.smallest, 1.0)] {
                 let is_better = ends[end]
                     .as_ref()

@@ -91,6 +91,11 @@ impl RandomVariable {
         self.family.quantile(Tails::of_standard_normal(z))
     }
 
+    /// Whether it takes single values only.
+    pub fn has_atoms(&self) -> bool {
+        self.atoms().is_some()
+    }
+
     /// Values in increasing order with their probabilities, where no others are possible.
     pub(super) fn atoms(&self) -> Option<Vec<(f64, f64)>> {
         self.family.atoms()
