@@ -438,6 +438,15 @@ Nothing of it is used. Restore the file from a copy, or begin anew with --force.
 "The folder holds runs of this very study, which an earlier command has finished before it was stopped. Whether to go on with them is \
 for you to say: --resume takes them over, --force drops them."
 
+    ShardsDoNotFit "E0911" "folders are not the shards of one study"
+"`loosepin merge` joins the folders that shards of one study have written, RESULTS.shard-1-of-7 to RESULTS.shard-7-of-7: all of them, \
+each once, of the same study, the same number of shards and the same version. The complaint names the folder that does not fit, or the \
+shards that are missing."
+
+    RoundOpen "E0912" "a round of a study waits for its shards"
+"A study asks for its runs in rounds, and each round depends on the results of those before. Every shard makes its part of a round; \
+`loosepin merge` joins the parts and opens the next round, or writes the results after the last one."
+
     MeasuredTable "E1001" "a table of measured values cannot be used"
 "A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
 the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \

@@ -24,11 +24,13 @@ impl Problem for StudyError {
             | Self::Contributors(_)
             | Self::Surrogate(_)
             | Self::AccuracyOfSurrogate
+            | Self::TimeOfShards
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
             Self::Interrupted { .. } => Code::Interrupted,
+            Self::RoundOpen(_) => Code::RoundOpen,
         }
     }
 
@@ -55,6 +57,8 @@ impl Problem for StudyError {
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Store(error) => error.hint(),
             Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
+            Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
+            Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
             Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
@@ -96,6 +100,8 @@ impl StudyError {
             | Self::Threads(_)
             | Self::Store(_)
             | Self::Table(_)
+            | Self::RoundOpen(_)
+            | Self::TimeOfShards
             | Self::Interrupted { .. } => Complaint::error(self, None),
         }
     }

@@ -6,6 +6,7 @@ use super::assemble::{Extra, Material, assemble, runs_table};
 use super::contributors::contributors;
 use super::file::Study;
 use super::keep::Keeping;
+use super::part::{OpenRound, Part, refuse_time};
 use super::plans::Plans;
 use super::rare::{Rare, rare_probabilities};
 use super::response::{PrepareError, StudyResponse};
@@ -76,6 +77,12 @@ pub enum StudyError {
         /// How many there would have been at most.
         most_runs: usize,
     },
+    /// A round waits for runs that are made elsewhere; what was made here is in the store.
+    #[error("{0}")]
+    RoundOpen(OpenRound),
+    /// A budget of time where shards make the runs.
+    #[error("a budget of time cannot be shared by shards, which run at different times")]
+    TimeOfShards,
     /// Every run failed.
     #[error("all {runs} runs failed; the first one: {reason}")]
     AllFailed {
@@ -126,6 +133,18 @@ impl From<SobolError> for StudyError {
 /// # Errors
 /// See [`StudyError`]; failed runs are no error as long as some succeed.
 pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Conducted, StudyError> {
+    conduct_part(study, input_hash, means, Part::Whole)
+}
+
+/// Conducts `study` as far as its rounds are complete, with what is in the store and the runs that `part` makes. A part that is not
+/// the whole needs a store.
+///
+/// # Errors
+/// See [`StudyError`]; [`StudyError::RoundOpen`] where runs are missing that are made elsewhere.
+pub fn conduct_part(study: &Study, input_hash: &str, means: &Means<'_>, part: Part) -> Result<Conducted, StudyError> {
+    if part != Part::Whole {
+        refuse_time(study)?;
+    }
     let Means { threads, progress, stop, store } = *means;
     let response = StudyResponse::new(study)?;
     let plans = Plans::new(study, &response)?;
@@ -141,6 +160,7 @@ pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Con
         before: &before,
         keeping: &keeping,
         list: keeping.begin(),
+        part,
     };
     progress.runs(0, runner.most_runs);
     let mut table = plans.table();

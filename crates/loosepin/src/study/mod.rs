@@ -15,6 +15,7 @@ mod input_file;
 mod iso_286;
 mod keep;
 mod lanes;
+mod part;
 mod plans;
 mod rare;
 mod recorder;
@@ -27,7 +28,7 @@ mod simultaneous;
 mod surrogate;
 mod time_a_run;
 
-pub use conduct::{Conducted, Means, Progress, StudyError, conduct};
+pub use conduct::{Conducted, Means, Progress, StudyError, conduct, conduct_part};
 pub use distribution_words::distribution_words;
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
@@ -36,6 +37,7 @@ pub use file::{
 };
 pub use input_file::{InputFile, InputFileProblem};
 pub use iso_286::FitError;
+pub use part::{OpenRound, Part, plan_shards};
 pub use plans::plan_runs;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
 pub use time_a_run::time_a_run_s;
