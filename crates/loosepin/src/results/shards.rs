@@ -51,7 +51,7 @@ pub enum ShardsError {
         /// The folder.
         folder: PathBuf,
         /// What is wrong with it.
-        source: ResultsError,
+        source: Box<ResultsError>,
     },
     /// A shard of something else.
     #[error("{} belongs to another {what} ({found}) than {} ({expected})", folder.display(), first.display())]
@@ -156,7 +156,7 @@ impl ShardFolders {
     pub fn read(folders: &[PathBuf]) -> Result<Self, ShardsError> {
         let records = folders.iter().map(|folder| match read_record(folder) {
             Ok(record) => Ok((folder, record)),
-            Err(source) => Err(ShardsError::NotAShard { folder: folder.clone(), source }),
+            Err(source) => Err(ShardsError::NotAShard { folder: folder.clone(), source: Box::new(source) }),
         });
         let records = records.collect::<Result<Vec<(&PathBuf, ShardRecord)>, _>>()?;
         let Some((first_folder, first)) = records.first() else {
