@@ -189,6 +189,9 @@ pub struct StudyArguments {
     /// Where to end although bounds are not as near: runs, a time, or rounds [default with an accuracy: 100 times the runs without, a gibibyte at most]
     #[arg(long, value_name = "RUNS|TIME|ROUNDS", allow_hyphen_values = true)]
     pub budget: Option<String>,
+    /// Share of failed runs, above 0 and at most 1, above which the study ends with an error [default: as in the study]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub most_failed: Option<f64>,
     /// Threads to run on, 1 to 1024 [default: as many as the machine has]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
@@ -213,8 +216,11 @@ pub struct MergeArguments {
     #[arg(long, value_name = "STUDY")]
     pub study: Option<PathBuf>,
     /// Make rounds of up to N runs here, instead of waiting for shards, at most 8192
-    #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u32).range(0..=8192))]
+    #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(0..=8192))]
     pub small_round: u32,
+    /// Share of failed runs, above 0 and at most 1, above which the study ends with an error [default: as in the study]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub most_failed: Option<f64>,
     /// Threads to run on, 1 to 1024 [default: as many as the machine has]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
@@ -362,13 +368,17 @@ fn template() -> impl TypedValueParser<Value = &'static Template> {
 }
 
 fn recorded_turns(text: &str) -> Result<f64, String> {
-    turns(text, Rule::SomeTurns)
+    number(text, Rule::SomeTurns)
 }
 
 fn transient_turns(text: &str) -> Result<f64, String> {
-    turns(text, Rule::Turns)
+    number(text, Rule::Turns)
 }
 
-fn turns(text: &str, rule: Rule) -> Result<f64, String> {
-    text.parse().ok().filter(|&turns| rule.allows(turns)).ok_or_else(|| format!("must be a number {}", rule.words()))
+fn share(text: &str) -> Result<f64, String> {
+    number(text, Rule::RequiredProbability)
+}
+
+fn number(text: &str, rule: Rule) -> Result<f64, String> {
+    text.parse().ok().filter(|&number| rule.allows(number)).ok_or_else(|| format!("must be a number {}", rule.words()))
 }

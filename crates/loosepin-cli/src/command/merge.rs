@@ -22,7 +22,8 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let shards = ShardFolders::read(&arguments.folders).map_err(|error| Failure::of(&error))?;
     let record = &shards.record;
     let path = arguments.study.as_ref().unwrap_or(&record.study);
-    let (study, inputs) = read_stated(path, &record.accuracy, record.budget.as_deref())?;
+    let (mut study, inputs) = read_stated(path, &record.accuracy, record.budget.as_deref())?;
+    study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
     if inputs.to_string() != record.inputs_blake3 {
         let expected = record.inputs_blake3.chars().take(8).collect();
         return Err(Failure::of(&ShardsError::Changed { study: path.clone(), found: inputs.short(), expected }));
@@ -65,6 +66,14 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         store.publish(&folder.path().join(PUBLISHED_FILE)).map_err(|error| Failure::of(&error))?;
         tell_open(open, of);
         return Ok(Done::RoundOpen);
+    }
+    if let Err(StudyError::Interrupted { .. }) = &outcome {
+        let kept = store.settle().map_err(|error| Failure::of(&error))?;
+        console::message(&format!(
+            "interrupted; {kept} runs are kept in {}\nhint: the same command goes on",
+            folder.path().display()
+        ));
+        return Ok(Done::Interrupted);
     }
     conclude(&study, folder, store, outcome, &|runs| Timing::since(started, runs, threads))
 }

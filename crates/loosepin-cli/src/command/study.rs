@@ -26,7 +26,9 @@ use crate::progress::Bar;
 
 /// Conducts the study, or shows the one that is there.
 pub fn run(arguments: &StudyArguments) -> Ending {
-    let (study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
+    let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
+    // No input of the results: it says only when the study is given up.
+    study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
@@ -99,6 +101,12 @@ pub fn conclude(
             tell(&result, &folder)
         }
         Err(StudyError::Interrupted { finished, most_runs }) => keep(&mut folder, &finished, most_runs),
+        Err(StudyError::TooManyFailed(failed)) => {
+            let parquet = runs_parquet(&failed.runs).map_err(|error| Failure::of(&error))?;
+            folder.write(RUNS_FILE, &parquet)?;
+            folder.leave_unfinished()?;
+            Err(StudyError::TooManyFailed(failed).complaint(study).into())
+        }
         // The folder says since it was taken that it is not finished; there may be no room to say it again.
         Err(error @ StudyError::Store(_)) => Err(error.complaint(study).into()),
         Err(error) => {

@@ -399,6 +399,12 @@ then."
 "The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
 the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
 
+    TooManyFailed "E0815" "more runs of a study failed than may"
+"Bounds take a failed run as anything it could have been, so that many of them leave bounds that say little, and most often something \
+is wrong with the model or with what is said to be uncertain. The study ends after the round in which they became more than \
+most_failed under [sampling], a tenth if left out. What was run is kept: in runs.parquet, and in the store, with which --resume \
+--most-failed 0.3 goes on. The command in the complaint repeats one such run."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

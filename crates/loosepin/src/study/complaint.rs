@@ -29,6 +29,7 @@ impl Problem for StudyError {
             Self::Threads(_) => Code::NoThreads,
             Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
+            Self::TooManyFailed(_) => Code::TooManyFailed,
             Self::Interrupted { .. } => Code::Interrupted,
             Self::RoundOpen(_) => Code::RoundOpen,
         }
@@ -57,6 +58,14 @@ impl Problem for StudyError {
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Store(error) => error.hint(),
             Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
+            Self::TooManyFailed(failed) => {
+                let again =
+                    failed.commonest.as_ref().map(|reason| format!("`{}` repeats one; ", reason.example.command));
+                Some(format!(
+                    "{}--resume --most-failed SHARE goes on with the runs that are kept",
+                    again.unwrap_or_default()
+                ))
+            }
             Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
             Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
             Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
@@ -101,6 +110,7 @@ impl StudyError {
             | Self::Store(_)
             | Self::Table(_)
             | Self::RoundOpen(_)
+            | Self::TooManyFailed(_)
             | Self::TimeOfShards
             | Self::Interrupted { .. } => Complaint::error(self, None),
         }

@@ -2,7 +2,7 @@
 
 use super::accuracy::{Ended, record};
 use super::allow::{allocation, allowances};
-use super::assemble::{Extra, Material, assemble, runs_table};
+use super::assemble::{Extra, Material, assemble, failures, runs_table};
 use super::contributors::contributors;
 use super::file::Study;
 use super::keep::Keeping;
@@ -10,7 +10,7 @@ use super::part::{OpenRound, Part, refuse_time};
 use super::plans::Plans;
 use super::rare::{Rare, rare_probabilities};
 use super::response::{PrepareError, StudyResponse};
-use super::result::{AllocationRecord, AllowanceRecord, StudyResult};
+use super::result::{AllocationRecord, AllowanceRecord, FailureGroup, StudyResult};
 use super::runner::Runner;
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
@@ -21,6 +21,7 @@ use crate::contributors::IndexPlanError;
 use crate::simulate::RunFailure;
 use crate::store::{RunStore, StoreError};
 use crate::uncertainty::SobolError;
+use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicUsize};
 use thiserror::Error;
 
@@ -83,6 +84,9 @@ pub enum StudyError {
     /// A budget of time where shards make the runs.
     #[error("a budget of time cannot be shared by shards, which run at different times")]
     TimeOfShards,
+    /// More runs failed than may; what was run is in the table, and in the store.
+    #[error("{0}")]
+    TooManyFailed(Box<TooManyFailed>),
     /// Every run failed.
     #[error("all {runs} runs failed; the first one: {reason}")]
     AllFailed {
@@ -91,6 +95,38 @@ pub enum StudyError {
         /// Why the first one did.
         reason: RunFailure,
     },
+}
+
+/// More failed runs than a study may have.
+#[derive(Debug)]
+pub struct TooManyFailed {
+    /// All runs, finished and failed.
+    pub runs: RunsTable,
+    /// How many runs there are.
+    pub made: usize,
+    /// How many of them failed.
+    pub failed: usize,
+    /// The share that may fail.
+    pub most_failed: f64,
+    /// The most frequent reason, with a command that repeats such a run.
+    pub commonest: Option<FailureGroup>,
+}
+
+/// `148 of 1344 runs failed (11.01 %); at most 10 % may: most_failed under [sampling]. 120 of them: ...`.
+impl fmt::Display for TooManyFailed {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { made, failed, most_failed, .. } = self;
+        let share = 100.0 * *failed as f64 / *made as f64;
+        let most = 100.0 * most_failed;
+        write!(
+            formatter,
+            "{failed} of {made} runs failed ({share:.3} %); at most {most} % may: most_failed under [sampling]"
+        )?;
+        match &self.commonest {
+            Some(reason) => write!(formatter, "; {} of them: {}", reason.count, reason.words),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Hears how far a study is.
@@ -208,6 +244,7 @@ fn double_loop(
     while !round.is_empty() && watch.allows(round.len(), table.len(), rounds) {
         runner.most_runs = plans.most_runs_with(table.len() + round.len());
         runner.run(&round, table)?;
+        refuse_failures(runner, table)?;
         rounds += 1;
         round = runner.pool.install(|| refinement.next_round(table))?;
     }
@@ -217,6 +254,18 @@ fn double_loop(
     let left = Some(round.len()).filter(|runs| *runs > 0);
     let ended = Ended::new(&refinement, left, (rounds, table.len()), plans.budget);
     Ok((refinement.plan(table).clone(), ended))
+}
+
+/// That no more of the runs so far failed than may: bounds would say little, and every further round as little.
+fn refuse_failures(runner: &Runner<'_>, table: &SampleTable) -> Result<(), StudyError> {
+    let (study, response) = (runner.study, runner.response);
+    let (made, failed, most_failed) = (table.len(), table.failed(), study.sampling.most_failed);
+    if failed as f64 <= most_failed * made as f64 {
+        return Ok(());
+    }
+    let commonest = failures(study, response, table).into_iter().next();
+    let runs = runs_table(study, response, table);
+    Err(StudyError::TooManyFailed(Box::new(TooManyFailed { runs, made, failed, most_failed, commonest })))
 }
 
 /// `study` with the samples that its double loop came to have.

@@ -28,7 +28,7 @@ mod simultaneous;
 mod surrogate;
 mod time_a_run;
 
-pub use conduct::{Conducted, Means, Progress, StudyError, conduct, conduct_part};
+pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_part};
 pub use distribution_words::distribution_words;
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
