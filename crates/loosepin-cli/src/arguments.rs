@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use loosepin::diagnostics::Code;
 use loosepin::model::Rule;
+use loosepin::store::Shard;
 use loosepin::templates::{TEMPLATES, Template, find_template};
 
 /// How accurately does a mechanism move, when its parts scatter and its joints have play?
@@ -21,7 +22,8 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
         loosepin check my_mechanism/model.toml\n  \
         loosepin simulate my_mechanism/model.toml\n  \
         loosepin study my_mechanism/study.toml\n\n\
-        Exit status: 0 done; 1 done, and a requirement of the study is not met; 2 an error; 130 interrupted."
+        Exit status: 0 done; 1 done, and a requirement of the study is not met; 2 an error; 3 merged, and shards have a \
+        further round to run; 130 interrupted."
 )]
 pub struct Arguments {
     /// What to do.
@@ -38,6 +40,7 @@ pub enum Command {
     Motion(MotionArguments),
     Simulate(SimulateArguments),
     Study(StudyArguments),
+    Merge(MergeArguments),
     Sweep(SweepArguments),
     Cases(CasesArguments),
     Report(ReportArguments),
@@ -162,10 +165,13 @@ pub struct SimulateArguments {
     With --accuracy the samples of the study grow, round by round, until its bounds are widened by no more than that; \
     it is of all bounds that measure what it measures, or of an output or one of its statistics. Where the budget ends it \
     before, the study says what is reached and what it would take; that is no error.\n\n\
+    With --shard 2/7 it makes the second of seven parts of the present round of runs, wherever the others are made, in a folder \
+    of its own, RESULTS.shard-2-of-7; loosepin merge joins them.\n\n\
     Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
     Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds\n  \
     loosepin study study.toml --accuracy 1um --budget 30min\n  \
-    loosepin study study.toml --accuracy slider.mean=1um --accuracy 0.5% --budget 200000runs"
+    loosepin study study.toml --accuracy slider.mean=1um --accuracy 0.5% --budget 200000runs\n  \
+    loosepin study study.toml --shard 2/7 --resume"
 )]
 pub struct StudyArguments {
     /// Study file
@@ -174,12 +180,47 @@ pub struct StudyArguments {
     /// Go on with the finished runs of the same command, where it was stopped
     #[arg(long, conflicts_with = "force")]
     pub resume: bool,
+    /// Make the runs of one shard of N alone, in a folder of its own
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
     /// What bounds are widened by at most, with its unit; may be repeated
     #[arg(long, value_name = "[OUTPUT[.STATISTIC]=]VALUE", allow_hyphen_values = true)]
     pub accuracy: Vec<String>,
     /// Where to end although bounds are not as near: runs, a time, or rounds [default with an accuracy: 100 times the runs without, a gibibyte at most]
     #[arg(long, value_name = "RUNS|TIME|ROUNDS", allow_hyphen_values = true)]
     pub budget: Option<String>,
+    /// Share of failed runs, above 0 and at most 1, above which the study ends with an error [default: as in the study]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub most_failed: Option<f64>,
+    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
+    pub threads: Option<u32>,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Join the shards of a study: write the results, or open the next round of runs for them
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Takes the folders of all shards, RESULTS.shard-1-of-N to RESULTS.shard-N-of-N, and writes what a study in one \
+    piece writes, byte for byte, into RESULTS. A study asks for its runs in rounds: where the shards have a further round to \
+    run, it is left in RESULTS for them, and the exit status is 3; run the shards again with --resume, then merge again.\n\n\
+    Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
+    Examples:\n  loosepin merge bounds.shard-*\n  loosepin merge results/worn-pin/1a2b3c4d.shard-*"
+)]
+pub struct MergeArguments {
+    /// Folders of all shards
+    #[arg(required = true, value_name = "FOLDER")]
+    pub folders: Vec<PathBuf>,
+    /// Study file [default: where the shards found it]
+    #[arg(long, value_name = "STUDY")]
+    pub study: Option<PathBuf>,
+    /// Make rounds of up to N runs here, instead of waiting for shards, at most 8192
+    #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(0..=8192))]
+    pub small_round: u32,
+    /// Share of failed runs, above 0 and at most 1, above which the study ends with an error [default: as in the study]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub most_failed: Option<f64>,
     /// Threads to run on, 1 to 1024 [default: as many as the machine has]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
@@ -327,13 +368,17 @@ fn template() -> impl TypedValueParser<Value = &'static Template> {
 }
 
 fn recorded_turns(text: &str) -> Result<f64, String> {
-    turns(text, Rule::SomeTurns)
+    number(text, Rule::SomeTurns)
 }
 
 fn transient_turns(text: &str) -> Result<f64, String> {
-    turns(text, Rule::Turns)
+    number(text, Rule::Turns)
 }
 
-fn turns(text: &str, rule: Rule) -> Result<f64, String> {
-    text.parse().ok().filter(|&turns| rule.allows(turns)).ok_or_else(|| format!("must be a number {}", rule.words()))
+fn share(text: &str) -> Result<f64, String> {
+    number(text, Rule::RequiredProbability)
+}
+
+fn number(text: &str, rule: Rule) -> Result<f64, String> {
+    text.parse().ok().filter(|&number| rule.allows(number)).ok_or_else(|| format!("must be a number {}", rule.words()))
 }

@@ -15,6 +15,8 @@ pub enum Done {
     Well,
     /// As asked, and a requirement of the study, or a number of a reference case, is not shown to be met.
     RequirementNotMet,
+    /// As asked, and shards of a study have a further round to run.
+    RoundOpen,
     /// Ended by a signal, with what was finished kept.
     Interrupted,
 }
@@ -61,6 +63,7 @@ pub fn exit_code(ending: Ending) -> ExitCode {
     match ending {
         Ok(Done::Well) => ExitCode::SUCCESS,
         Ok(Done::RequirementNotMet) => ExitCode::from(1),
+        Ok(Done::RoundOpen) => ExitCode::from(3),
         Ok(Done::Interrupted) => ExitCode::from(130),
         Err(Failure::Complaints(complaints)) => {
             console::complain(&complaints);

@@ -1,7 +1,8 @@
 //! The `loosepin` command: parse arguments, call the library, print.
 //!
 //! Data goes to standard output, messages and progress to standard error. Exit status: 0 done; 1 done, and a requirement
-//! of the study is not met, or a number of a reference case; 2 an error; 130 interrupted.
+//! of the study is not met, or a number of a reference case; 2 an error; 3 merged, and the shards have a further round to run;
+//! 130 interrupted.
 
 mod arguments;
 mod command;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
         Command::Motion(motion) => command::motion::run(motion),
         Command::Simulate(simulate) => command::simulate::run(simulate),
         Command::Study(study) => command::study::run(study),
+        Command::Merge(merge) => command::merge::run(merge),
         Command::Sweep(sweep) => command::sweep::run(sweep),
         Command::Cases(cases) => command::cases::run(cases),
         Command::Schema(schema) => command::schema::run(schema),

@@ -1,5 +1,6 @@
 //! `loosepin study`.
 
+use std::path::Path;
 use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
@@ -14,6 +15,7 @@ use loosepin::study::runs::RunsTable;
 use loosepin::study::{Conducted, Means, Study, StudyError, conduct};
 
 use super::inputs::{add_model, add_study, read_study};
+use super::shard;
 use super::signals::stop_on_signals;
 use super::stored::{place, tell_again};
 use super::threads::threads;
@@ -24,20 +26,19 @@ use crate::progress::Bar;
 
 /// Conducts the study, or shows the one that is there.
 pub fn run(arguments: &StudyArguments) -> Ending {
-    let mut study = read_study(&arguments.study)?;
-    for accuracy in &arguments.accuracy {
-        study.add_accuracy(accuracy)?;
-    }
-    if let Some(budget) = &arguments.budget {
-        study.set_budget(budget)?;
-    }
+    let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
+    // No input of the results: it says only when the study is given up.
+    study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
     let claim = Claim {
         kind: ResultKind::Study,
         name: study.name.clone(),
-        inputs: inputs(arguments, &study),
+        inputs,
         place: place(&arguments.output),
         with_force: arguments.output.force,
     };
+    if let Some(shard) = arguments.shard {
+        return shard::run(arguments, shard, &study, claim);
+    }
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
     let stop = stop_on_signals("Ctrl-C will end the study at once; what was finished until a moment before is kept");
@@ -47,13 +48,47 @@ pub fn run(arguments: &StudyArguments) -> Ending {
         tell_again(&folder);
         return show_again(&mut folder);
     }
-    let store = open_store(&folder, &claim, arguments.resume)?;
+    let store = open_store(&folder, None, &claim, arguments.resume)?;
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::new();
     let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
     let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();
+    conclude(&study, folder, store, outcome, &|runs| Timing::since(started, runs, threads))
+}
+
+/// Reads a study with what the command line states beside the file; also gives the hash of all inputs.
+///
+/// # Errors
+/// Everything that is wrong with them.
+pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Result<(Study, InputsHash), Failure> {
+    let mut study = read_study(path)?;
+    let mut hasher = InputsHasher::new(ResultKind::Study);
+    add_study(&mut hasher, &study);
+    add_model(&mut hasher, &study.model);
+    for accuracy in accuracy {
+        study.add_accuracy(accuracy)?;
+        hasher.add("accuracy", accuracy);
+    }
+    if let Some(budget) = budget {
+        study.set_budget(budget)?;
+        hasher.add("budget", budget);
+    }
+    Ok((study, hasher.finish()))
+}
+
+/// Writes what came of a study, or keeps what there is of it.
+///
+/// # Errors
+/// Why it has no result, or cannot be written.
+pub fn conclude(
+    study: &Study,
+    mut folder: ResultsFolder,
+    store: RunStore,
+    outcome: Result<Conducted, StudyError>,
+    timing: &dyn Fn(usize) -> Timing,
+) -> Ending {
     match outcome {
         Ok(Conducted { result, runs, surrogates }) => {
             let count = runs.columns.first().map_or(0, |column| column.data.len());
@@ -61,31 +96,51 @@ pub fn run(arguments: &StudyArguments) -> Ending {
                 let text = surrogates_json(surrogates).map_err(|error| Failure::of(&error))?;
                 folder.write(SURROGATES_FILE, text.as_bytes())?;
             }
-            write(&mut folder, &result, &runs, &Timing::since(started, count, threads))?;
+            write(&mut folder, &result, &runs, &timing(count))?;
             store.remove().map_err(|error| Failure::of(&error))?;
             tell(&result, &folder)
         }
         Err(StudyError::Interrupted { finished, most_runs }) => keep(&mut folder, &finished, most_runs),
+        Err(StudyError::TooManyFailed(failed)) => {
+            let parquet = runs_parquet(&failed.runs).map_err(|error| Failure::of(&error))?;
+            folder.write(RUNS_FILE, &parquet)?;
+            folder.leave_unfinished()?;
+            Err(StudyError::TooManyFailed(failed).complaint(study).into())
+        }
         // The folder says since it was taken that it is not finished; there may be no room to say it again.
-        Err(error @ StudyError::Store(_)) => Err(error.complaint(&study).into()),
+        Err(error @ StudyError::Store(_)) => Err(error.complaint(study).into()),
         Err(error) => {
             store.remove().map_err(|error| Failure::of(&error))?;
             folder.abandon()?;
-            Err(error.complaint(&study).into())
+            Err(error.complaint(study).into())
         }
     }
 }
 
-/// The store of finished runs in `folder`: an empty one, or what an earlier command has left of the same study.
-fn open_store(folder: &ResultsFolder, claim: &Claim, with_resume: bool) -> Result<RunStore, Failure> {
+/// Whose runs the store of a study holds.
+pub fn identity(claim: &Claim) -> StoreIdentity {
+    StoreIdentity { version: loosepin::VERSION.to_owned(), inputs: claim.inputs.to_string() }
+}
+
+/// The store of finished runs in `folder`: an empty one, or what an earlier command has left of the same study. What was
+/// `published` is found in it as well.
+///
+/// # Errors
+/// It cannot be used, or holds runs and nobody said what is to become of them.
+pub fn open_store(
+    folder: &ResultsFolder,
+    published: Option<&Path>,
+    claim: &Claim,
+    with_resume: bool,
+) -> Result<RunStore, Failure> {
     let path = folder.path().join(STORE_FILE);
-    let identity = StoreIdentity { version: loosepin::VERSION.to_owned(), inputs: claim.inputs.to_string() };
     let beginning = match (claim.with_force, with_resume) {
         (true, _) => Beginning::Anew,
         (false, true) => Beginning::GoOn,
         (false, false) => Beginning::Empty,
     };
-    let store = RunStore::begin(&path, &identity, beginning).map_err(|error| Failure::of(&error))?;
+    let store = RunStore::begin_beside(&path, published, &identity(claim), beginning);
+    let store = store.map_err(|error| Failure::of(&error))?;
     if store.runs_at_start() > 0 {
         console::message(&format!("going on with {} finished runs", store.runs_at_start()));
     }
@@ -129,17 +184,4 @@ fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
     Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
-}
-
-fn inputs(arguments: &StudyArguments, study: &Study) -> InputsHash {
-    let mut hasher = InputsHasher::new(ResultKind::Study);
-    add_study(&mut hasher, study);
-    add_model(&mut hasher, &study.model);
-    for accuracy in &arguments.accuracy {
-        hasher.add("accuracy", accuracy);
-    }
-    if let Some(budget) = &arguments.budget {
-        hasher.add("budget", budget);
-    }
-    hasher.finish()
 }

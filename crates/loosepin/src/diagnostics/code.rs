@@ -399,6 +399,12 @@ then."
 "The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
 the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
 
+    TooManyFailed "E0815" "more runs of a study failed than may"
+"Bounds take a failed run as anything it could have been, so that many of them leave bounds that say little, and most often something \
+is wrong with the model or with what is said to be uncertain. The study ends after the round in which they became more than \
+most_failed under [sampling], a tenth if left out. What was run is kept: in runs.parquet, and in the store, with which --resume \
+--most-failed 0.3 goes on. The command in the complaint repeats one such run."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \
@@ -437,6 +443,15 @@ Nothing of it is used. Restore the file from a copy, or begin anew with --force.
     StudyStarted "E0910" "a study that was begun before has finished runs"
 "The folder holds runs of this very study, which an earlier command has finished before it was stopped. Whether to go on with them is \
 for you to say: --resume takes them over, --force drops them."
+
+    ShardsDoNotFit "E0911" "folders are not the shards of one study"
+"`loosepin merge` joins the folders that shards of one study have written, RESULTS.shard-1-of-7 to RESULTS.shard-7-of-7: all of them, \
+each once, of the same study, the same number of shards and the same version. The complaint names the folder that does not fit, or the \
+shards that are missing."
+
+    RoundOpen "E0912" "a round of a study waits for its shards"
+"A study asks for its runs in rounds, and each round depends on the results of those before. Every shard makes its part of a round; \
+`loosepin merge` joins the parts and opens the next round, or writes the results after the last one."
 
     MeasuredTable "E1001" "a table of measured values cannot be used"
 "A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \

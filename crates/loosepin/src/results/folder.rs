@@ -55,6 +55,48 @@ impl Claim {
         }
     }
 
+    /// Whether the folder holds the finished result, which is to be made anew only with force. Nothing is changed.
+    ///
+    /// # Errors
+    /// The folder holds something else, or cannot be read.
+    pub fn is_finished(&self) -> Result<bool, ResultsError> {
+        let path = self.path();
+        if !path.exists() {
+            return Ok(false);
+        }
+        if !path.is_dir() {
+            return Err(ResultsError::NotAFolder { path });
+        }
+        let held = self.held(&path)?;
+        Ok(held.is_some_and(|held| held.is_finished && self.is_same(&held) && !self.with_force))
+    }
+
+    /// Whether these are results of the same inputs.
+    fn is_same(&self, held: &Marker) -> bool {
+        held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string()
+    }
+
+    /// What the folder `path` holds that may be replaced.
+    fn held(&self, path: &Path) -> Result<Option<Marker>, ResultsError> {
+        match read_marker(path) {
+            Ok(held) if self.is_same(&held) || self.with_force => Ok(Some(held)),
+            Ok(held) => Err(ResultsError::HoldsOtherResults {
+                folder: path.to_owned(),
+                held: held.kind,
+                wanted: self.kind,
+                name: held.name,
+                inputs_blake3: held.inputs_blake3,
+                version: held.version,
+            }),
+            Err(ResultsError::NoMarker { .. }) => match first_entry(path)?.filter(|_| !self.with_force) {
+                Some(example) => Err(ResultsError::HoldsOtherFiles { folder: path.to_owned(), example }),
+                None => Ok(None),
+            },
+            Err(ResultsError::ForeignMarker { .. }) if self.with_force => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Takes the folder, making it where there is none. A finished result of the same inputs is left as it is (see
     /// [`ResultsFolder::is_finished`]), an unfinished one is taken over. With force the result is always made anew.
     ///
@@ -67,33 +109,13 @@ impl Claim {
         }
         let made = path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
         fs::create_dir_all(&path).map_err(|source| ResultsError::Write { path: path.clone(), source })?;
-        let mut set_aside = Vec::new();
-        match read_marker(&path) {
-            Ok(held) if held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string() => {
-                if held.is_finished && !self.with_force {
-                    return Ok(ResultsFolder { path, marker: held, made, set_aside: Vec::new() });
-                }
-                set_aside = clear(&path, &held)?;
+        let set_aside = match self.held(&path)? {
+            Some(held) if held.is_finished && self.is_same(&held) && !self.with_force => {
+                return Ok(ResultsFolder { path, marker: held, made, set_aside: Vec::new() });
             }
-            Ok(held) if self.with_force => set_aside = clear(&path, &held)?,
-            Ok(held) => {
-                return Err(ResultsError::HoldsOtherResults {
-                    folder: path,
-                    held: held.kind,
-                    wanted: self.kind,
-                    name: held.name,
-                    inputs_blake3: held.inputs_blake3,
-                    version: held.version,
-                });
-            }
-            Err(ResultsError::NoMarker { .. }) => {
-                if let Some(example) = first_entry(&path)?.filter(|_| !self.with_force) {
-                    return Err(ResultsError::HoldsOtherFiles { folder: path, example });
-                }
-            }
-            Err(ResultsError::ForeignMarker { .. }) if self.with_force => {}
-            Err(error) => return Err(error),
-        }
+            Some(held) => clear(&path, &held)?,
+            None => Vec::new(),
+        };
         let marker = Marker {
             kind: self.kind,
             name: self.name.clone(),

@@ -7,11 +7,13 @@ mod error;
 mod folder;
 mod inputs;
 mod marker;
+mod shards;
 
 pub use error::ResultsError;
 pub use folder::{Claim, Place, ResultsFolder, write_whole};
 pub use inputs::{InputsHash, InputsHasher};
 pub use marker::{MARKER_FILE, Marker, ResultKind};
+pub use shards::{SHARD_FILE, ShardFolders, ShardRecord, ShardsError};
 
 /// Name of the page that people read.
 pub const REPORT_FILE: &str = "report.html";

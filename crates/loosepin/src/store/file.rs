@@ -1,9 +1,11 @@
 //! The SQLite file of a store.
 
+use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use rusqlite::{Connection, OpenFlags, OptionalExtension, params};
+use rusqlite::{Connection, OpenFlags, OptionalExtension, Row, params};
 
 use super::StoreIdentity;
 use super::error::StoreError;
@@ -48,18 +50,22 @@ impl StoreFile {
         let store = Self { path: path.to_owned(), connection };
         let number =
             |name: &str| store.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)).map_err(of);
-        match (number("application_id")?, number("user_version")?) {
-            (0, 0) if store.is_empty()? => store.begin(identity)?,
-            (APPLICATION, FORMAT) => store.check(identity)?,
-            (APPLICATION, format) => {
-                let [found, expected] = [format, FORMAT].map(|format| format.to_string());
-                return Err(StoreError::OfOther { path: path.to_owned(), what: "format", found, expected });
-            }
-            _ => {
-                let reason = "it is a database, but not one of loosepin".to_owned();
-                return Err(StoreError::Damaged { path: path.to_owned(), reason });
-            }
+        let is_new = number("application_id")? == 0 && number("user_version")? == 0 && store.is_empty()?;
+        if is_new {
+            store.begin(identity)?
+        } else {
+            store.check(identity)?
         }
+        Ok(store)
+    }
+
+    /// Opens the file at `path` to be read, by any number of processes at a time, and checks it like [`StoreFile::open`]. It must
+    /// not be written meanwhile: only what [`StoreFile::publish`] has written is read so.
+    pub fn open_published(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
+        let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let connection = Connection::open_with_flags(path, flags).map_err(|error| StoreError::of(path, &error))?;
+        let store = Self { path: path.to_owned(), connection };
+        store.check(identity)?;
         Ok(store)
     }
 
@@ -83,7 +89,21 @@ impl StoreFile {
         self.or_told(written())
     }
 
+    /// That it is a store of this format, whole, and of this identity.
     fn check(&self, identity: &StoreIdentity) -> Result<(), StoreError> {
+        let number =
+            |name: &str| self.or_told(self.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)));
+        match (number("application_id")?, number("user_version")?) {
+            (APPLICATION, FORMAT) => {}
+            (APPLICATION, format) => {
+                let [found, expected] = [format, FORMAT].map(|format| format.to_string());
+                return Err(StoreError::OfOther { path: self.path.clone(), what: "format", found, expected });
+            }
+            _ => {
+                let reason = "it is a database, but not one of loosepin".to_owned();
+                return Err(StoreError::Damaged { path: self.path.clone(), reason });
+            }
+        }
         let said = self.connection.query_row("PRAGMA quick_check(1)", [], |row| row.get::<_, String>(0));
         let said = self.or_told(said)?;
         if said != "ok" {
@@ -133,33 +153,82 @@ impl StoreFile {
     /// The runs at `places` of a list.
     pub fn find(&self, list: u32, places: Range<u64>) -> Result<Vec<Option<KeptRun>>, StoreError> {
         let mut found: Vec<Option<KeptRun>> = vec![None; places.clone().count()];
-        let damaged = |place: i64, what: &str| StoreError::Damaged {
-            path: self.path.clone(),
-            reason: format!("run {place} of list {list} {what}"),
-        };
-        let query =
-            "SELECT place, inputs, failure, numbers, checksum FROM run WHERE list = ?1 AND place >= ?2 AND place < ?3";
+        let query = "SELECT list, place, inputs, failure, numbers, checksum FROM run \
+            WHERE list = ?1 AND place >= ?2 AND place < ?3";
         let statement = self.connection.prepare_cached(query);
         let mut statement = self.or_told(statement)?;
         let rows = statement.query(params![list, places.start.cast_signed(), places.end.cast_signed()]);
         let mut rows = self.or_told(rows)?;
         while let Some(row) = self.or_told(rows.next())? {
-            let place: i64 = self.or_told(row.get(0))?;
-            let inputs: Vec<u8> = self.or_told(row.get(1))?;
-            let failure: Option<u16> = self.or_told(row.get(2))?;
-            let numbers: Vec<u8> = self.or_told(row.get(3))?;
-            let sum: Vec<u8> = self.or_told(row.get(4))?;
-            if checksum(list, place.cast_unsigned(), &inputs, failure, &numbers)[..] != sum[..] {
-                return Err(damaged(place, "does not have its checksum"));
-            }
-            let inputs = InputsKey(inputs.try_into().map_err(|_| damaged(place, "has no key of its inputs"))?);
-            let outcome = match failure {
-                Some(reason) => Err(reason),
-                None => Ok(KeptRun::numbers(&numbers).ok_or_else(|| damaged(place, "has half a number"))?),
-            };
-            found[(place.cast_unsigned() - places.start) as usize] = Some(KeptRun { inputs, outcome });
+            let (_, place, run) = self.read(row)?;
+            found[(place - places.start) as usize] = Some(run);
         }
         Ok(found)
+    }
+
+    /// Hands every run over, in the order of lists and places.
+    pub fn for_each(
+        &self,
+        mut take: impl FnMut(u32, u64, KeptRun) -> Result<(), StoreError>,
+    ) -> Result<(), StoreError> {
+        let query = "SELECT list, place, inputs, failure, numbers, checksum FROM run ORDER BY list, place";
+        let statement = self.connection.prepare(query);
+        let mut statement = self.or_told(statement)?;
+        let mut rows = self.or_told(statement.query([]))?;
+        while let Some(row) = self.or_told(rows.next())? {
+            let (list, place, run) = self.read(row)?;
+            take(list, place, run)?;
+        }
+        Ok(())
+    }
+
+    /// A row with its list and place, once its checksum is right.
+    fn read(&self, row: &Row<'_>) -> Result<(u32, u64, KeptRun), StoreError> {
+        let list: u32 = self.or_told(row.get(0))?;
+        let place: i64 = self.or_told(row.get(1))?;
+        let place = place.cast_unsigned();
+        let inputs: Vec<u8> = self.or_told(row.get(2))?;
+        let failure: Option<u16> = self.or_told(row.get(3))?;
+        let numbers: Vec<u8> = self.or_told(row.get(4))?;
+        let sum: Vec<u8> = self.or_told(row.get(5))?;
+        let damaged = |what: &str| StoreError::Damaged {
+            path: self.path.clone(),
+            reason: format!("run {place} of list {list} {what}"),
+        };
+        if checksum(list, place, &inputs, failure, &numbers)[..] != sum[..] {
+            return Err(damaged("does not have its checksum"));
+        }
+        let inputs = InputsKey(inputs.try_into().map_err(|_| damaged("has no key of its inputs"))?);
+        let outcome = match failure {
+            Some(reason) => Err(reason),
+            None => Ok(KeptRun::numbers(&numbers).ok_or_else(|| damaged("has half a number"))?),
+        };
+        Ok((list, place, KeptRun { inputs, outcome }))
+    }
+
+    /// Writes a copy to `to` that other processes may read while this one is written: whole or not at all, in place of the one
+    /// that was there.
+    pub fn publish(&self, to: &Path) -> Result<(), StoreError> {
+        let refused = |error: io::Error| StoreError::NotUsable { path: to.to_owned(), reason: error.to_string() };
+        let partial = to.with_extension("partial");
+        match fs::remove_file(&partial) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(refused(error)),
+            _ => {}
+        }
+        let Some(name) = partial.to_str() else {
+            return Err(refused(io::Error::other("a path that is not Unicode")));
+        };
+        let copied = self.connection.execute("VACUUM INTO ?1", [name]);
+        copied.map_err(|error| StoreError::of(to, &error))?;
+        let renamed = || {
+            fs::File::open(&partial)?.sync_all()?;
+            fs::rename(&partial, to)?;
+            match to.parent().filter(|folder| cfg!(unix) && !folder.as_os_str().is_empty()) {
+                Some(folder) => fs::File::open(folder)?.sync_all(),
+                None => Ok(()),
+            }
+        };
+        renamed().map_err(refused)
     }
 
     fn or_told<T>(&self, result: rusqlite::Result<T>) -> Result<T, StoreError> {

@@ -20,7 +20,9 @@
 
 mod error;
 mod file;
+mod join;
 mod row;
+mod shard;
 #[cfg(test)]
 mod tests;
 mod writer;
@@ -34,7 +36,9 @@ use std::thread::JoinHandle;
 
 pub use error::StoreError;
 use file::StoreFile;
+pub use join::join_stores;
 pub use row::{InputsKey, KeptRun};
+pub use shard::{Shard, ShardError};
 pub use writer::LONGEST_UNSAVED;
 use writer::{Request, write_requests};
 
@@ -42,6 +46,9 @@ use writer::{Request, write_requests};
 pub const STORE_FILE: &str = "runs.sqlite";
 /// Names of the files that may stand beside it while it is open, or after it was left by force.
 pub const STORE_COMPANIONS: [&str; 2] = ["runs.sqlite-wal", "runs.sqlite-journal"];
+
+/// Name of the copy that shards of a study read of what was merged, beside the store.
+pub const PUBLISHED_FILE: &str = "merged.sqlite";
 
 /// Whose runs a store holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -79,14 +86,24 @@ impl RunStore {
     /// # Errors
     /// [`StoreError`]: it is in use, belongs to another study or version, is damaged, or the file system refuses.
     pub fn open(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
+        Self::open_beside(path, None, identity)
+    }
+
+    /// The same with `published`, a copy of another store that [`RunStore::publish`] has written: what is in there is found here as
+    /// well.
+    ///
+    /// # Errors
+    /// As for [`RunStore::open`], of both.
+    pub fn open_beside(path: &Path, published: Option<&Path>, identity: &StoreIdentity) -> Result<Self, StoreError> {
         let file = StoreFile::open(path, identity)?;
+        let published = published.map(|published| StoreFile::open_published(published, identity)).transpose()?;
         let runs_at_start = file.runs()?;
         let (requests, inbox) = channel();
         let is_broken = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&is_broken);
         let thread = std::thread::Builder::new()
             .name("loosepin-store".to_owned())
-            .spawn(move || write_requests(file, &inbox, &flag))
+            .spawn(move || write_requests(file, published.as_ref(), &inbox, &flag))
             .map_err(|error| StoreError::NotUsable { path: path.to_owned(), reason: error.to_string() })?;
         Ok(Self { path: path.to_owned(), requests: Some(requests), thread: Some(thread), is_broken, runs_at_start })
     }
@@ -96,13 +113,26 @@ impl RunStore {
     /// # Errors
     /// As for [`RunStore::open`], and [`StoreError::HoldsRuns`] where there were to be none.
     pub fn begin(path: &Path, identity: &StoreIdentity, beginning: Beginning) -> Result<Self, StoreError> {
-        let opened = Self::open(path, identity);
+        Self::begin_beside(path, None, identity, beginning)
+    }
+
+    /// The same for a shard of a study, which reads what is `published` as well.
+    ///
+    /// # Errors
+    /// As for [`RunStore::open_beside`], and [`StoreError::HoldsRuns`] where there were to be none.
+    pub fn begin_beside(
+        path: &Path,
+        published: Option<&Path>,
+        identity: &StoreIdentity,
+        beginning: Beginning,
+    ) -> Result<Self, StoreError> {
+        let opened = Self::open_beside(path, published, identity);
         match (beginning, opened) {
             (_, Err(error @ StoreError::InUse { .. })) => Err(error),
             (Beginning::Anew, opened) => {
                 drop(opened);
                 remove_store(path)?;
-                Self::open(path, identity)
+                Self::open_beside(path, published, identity)
             }
             (Beginning::Empty, Ok(store)) if store.runs_at_start > 0 => {
                 Err(StoreError::HoldsRuns { path: path.to_owned(), runs: store.runs_at_start })
@@ -150,6 +180,14 @@ impl RunStore {
         self.ask(|reply| Request::Settle { reply })
     }
 
+    /// Writes a copy of everything that was given to `to`, which other processes may read by [`RunStore::open_beside`] at any time.
+    ///
+    /// # Errors
+    /// [`StoreError`]: what the file system refuses.
+    pub fn publish(&self, to: &Path) -> Result<(), StoreError> {
+        self.ask(|reply| Request::Publish { to: to.to_owned(), reply })
+    }
+
     fn ask<T>(&self, request: impl FnOnce(SyncSender<Result<T, StoreError>>) -> Request) -> Result<T, StoreError> {
         let gone = || StoreError::NotUsable { path: self.path.clone(), reason: "its thread has ended".to_owned() };
         let (reply, answer) = sync_channel(1);
@@ -181,13 +219,13 @@ impl Drop for RunStore {
     }
 }
 
-/// Removes the files of a store that is not open; nothing where there is none.
+/// Removes the files of a store that is not open, and the copy beside it; nothing where there is none.
 ///
 /// # Errors
 /// What the file system refuses.
 pub fn remove_store(path: &Path) -> Result<(), StoreError> {
     let companions = STORE_COMPANIONS.iter().map(|name| path.with_file_name(name));
-    for file in companions.chain([path.to_owned()]) {
+    for file in companions.chain([path.with_file_name(PUBLISHED_FILE), path.to_owned()]) {
         match std::fs::remove_file(&file) {
             Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
                 return Err(StoreError::NotUsable { path: file, reason: error.to_string() });

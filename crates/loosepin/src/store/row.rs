@@ -21,6 +21,13 @@ impl InputsKey {
 }
 
 impl KeptRun {
+    /// Whether it is the same, bit for bit.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.inputs == other.inputs
+            && self.outcome.as_ref().err() == other.outcome.as_ref().err()
+            && self.bytes() == other.bytes()
+    }
+
     /// The numbers as bytes, little-endian; empty for a failed run.
     pub(super) fn bytes(&self) -> Vec<u8> {
         self.outcome.iter().flatten().flat_map(|value| value.to_le_bytes()).collect()

@@ -1,6 +1,7 @@
 //! The thread that has the file: collects what is to be kept, and commits it in time.
 
 use std::ops::Range;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
 use std::time::{Duration, Instant};
@@ -34,6 +35,13 @@ pub(super) enum Request {
         places: Range<u64>,
         /// Where the answer goes.
         reply: SyncSender<Result<Vec<Option<KeptRun>>, StoreError>>,
+    },
+    /// To write everything, and a copy of it for others.
+    Publish {
+        /// Where the copy goes.
+        to: PathBuf,
+        /// Where the answer goes.
+        reply: SyncSender<Result<(), StoreError>>,
     },
     /// To write everything now.
     Settle {
@@ -79,8 +87,26 @@ impl Waiting {
     }
 }
 
-/// Serves the requests until nobody can send any more.
-pub(super) fn write_requests(mut file: StoreFile, inbox: &Receiver<Request>, flag: &AtomicBool) {
+/// The runs at `places` of a list: those of `file`, and those of `published` for what it lacks.
+fn find(
+    file: &StoreFile,
+    published: Option<&StoreFile>,
+    list: u32,
+    places: Range<u64>,
+) -> Result<Vec<Option<KeptRun>>, StoreError> {
+    let own = file.find(list, places.clone())?;
+    let Some(published) = published.filter(|_| own.iter().any(Option::is_none)) else { return Ok(own) };
+    let others = published.find(list, places)?;
+    Ok(own.into_iter().zip(others).map(|(own, other)| own.or(other)).collect())
+}
+
+/// Serves the requests until nobody can send any more. What `published` has is found as if it were in `file`.
+pub(super) fn write_requests(
+    mut file: StoreFile,
+    published: Option<&StoreFile>,
+    inbox: &Receiver<Request>,
+    flag: &AtomicBool,
+) {
     let mut waiting = Waiting::default();
     let mut broken: Option<StoreError> = None;
     loop {
@@ -89,9 +115,13 @@ pub(super) fn write_requests(mut file: StoreFile, inbox: &Receiver<Request>, fla
             Ok(Request::Keep { list, place, run }) => waiting.add((list, place, run)),
             Ok(Request::Find { list, places, reply }) => {
                 waiting.commit(&mut file, &mut broken, flag);
-                let found = broken.clone().map_or_else(|| file.find(list, places), Err);
+                let found = broken.clone().map_or_else(|| find(&file, published, list, places), Err);
                 // Who asked may have given up.
                 let _ = reply.send(found);
+            }
+            Ok(Request::Publish { to, reply }) => {
+                waiting.commit(&mut file, &mut broken, flag);
+                let _ = reply.send(broken.clone().map_or_else(|| file.publish(&to), Err));
             }
             Ok(Request::Settle { reply }) => {
                 waiting.commit(&mut file, &mut broken, flag);

@@ -1,12 +1,14 @@
 //! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
 
 use super::assemble::{Material, requirements};
-use super::conduct::{Runner, StudyError, problem};
+use super::conduct::StudyError;
 use super::file::{Allowance, AllowedInput, Study};
+use super::plans::problem;
 use super::response::StudyResponse;
 use super::result::{
     AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome, Verdict,
 };
+use super::runner::Runner;
 use crate::bounds::{DoubleLoop, SampleTable};
 use crate::uncertainty::{EpistemicVariable, Interval, Parameter, hash};
 use crate::units::SiUnit;

@@ -3,10 +3,12 @@
 mod curves;
 mod describe;
 mod drawing;
+mod failures;
 mod runs_table;
 mod summary;
 
 pub(super) use describe::unit;
+pub(super) use failures::failures;
 pub use runs_table::runs_table;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
@@ -64,7 +66,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         outputs: describe::outputs(material),
         counts: summary::counts(material),
         accuracy: extra.accuracy,
-        failures: summary::failures(material),
+        failures: failures(material.study, material.response, material.table),
         settled_share: summary::settled_share(material),
         requirements: requirements(material),
         allowances: extra.allowances,

@@ -24,11 +24,14 @@ impl Problem for StudyError {
             | Self::Contributors(_)
             | Self::Surrogate(_)
             | Self::AccuracyOfSurrogate
+            | Self::TimeOfShards
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
+            Self::TooManyFailed(_) => Code::TooManyFailed,
             Self::Interrupted { .. } => Code::Interrupted,
+            Self::RoundOpen(_) => Code::RoundOpen,
         }
     }
 
@@ -55,6 +58,16 @@ impl Problem for StudyError {
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Store(error) => error.hint(),
             Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
+            Self::TooManyFailed(failed) => {
+                let again =
+                    failed.commonest.as_ref().map(|reason| format!("`{}` repeats one; ", reason.example.command));
+                Some(format!(
+                    "{}--resume --most-failed SHARE goes on with the runs that are kept",
+                    again.unwrap_or_default()
+                ))
+            }
+            Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
+            Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
             Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
@@ -96,6 +109,9 @@ impl StudyError {
             | Self::Threads(_)
             | Self::Store(_)
             | Self::Table(_)
+            | Self::RoundOpen(_)
+            | Self::TooManyFailed(_)
+            | Self::TimeOfShards
             | Self::Interrupted { .. } => Complaint::error(self, None),
         }
     }

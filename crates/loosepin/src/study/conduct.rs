@@ -1,46 +1,29 @@
-//! Running a study: rounds of runs on all threads, with progress and an emergency stop.
+//! Conducting a study: its parts one after the other.
 
-use super::accuracy::{Ended, Watch, budget, goals, record};
-use super::allow::{allocation, allowances, most_studies, runs_of_a_study};
-use super::assemble::{Extra, Material, assemble};
-use super::contributors::{ContributorPlan, contributors};
-use super::file::{Budget, Study};
-use super::keep::{Keeping, KeptList};
-use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
+use super::accuracy::{Ended, record};
+use super::allow::{allocation, allowances};
+use super::assemble::{Extra, Material, assemble, failures, runs_table};
+use super::contributors::contributors;
+use super::file::Study;
+use super::keep::Keeping;
+use super::part::{OpenRound, Part, refuse_time};
+use super::plans::Plans;
+use super::rare::{Rare, rare_probabilities};
 use super::response::{PrepareError, StudyResponse};
-use super::result::StudyResult;
+use super::result::{AllocationRecord, AllowanceRecord, FailureGroup, StudyResult};
+use super::runner::Runner;
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
 use super::simultaneous::curve_bands;
-use super::surrogate::{learned_bounds, most_surrogate_runs, saved_surrogates, surrogate_plan, surrogate_record};
-use crate::bounds::{
-    Bounds, DoubleLoop, Failure, PlanError, Problem, Refinement, RunInputs, SampleTable, Sampling, SurrogatePlanError,
-    TableError,
-};
+use super::surrogate::{learned_bounds, saved_surrogates, surrogate_record};
+use crate::bounds::{Bounds, DoubleLoop, PlanError, SampleTable, SurrogateBounds, SurrogatePlanError, TableError};
 use crate::contributors::IndexPlanError;
-use crate::math::Vectors;
 use crate::simulate::RunFailure;
 use crate::store::{RunStore, StoreError};
 use crate::uncertainty::SobolError;
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::fmt;
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 use thiserror::Error;
-
-/// Runs that are handed to the threads at once: so many that the lanes which idle at the end hardly count.
-const RUNS_PER_BATCH: usize = 8192;
-/// Runs between two reports of progress.
-const RUNS_PER_REPORT: usize = 64;
-
-/// Runs of the probability-only treatment beside the double loop.
-const MIXTURE_RUNS: usize = 1024;
-/// Runs of the interval-only treatment for each combination of the members of lists, at least.
-const EXTREME_RUNS: usize = 128;
-/// Runs of the interval-only treatment for each uncertain input, where those are many.
-const EXTREME_RUNS_PER_INPUT: usize = 8;
-/// Each random input is cut at this many standard deviations where it is taken as an interval.
-const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
-/// Confidence of every sampling error.
-const CONFIDENCE: f64 = 0.99;
 
 /// Why a study has no result.
 #[derive(Debug, Error)]
@@ -95,6 +78,15 @@ pub enum StudyError {
         /// How many there would have been at most.
         most_runs: usize,
     },
+    /// A round waits for runs that are made elsewhere; what was made here is in the store.
+    #[error("{0}")]
+    RoundOpen(OpenRound),
+    /// A budget of time where shards make the runs.
+    #[error("a budget of time cannot be shared by shards, which run at different times")]
+    TimeOfShards,
+    /// More runs failed than may; what was run is in the table, and in the store.
+    #[error("{0}")]
+    TooManyFailed(Box<TooManyFailed>),
     /// Every run failed.
     #[error("all {runs} runs failed; the first one: {reason}")]
     AllFailed {
@@ -103,6 +95,38 @@ pub enum StudyError {
         /// Why the first one did.
         reason: RunFailure,
     },
+}
+
+/// More failed runs than a study may have.
+#[derive(Debug)]
+pub struct TooManyFailed {
+    /// All runs, finished and failed.
+    pub runs: RunsTable,
+    /// How many runs there are.
+    pub made: usize,
+    /// How many of them failed.
+    pub failed: usize,
+    /// The share that may fail.
+    pub most_failed: f64,
+    /// The most frequent reason, with a command that repeats such a run.
+    pub commonest: Option<FailureGroup>,
+}
+
+/// `148 of 1344 runs failed (11.01 %); at most 10 % may: most_failed under [sampling]. 120 of them: ...`.
+impl fmt::Display for TooManyFailed {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { made, failed, most_failed, .. } = self;
+        let share = 100.0 * *failed as f64 / *made as f64;
+        let most = 100.0 * most_failed;
+        write!(
+            formatter,
+            "{failed} of {made} runs failed ({share:.3} %); at most {most} % may: most_failed under [sampling]"
+        )?;
+        match &self.commonest {
+            Some(reason) => write!(formatter, "; {} of them: {}", reason.count, reason.words),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Hears how far a study is.
@@ -134,77 +158,9 @@ pub struct Conducted {
     pub surrogates: Option<SavedSurrogates>,
 }
 
-/// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.
-///
-/// # Errors
-/// The study cannot begin, its sampling is not possible, or its budget does not suffice for anything.
-pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
-    let response = StudyResponse::new(study)?;
-    let plan = DoubleLoop::try_new(problem(study, &response))?;
-    let contributor_plan = ContributorPlan::new(study, &plan)?;
-    let surrogate_runs = surrogate_plan(study, &response)?.map_or(0, |plan| most_surrogate_runs(study, &plan));
-    if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) {
-        return Ok(surrogate_runs);
-    }
-    let most_runs = most_runs(study, &response, &plan, contributor_plan.as_ref()) + surrogate_runs;
-    let reserved = most_runs - plan.most_runs();
-    if let Some(Budget::Runs(budget)) = study.budget {
-        let least = plan.next_round(&SampleTable::new(response.row_length()))?.len() + reserved;
-        if (least as u64) > budget {
-            return Err(StudyError::BudgetTooSmall { budget, least });
-        }
-    }
-    Ok(Watch::new(budget(study, most_runs, response.row_length()), reserved).most_runs(most_runs))
-}
-
-/// The runs of all parts.
-fn most_runs(
-    study: &Study,
-    response: &StudyResponse,
-    plan: &DoubleLoop,
-    contributors: Option<&ContributorPlan>,
-) -> usize {
-    let rare = MOST_RARE_RUNS * requests(&response.shared.plan.asks).count();
-    let allowed = most_studies(study) * runs_of_a_study(study);
-    plan.most_runs() + contributors.map_or(0, ContributorPlan::runs) + rare + allowed
-}
-
-/// Runs that are timed: enough to fill the lanes of a thread more than once.
-const TIMED_RUNS: usize = 48;
-
-/// Processor time of a run of `study` on the lanes of one thread, s: measured on the first runs of its plan, each given up
-/// after `largest_evaluations` and counted in proportion to how far it came.
-///
-/// # Errors
-/// The study cannot begin, its sampling is not possible, or all of these runs failed.
-pub fn time_a_run_s(study: &Study, largest_evaluations: u64) -> Result<f64, StudyError> {
-    let mut response = StudyResponse::new(study)?;
-    response.limit_evaluations(largest_evaluations);
-    let plan = DoubleLoop::try_new(problem(study, &response))?;
-    let round = plan.next_round(&SampleTable::new(response.row_length()))?;
-    let variants = response.mechanisms.len();
-    let (mut passed, mut reason) = (0.0, None);
-    let end_s = response.nominal_end_s();
-    let started = std::time::Instant::now();
-    for variant in 0..variants {
-        let own = round.iter().filter(|inputs| response.variant(&inputs.epistemic) == variant);
-        let mut waiting =
-            own.take(TIMED_RUNS.div_ceil(variants)).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
-        response.run_all(
-            variant,
-            Vectors::best(),
-            || waiting.next(),
-            |_, outcome| match outcome {
-                Ok(_) => passed += 1.0,
-                Err(RunFailure::TooManyEvaluations { time_s, .. }) if time_s > 0.0 => passed += time_s / end_s,
-                Err(failure) => reason = Some(failure),
-            },
-        );
-    }
-    let elapsed_s = started.elapsed().as_secs_f64();
-    match reason {
-        Some(reason) if passed == 0.0 => Err(StudyError::AllFailed { runs: TIMED_RUNS.min(round.len()), reason }),
-        _ => Ok(elapsed_s / passed),
+impl From<SobolError> for StudyError {
+    fn from(error: SobolError) -> Self {
+        Self::Plan(error.into())
     }
 }
 
@@ -213,242 +169,213 @@ pub fn time_a_run_s(study: &Study, largest_evaluations: u64) -> Result<f64, Stud
 /// # Errors
 /// See [`StudyError`]; failed runs are no error as long as some succeed.
 pub fn conduct(study: &Study, input_hash: &str, means: &Means<'_>) -> Result<Conducted, StudyError> {
+    conduct_part(study, input_hash, means, Part::Whole)
+}
+
+/// Conducts `study` as far as its rounds are complete, with what is in the store and the runs that `part` makes. A part that is not
+/// the whole needs a store.
+///
+/// # Errors
+/// See [`StudyError`]; [`StudyError::RoundOpen`] where runs are missing that are made elsewhere.
+pub fn conduct_part(study: &Study, input_hash: &str, means: &Means<'_>, part: Part) -> Result<Conducted, StudyError> {
+    if part != Part::Whole {
+        refuse_time(study)?;
+    }
     let Means { threads, progress, stop, store } = *means;
     let response = StudyResponse::new(study)?;
-    let goals = goals(study, &response.shared.plan);
-    let mut refinement = Refinement::try_new(problem(study, &response), goals)?;
-    let mut table = SampleTable::new(response.row_length());
-    let stated = refinement.plan(&table);
-    let contributor_plan = ContributorPlan::new(study, stated)?;
-    let is_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
-    let surrogate_plan = surrogate_plan(study, &response)?;
-    let surrogate_runs = surrogate_plan.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
-    let stated_runs = most_runs(study, &response, stated, contributor_plan.as_ref()) + surrogate_runs;
-    let reserved = stated_runs - stated.most_runs();
-    let direct_runs = if is_alone { surrogate_runs } else { stated.most_runs() };
-    table = SampleTable::with_capacity(response.row_length(), direct_runs);
-    let budget = budget(study, stated_runs, response.row_length());
-    let watch = Watch::new(budget, reserved);
+    let plans = Plans::new(study, &response)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    let before = AtomicUsize::new(0);
-    let most_runs = watch.most_runs(stated_runs);
-    let keeping = Keeping::new(store);
+    let (before, keeping) = (AtomicUsize::new(0), Keeping::new(store));
     let mut runner = Runner {
         study,
         response: &response,
         pool: &pool,
         progress,
         stop,
-        most_runs,
+        most_runs: plans.most_runs(),
         before: &before,
         keeping: &keeping,
         list: keeping.begin(),
+        part,
     };
-    progress.runs(0, most_runs);
-    let mut rounds = 0;
-    let mut round = if is_alone { Vec::new() } else { refinement.next_round(&table)? };
-    while !round.is_empty() && watch.allows(round.len(), table.len(), rounds) {
-        runner.most_runs = watch.most_runs(stated_runs.max(table.len() + round.len() + reserved));
-        runner.run(&round, &mut table)?;
-        rounds += 1;
-        round = pool.install(|| refinement.next_round(&table))?;
-    }
-    if table.is_empty() && !is_alone {
-        let budget = study.budget.map_or(0, |budget| if let Budget::Runs(runs) = budget { runs } else { 0 });
-        return Err(StudyError::BudgetTooSmall { budget, least: round.len() + reserved });
-    }
-    let left = Some(round.len()).filter(|runs| *runs > 0);
-    let ended = Ended::new(&refinement, left, (rounds, table.len()), budget);
-    let plan = refinement.plan(&table).clone();
-    let direct = if is_alone { None } else { Some(direct_results(&runner, &plan, &table)?) };
-    // What the samples have become.
-    let grown = plan.problem().sampling;
-    let mut refined = study.clone();
-    refined.sampling.outer = grown.outer;
-    refined.sampling.inner = grown.inner;
-    refined.sampling.replicates = grown.replicates;
-    let runner = Runner { study: &refined, ..runner };
-    if let (Some(contributor_plan), Some(bounds)) = (&contributor_plan, &direct) {
-        runner.run(&contributor_plan.round(&plan, bounds.rounds), &mut table)?;
-    }
+    progress.runs(0, runner.most_runs);
+    let mut table = plans.table();
+    let (plan, ended) = double_loop(&mut runner, &plans, &mut table)?;
+    let refined = grown(study, &plan);
+    let direct = direct_results(&runner, &plans, &plan, &table)?;
     let rare = match &direct {
-        Some(bounds) => rare_probabilities(&runner, &plan, bounds, &mut table)?,
+        Some(bounds) => around(&Runner { study: &refined, ..runner }, &plans, &plan, bounds, &mut table)?,
         None => Vec::new(),
     };
-    let runner = Runner { study, ..runner };
-    let learned = match &surrogate_plan {
-        Some(plan) => Some((plan, learned_bounds(&runner, plan, &mut table)?)),
+    let learned = match &plans.surrogate {
+        Some(plan) => Some(learned_bounds(&runner, plan, &mut table)?),
         None => None,
     };
-    let bounds = match (direct, &learned) {
-        (Some(bounds), _) => bounds,
-        (None, Some((plan, learned))) if table.failed() < table.len() => learned.to_bounds(plan, made_rounds(&table)),
-        (None, _) => return Err(all_failed(&response, &table)),
-    };
-    // The studies of the inverse question have tables of their own; what was run before is kept whatever happens to them.
-    runner.advance(table.len());
-    let kept = |error: StudyError| match error {
-        StudyError::Interrupted { most_runs, .. } => {
-            let finished = Box::new(super::assemble::runs_table(study, &response, &table));
-            StudyError::Interrupted { finished, most_runs }
-        }
-        error => error,
-    };
-    let allowances = allowances(&runner).map_err(kept)?;
-    let allocation = allocation(&runner).map_err(kept)?;
-    let material = Material {
-        study: &refined,
-        response: &response,
-        table: &table,
-        bounds: &bounds,
-        pairs: &bounds.pairs,
-        rare: &rare,
-    };
-    let beside: Vec<Bounds> = study.readings[1..]
-        .iter()
-        .map(|&reading| pool.install(|| plan.read_as(reading).statistics_alone().results(&table)))
-        .collect::<Result<_, _>>()?;
-    let curve_bands = pool.install(|| curve_bands(&material, &plan))?;
-    let result = pool.install(|| {
-        let contributors =
-            if is_alone { Vec::new() } else { contributors(&material, &plan, contributor_plan.as_ref()) };
-        let surrogate = learned.as_ref().map(|(plan, learned)| surrogate_record(&material, plan, learned));
-        let accuracy = record(&material, &ended);
-        assemble(
-            &material,
-            input_hash,
-            Extra { accuracy, contributors, allowances, allocation, surrogate, curve_bands, beside },
-        )
-    });
-    let surrogates = learned.as_ref().map(|(plan, learned)| saved_surrogates(&material, input_hash, plan, learned));
-    Ok(Conducted { result, runs: super::assemble::runs_table(study, &response, &table), surrogates })
+    let bounds = stated_bounds(&runner, &plans, direct, learned.as_ref(), &table)?;
+    let (allowances, allocation) = inverse_question(&runner, &table)?;
+    let found = Found { refined, plan, ended, bounds, rare, learned, allowances, allocation };
+    tell(&runner, &plans, &table, found, input_hash)
 }
 
-/// What the direct double loop says.
-fn direct_results(runner: &Runner<'_>, plan: &DoubleLoop, table: &SampleTable) -> Result<Bounds, StudyError> {
+/// What the parts of a study have found.
+struct Found {
+    /// The study with the samples that it came to have.
+    refined: Study,
+    /// The double loop with these.
+    plan: DoubleLoop,
+    ended: Ended,
+    bounds: Bounds,
+    rare: Vec<Rare>,
+    learned: Option<SurrogateBounds>,
+    allowances: Vec<AllowanceRecord>,
+    allocation: Option<AllocationRecord>,
+}
+
+/// The rounds of the direct double loop, as far as goals and budget go; none where the surrogate stands alone.
+fn double_loop(
+    runner: &mut Runner<'_>,
+    plans: &Plans,
+    table: &mut SampleTable,
+) -> Result<(DoubleLoop, Ended), StudyError> {
+    let mut refinement = plans.refinement.clone();
+    let watch = plans.watch();
+    let mut rounds = 0;
+    let mut round = if plans.is_surrogate_alone { Vec::new() } else { refinement.next_round(table)? };
+    while !round.is_empty() && watch.allows(round.len(), table.len(), rounds) {
+        runner.most_runs = plans.most_runs_with(table.len() + round.len());
+        runner.run(&round, table)?;
+        refuse_failures(runner, table)?;
+        rounds += 1;
+        round = runner.pool.install(|| refinement.next_round(table))?;
+    }
+    if table.is_empty() && !plans.is_surrogate_alone {
+        return Err(plans.budget_too_small(round.len()));
+    }
+    let left = Some(round.len()).filter(|runs| *runs > 0);
+    let ended = Ended::new(&refinement, left, (rounds, table.len()), plans.budget);
+    Ok((refinement.plan(table).clone(), ended))
+}
+
+/// That no more of the runs so far failed than may: bounds would say little, and every further round as little.
+fn refuse_failures(runner: &Runner<'_>, table: &SampleTable) -> Result<(), StudyError> {
+    let (study, response) = (runner.study, runner.response);
+    let (made, failed, most_failed) = (table.len(), table.failed(), study.sampling.most_failed);
+    if failed as f64 <= most_failed * made as f64 {
+        return Ok(());
+    }
+    let commonest = failures(study, response, table).into_iter().next();
+    let runs = runs_table(study, response, table);
+    Err(StudyError::TooManyFailed(Box::new(TooManyFailed { runs, made, failed, most_failed, commonest })))
+}
+
+/// `study` with the samples that its double loop came to have.
+fn grown(study: &Study, plan: &DoubleLoop) -> Study {
+    let sampling = plan.problem().sampling;
+    let mut grown = study.clone();
+    grown.sampling.outer = sampling.outer;
+    grown.sampling.inner = sampling.inner;
+    grown.sampling.replicates = sampling.replicates;
+    grown
+}
+
+/// What the direct double loop says; nothing where the surrogate stands alone.
+fn direct_results(
+    runner: &Runner<'_>,
+    plans: &Plans,
+    plan: &DoubleLoop,
+    table: &SampleTable,
+) -> Result<Option<Bounds>, StudyError> {
+    if plans.is_surrogate_alone {
+        return Ok(None);
+    }
     if table.failed() == table.len() {
         return Err(all_failed(runner.response, table));
     }
-    Ok(runner.pool.install(|| plan.results(table))?)
+    Ok(Some(runner.pool.install(|| plan.results(table))?))
+}
+
+/// The runs around the double loop: those of the contributors, and what they and the bounds leave to be counted of rare events.
+fn around(
+    runner: &Runner<'_>,
+    plans: &Plans,
+    plan: &DoubleLoop,
+    bounds: &Bounds,
+    table: &mut SampleTable,
+) -> Result<Vec<Rare>, StudyError> {
+    if let Some(contributors) = &plans.contributors {
+        runner.run(&contributors.round(plan, bounds.rounds), table)?;
+    }
+    rare_probabilities(runner, plan, bounds, table)
+}
+
+/// The bounds that the study states: the direct ones, or those of the surrogate that stands alone.
+fn stated_bounds(
+    runner: &Runner<'_>,
+    plans: &Plans,
+    direct: Option<Bounds>,
+    learned: Option<&SurrogateBounds>,
+    table: &SampleTable,
+) -> Result<Bounds, StudyError> {
+    match (direct, &plans.surrogate, learned) {
+        (Some(bounds), ..) => Ok(bounds),
+        (None, Some(plan), Some(learned)) if table.failed() < table.len() => {
+            Ok(learned.to_bounds(plan, made_rounds(table)))
+        }
+        (None, ..) => Err(all_failed(runner.response, table)),
+    }
+}
+
+/// How loose inputs may be. Its studies have tables of their own; what is in `table` is kept whatever happens to them.
+fn inverse_question(
+    runner: &Runner<'_>,
+    table: &SampleTable,
+) -> Result<(Vec<AllowanceRecord>, Option<AllocationRecord>), StudyError> {
+    runner.advance(table.len());
+    let answers = || Ok((allowances(runner)?, allocation(runner)?));
+    answers().map_err(|error| match error {
+        StudyError::Interrupted { most_runs, .. } => {
+            let finished = Box::new(runs_table(runner.study, runner.response, table));
+            StudyError::Interrupted { finished, most_runs }
+        }
+        error => error,
+    })
+}
+
+/// Puts the result together.
+fn tell(
+    runner: &Runner<'_>,
+    plans: &Plans,
+    table: &SampleTable,
+    found: Found,
+    input_hash: &str,
+) -> Result<Conducted, StudyError> {
+    let Found { refined, plan, ended, bounds, rare, learned, allowances, allocation } = found;
+    let (study, response, pool) = (runner.study, runner.response, runner.pool);
+    let material = Material { study: &refined, response, table, bounds: &bounds, pairs: &bounds.pairs, rare: &rare };
+    let beside: Vec<Bounds> = study.readings[1..]
+        .iter()
+        .map(|&reading| pool.install(|| plan.read_as(reading).statistics_alone().results(table)))
+        .collect::<Result<_, _>>()?;
+    let curve_bands = pool.install(|| curve_bands(&material, &plan))?;
+    let learned = plans.surrogate.as_ref().zip(learned.as_ref());
+    let result = pool.install(|| {
+        let contributors = if plans.is_surrogate_alone {
+            Vec::new()
+        } else {
+            contributors(&material, &plan, plans.contributors.as_ref())
+        };
+        let surrogate = learned.map(|(plan, learned)| surrogate_record(&material, plan, learned));
+        let accuracy = record(&material, &ended);
+        let extra = Extra { accuracy, contributors, allowances, allocation, surrogate, curve_bands, beside };
+        assemble(&material, input_hash, extra)
+    });
+    let surrogates = learned.map(|(plan, learned)| saved_surrogates(&material, input_hash, plan, learned));
+    Ok(Conducted { result, runs: runs_table(study, response, table), surrogates })
 }
 
 /// Rounds that the runs were made in.
 fn made_rounds(table: &SampleTable) -> u32 {
     table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
-}
-
-/// What runs need, whatever they are for.
-#[derive(Clone, Copy)]
-pub(super) struct Runner<'s> {
-    pub study: &'s Study,
-    pub response: &'s StudyResponse,
-    pub pool: &'s rayon::ThreadPool,
-    pub progress: &'s dyn Progress,
-    pub stop: &'s AtomicBool,
-    pub most_runs: usize,
-    /// Runs in tables that are finished.
-    pub before: &'s AtomicUsize,
-    /// Where finished runs are kept.
-    pub keeping: &'s Keeping<'s>,
-    /// The list that is being run.
-    pub list: KeptList<'s>,
-}
-
-impl From<SobolError> for StudyError {
-    fn from(error: SobolError) -> Self {
-        Self::Plan(error.into())
-    }
-}
-
-impl Runner<'_> {
-    /// Counts the runs of a finished table for the progress.
-    pub fn advance(&self, runs: usize) {
-        self.before.fetch_add(runs, Ordering::Relaxed);
-    }
-
-    /// Runs `round` and adds its rows to `table`; those that are kept are taken over.
-    ///
-    /// # Errors
-    /// The study was interrupted, or the store cannot be used.
-    pub fn run(&self, round: &[RunInputs], table: &mut SampleTable) -> Result<(), StudyError> {
-        for batch in round.chunks(RUNS_PER_BATCH) {
-            let before = self.before.load(Ordering::Relaxed);
-            let first = table.len();
-            let kept = self.list.find(first, batch)?;
-            let done = AtomicUsize::new(before + first + kept.iter().flatten().count());
-            let finished = |index: usize, row: &Row| {
-                self.list.keep(first + index, &batch[index], row);
-                let runs = done.fetch_add(1, Ordering::Relaxed) + 1;
-                if runs.is_multiple_of(RUNS_PER_REPORT) {
-                    self.progress.runs(runs, self.most_runs);
-                }
-            };
-            let is_stopped = || self.stop.load(Ordering::Relaxed) || self.list.is_broken();
-            let outcomes = self.pool.install(|| evaluate(batch, kept, self.response, &is_stopped, &finished));
-            if self.list.is_broken() {
-                self.list.settle()?;
-            }
-            let is_stopped = outcomes.iter().any(Option::is_none);
-            for (inputs, outcome) in batch.iter().zip(outcomes) {
-                if let Some(outcome) = outcome {
-                    table.push(inputs.clone(), outcome.as_deref().map_err(|&failure| failure))?;
-                }
-            }
-            if is_stopped {
-                self.list.settle()?;
-                let finished = Box::new(super::assemble::runs_table(self.study, self.response, table));
-                return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
-            }
-            self.progress.runs(before + table.len(), self.most_runs);
-        }
-        Ok(())
-    }
-}
-
-/// Columns and extras of a finished run, or why it gave nothing.
-pub(super) type Row = Result<Vec<f64>, Failure>;
-
-/// The rows of a batch, those that are `kept` as they are; nothing for runs that a stop has kept from starting. Each thread takes the next run as soon as one
-/// of its lanes is free; which thread and which lane a run meets has no influence on its bits. Runs with other laws have other
-/// equations: each thread takes those of one combination after those of another.
-fn evaluate(
-    batch: &[RunInputs],
-    kept: Vec<Option<Row>>,
-    response: &StudyResponse,
-    is_stopped: &(dyn Fn() -> bool + Sync),
-    finished: &(dyn Fn(usize, &Row) + Sync),
-) -> Vec<Option<Row>> {
-    let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
-        response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
-    for (index, inputs) in batch.iter().enumerate().filter(|(index, _)| kept[*index].is_none()) {
-        queues[response.variant(&inputs.epistemic)].0.push(index);
-    }
-    let vectors = Vectors::best();
-    let parts: Vec<Vec<(usize, Row)>> = (0..rayon::current_num_threads())
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|_| {
-            let mut rows = Vec::new();
-            for (variant, (queue, taken)) in queues.iter().enumerate() {
-                let next = || {
-                    let index = *queue.get(taken.fetch_add(1, Ordering::Relaxed))?;
-                    let inputs = batch.get(index).filter(|_| !is_stopped())?;
-                    Some((index, &inputs.random[..], &inputs.epistemic[..]))
-                };
-                response.run_all(variant, vectors, next, |index, outcome| {
-                    let row = outcome.map_err(|failure| Failure(failure.number()));
-                    finished(index, &row);
-                    rows.push((index, row));
-                });
-            }
-            rows
-        })
-        .collect();
-    let mut rows = kept;
-    for (index, row) in parts.into_iter().flatten() {
-        rows[index] = Some(row);
-    }
-    rows
 }
 
 fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
@@ -458,37 +385,5 @@ fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
         Err(reason) => StudyError::AllFailed { runs: table.len(), reason },
         // The same inputs give the same run; were it otherwise, the table would hold a finished run.
         Ok(()) => StudyError::Table(TableError::WrongColumns { run: 0, found: 0, expected: row.len() }),
-    }
-}
-
-/// The question in the words of the uncertainty wing.
-pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
-    let plan = &response.shared.plan;
-    let replicates = study.sampling.replicates;
-    let choices = study.epistemic.iter().map(|input| input.variable.choices());
-    let combinations = choices.fold(1_usize, usize::saturating_mul);
-    let extreme = EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len()));
-    Problem {
-        random: study.random.iter().map(|input| input.variable.clone()).collect(),
-        copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
-        epistemic: study.epistemic.iter().map(|input| input.variable.clone()).collect(),
-        parameters: study.epistemic_parameters(),
-        reading: study.readings[0],
-        readings_beside: study.readings[1..].to_vec(),
-        columns: response.row_length(),
-        requests: plan.requests(),
-        compared_columns: plan.compared_columns(),
-        band_probability: super::columns::BAND[1] - super::columns::BAND[0],
-        cut_standard_deviations: CUT_STANDARD_DEVIATIONS,
-        percentiles: study.percentiles.clone(),
-        sampling: Sampling {
-            outer: study.sampling.outer,
-            inner: study.sampling.inner,
-            replicates,
-            mixture: MIXTURE_RUNS.div_ceil(replicates) * replicates,
-            extreme: extreme.saturating_mul(combinations),
-            seed: study.seed,
-            confidence: CONFIDENCE,
-        },
     }
 }

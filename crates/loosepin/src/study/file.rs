@@ -50,6 +50,8 @@ const INNER: usize = 256;
 const REPLICATES: usize = 4;
 /// Accuracy of positions in a run, where the file does not say, m.
 const TOLERANCE_M: f64 = 1e-8;
+/// One run in ten.
+const MOST_FAILED: f64 = 0.1;
 /// Percentiles of statistics that are themselves random, where the file does not say.
 const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// The seed, where the file does not say.
@@ -275,7 +277,13 @@ impl StudyReader {
 
     /// How many runs; how near the bounds are to be, and what that may cost.
     fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<Budget>) {
-        let mut sampling = Sampling { outer: OUTER, inner: INNER, replicates: REPLICATES, tolerance_m: TOLERANCE_M };
+        let mut sampling = Sampling {
+            outer: OUTER,
+            inner: INNER,
+            replicates: REPLICATES,
+            tolerance_m: TOLERANCE_M,
+            most_failed: MOST_FAILED,
+        };
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
             return (sampling, WrittenAccuracies::default(), None);
         };
@@ -288,6 +296,7 @@ impl StudyReader {
             sampling.tolerance_m =
                 self.reader.measured(&entry, Dimension::LENGTH, Rule::Positive).unwrap_or(sampling.tolerance_m);
         }
+        sampling.most_failed = self.reader.number(&table, "most_failed").unwrap_or(sampling.most_failed);
         let accuracies = self.accuracies(&table);
         (sampling, accuracies, self.budget(&table))
     }

@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use super::conduct::{Row, StudyError};
+use super::conduct::StudyError;
+use super::runner::Row;
 use crate::bounds::{Failure, RunInputs};
 use crate::store::{InputsKey, KeptRun, RunStore, StoreError};
 

@@ -15,16 +15,20 @@ mod input_file;
 mod iso_286;
 mod keep;
 mod lanes;
+mod part;
+mod plans;
 mod rare;
 mod recorder;
 mod response;
 pub mod result;
+mod runner;
 pub mod runs;
 mod saved_surrogates;
 mod simultaneous;
 mod surrogate;
+mod time_a_run;
 
-pub use conduct::{Conducted, Means, Progress, StudyError, conduct, plan_runs, time_a_run_s};
+pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_part};
 pub use distribution_words::distribution_words;
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
@@ -33,4 +37,7 @@ pub use file::{
 };
 pub use input_file::{InputFile, InputFileProblem};
 pub use iso_286::FitError;
+pub use part::{OpenRound, Part, plan_shards};
+pub use plans::plan_runs;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
+pub use time_a_run::time_a_run_s;

@@ -2,9 +2,10 @@
 //! large there.
 
 use super::columns::PlannedAsk;
-use super::conduct::{Runner, StudyError};
+use super::conduct::StudyError;
 use super::file::{RareMethod, Where};
 use super::result::RareMethodUsed;
+use super::runner::Runner;
 use crate::bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
 };

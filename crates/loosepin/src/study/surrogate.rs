@@ -2,12 +2,14 @@
 
 use super::assemble::{Material, asked_bounds, deviation_kind};
 use super::columns::{ColumnPlan, Spot};
-use super::conduct::{Runner, StudyError, problem};
+use super::conduct::StudyError;
 use super::file::{Study, StudySurrogate, Where};
+use super::plans::problem;
 use super::response::StudyResponse;
 use super::result::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
 };
+use super::runner::Runner;
 use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::bounds::{
     ColumnGroup, GroupBounds, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan, SurrogateSettings,

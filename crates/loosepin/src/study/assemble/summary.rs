@@ -1,14 +1,9 @@
-//! Counts, failures, energy and impacts over all runs.
+//! Counts, energy and impacts over all runs.
 
 use super::Material;
-use super::describe::unit;
 use crate::bounds::Purpose;
-use crate::simulate::RunFailure;
-use crate::study::file::EpistemicSubject;
 use crate::study::response::RunExtras;
-use crate::study::result::{EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, RunCounts};
-use crate::units::SiUnit;
-use std::collections::BTreeMap;
+use crate::study::result::{EnergyResiduals, HistogramBin, JointImpacts, RunCounts};
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
 const SETTLED: f64 = 1e-6;
@@ -34,66 +29,6 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
         replicates: if material.study.random.is_empty() { 1 } else { material.study.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
     }
-}
-
-/// The failed runs by reason, the most frequent first.
-pub fn failures(material: &Material<'_>) -> Vec<FailureGroup> {
-    let table = material.table;
-    let mut groups: BTreeMap<u16, (u64, usize)> = BTreeMap::new();
-    for run in 0..table.len() {
-        if let Some(failure) = table.failure(run) {
-            groups.entry(failure.0).or_insert((0, run)).0 += 1;
-        }
-    }
-    let mut failures: Vec<FailureGroup> = groups
-        .into_iter()
-        .map(|(number, (count, run))| {
-            let inputs = &table.inputs()[run];
-            let mut row = vec![f64::NAN; material.response.row_length()];
-            // The same inputs fail in the same way: this tells the reason in words.
-            let words = match material.response.run(&inputs.random, &inputs.epistemic, &mut row) {
-                Err(reason) => reason.to_string(),
-                Ok(()) => RunFailure::code_of(number).to_owned(),
-            };
-            FailureGroup {
-                code: RunFailure::code_of(number).to_owned(),
-                words,
-                count,
-                example: ExampleRun { index: run as u64, command: command(material, run) },
-            }
-        })
-        .collect();
-    failures.sort_by_key(|group| std::cmp::Reverse(group.count));
-    failures
-}
-
-/// The command that makes run `run` again.
-fn command(material: &Material<'_>, run: usize) -> String {
-    let study = material.study;
-    let inputs = &material.table.inputs()[run];
-    let number = |path: &str, unit: &SiUnit, value: f64| {
-        let symbol = if unit.symbol() == "1" { String::new() } else { format!(" {unit}") };
-        format!(" --set \"{path}={value:?}{symbol}\"")
-    };
-    let mut words = format!("loosepin simulate {}", study.model_path.display());
-    for (input, &value) in study.random.iter().zip(&inputs.random) {
-        words.push_str(&number(&input.path, &unit(&study.model.quantities, input.quantity), value));
-    }
-    for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {
-        // A parameter of a distribution has done its work: the value drawn from it is set above.
-        if matches!(input.subject, EpistemicSubject::Parameter { .. }) {
-            continue;
-        }
-        words.push_str(&match input.law(value) {
-            Some(law) => format!(" --set \"{}={}\"", input.path, law.name()),
-            None => number(&input.path, &input.unit(&study.model), value),
-        });
-    }
-    words.push_str(&format!(
-        " --transient {} --turns {} --tolerance \"{:?} m\"",
-        study.cycle.transient_turns, study.cycle.recorded_turns, study.sampling.tolerance_m
-    ));
-    words
 }
 
 /// Share of the finished runs whose motion repeated itself over the last turn.

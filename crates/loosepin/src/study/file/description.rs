@@ -114,6 +114,9 @@ pub struct Sampling {
     pub replicates: usize,
     /// Accuracy of positions in a run, m (default: 1e-8).
     pub tolerance_m: f64,
+    /// The share of the runs of the double loop that may fail, in (0, 1]; where more do, the study ends after their round
+    /// (default: 0.1). Results do not depend on it.
+    pub most_failed: f64,
 }
 
 /// A surrogate, and the runs that it is given.

@@ -44,6 +44,12 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
         ),
         optional("tolerance", Kind::AnyQuantity, "\"1e-8 m\"", "accuracy of positions in a run; 1e-8 m if left out"),
         optional(
+            "most_failed",
+            Kind::Number { rule: Rule::RequiredProbability },
+            "0.1",
+            "share of failed runs above which the study ends with an error; 0.1 if left out",
+        ),
+        optional(
             "accuracy",
             ACCURACY,
             "\"1 um\"",

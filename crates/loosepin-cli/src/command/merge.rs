@@ -1,0 +1,109 @@
+//! `loosepin merge`.
+
+use std::path::PathBuf;
+use std::time::SystemTime;
+
+use loosepin::results::{Claim, Place, ResultKind, ShardFolders, ShardsError};
+use loosepin::store::{PUBLISHED_FILE, RunStore, STORE_FILE, Shard, join_stores, remove_store};
+use loosepin::study::files::Timing;
+use loosepin::study::{Means, OpenRound, Part, StudyError, conduct_part, plan_shards};
+
+use super::signals::stop_on_signals;
+use super::stored::tell_again;
+use super::study::{conclude, identity, read_stated, show_again};
+use super::threads::threads;
+use crate::arguments::MergeArguments;
+use crate::console::{self, listed};
+use crate::ending::{Done, Ending, Failure};
+use crate::progress::Bar;
+
+/// Joins the shards, and writes the results or opens the next round.
+pub fn run(arguments: &MergeArguments) -> Ending {
+    let shards = ShardFolders::read(&arguments.folders).map_err(|error| Failure::of(&error))?;
+    let record = &shards.record;
+    let path = arguments.study.as_ref().unwrap_or(&record.study);
+    let (mut study, inputs) = read_stated(path, &record.accuracy, record.budget.as_deref())?;
+    study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
+    if inputs.to_string() != record.inputs_blake3 {
+        let expected = record.inputs_blake3.chars().take(8).collect();
+        return Err(Failure::of(&ShardsError::Changed { study: path.clone(), found: inputs.short(), expected }));
+    }
+    let claim = Claim {
+        kind: ResultKind::Study,
+        name: study.name.clone(),
+        inputs,
+        place: Place::Folder(results(arguments, &shards)?),
+        with_force: arguments.output.force,
+    };
+    plan_shards(&study).map_err(|error| error.complaint(&study))?;
+    let stop = stop_on_signals("Ctrl-C will end this at once; the shards keep what they have made");
+    let mut folder = claim.take()?;
+    let joined = folder.path().join(STORE_FILE);
+    if folder.is_finished() {
+        remove_store(&joined).map_err(|error| Failure::of(&error))?;
+        tell_again(&folder);
+        return show_again(&mut folder);
+    }
+    if claim.with_force {
+        remove_store(&joined).map_err(|error| Failure::of(&error))?;
+    }
+    let of = record.of;
+    let stores: Vec<(Shard, PathBuf)> = (1..)
+        .zip(&shards.folders)
+        .filter_map(|(index, folder)| Some((Shard::new(index, of)?, folder.join(STORE_FILE))))
+        .collect();
+    let added = join_stores(&joined, &identity(&claim), &stores).map_err(|error| Failure::of(&error))?;
+    console::message(&format!("{added} new runs of {}", console::counted(of as usize, "shard", "shards")));
+    let store = RunStore::open(&joined, &identity(&claim)).map_err(|error| Failure::of(&error))?;
+    let threads = threads(arguments.threads);
+    let started = SystemTime::now();
+    let bar = Bar::new();
+    let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
+    let part = Part::Joined { of, largest_round: arguments.small_round as usize };
+    let outcome = conduct_part(&study, &claim.inputs.to_string(), &means, part);
+    bar.finish();
+    if let Err(StudyError::RoundOpen(open)) = &outcome {
+        store.publish(&folder.path().join(PUBLISHED_FILE)).map_err(|error| Failure::of(&error))?;
+        tell_open(open, of);
+        return Ok(Done::RoundOpen);
+    }
+    if let Err(StudyError::Interrupted { .. }) = &outcome {
+        let kept = store.settle().map_err(|error| Failure::of(&error))?;
+        console::message(&format!(
+            "interrupted; {kept} runs are kept in {}\nhint: the same command goes on",
+            folder.path().display()
+        ));
+        return Ok(Done::Interrupted);
+    }
+    conclude(&study, folder, store, outcome, &|runs| Timing::since(started, runs, threads))
+}
+
+/// Where the results go: where those of a study in one piece would.
+fn results(arguments: &MergeArguments, shards: &ShardFolders) -> Result<PathBuf, Failure> {
+    if let Some(folder) = &arguments.output.folder {
+        return Ok(folder.clone());
+    }
+    let folder = &shards.folders[0];
+    let of = shards.record.of;
+    let results = Shard::new(1, of).and_then(|shard| shard.results(folder));
+    results.ok_or_else(|| Failure::of(&ShardsError::Renamed { folder: folder.clone(), shard: 1, of }))
+}
+
+/// Says what the shards are to run.
+fn tell_open(open: &OpenRound, of: u32) {
+    let missing = open.missing_runs();
+    if missing < open.runs {
+        let shards: Vec<String> =
+            open.missing.iter().map(|(shard, runs)| format!("{shard}/{of} ({runs} runs)")).collect();
+        console::message(&format!(
+            "the present round of {} runs is not complete: missing are those of shard {}\n\
+             hint: run these shards again with --resume, then merge again",
+            open.runs,
+            listed(&shards)
+        ));
+    } else {
+        console::message(&format!(
+            "the next round has {missing} runs\nhint: run the shards again with --resume, then merge again"
+        ));
+    }
+}

@@ -1,0 +1,79 @@
+//! `loosepin study --shard i/n`: a part of the runs of a study.
+
+use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord, write_whole};
+use loosepin::store::{PUBLISHED_FILE, Shard};
+use loosepin::study::{Means, Part, Study, StudyError, conduct_part, plan_shards};
+
+use super::signals::stop_on_signals;
+use super::stored::to_json;
+use super::study::open_store;
+use super::threads::threads;
+use crate::arguments::StudyArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+use crate::progress::Bar;
+
+/// Makes the runs of `shard` in the present round of the study that `whole` claims a folder for.
+pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim) -> Ending {
+    let results = whole.path();
+    if whole.is_finished()? {
+        console::message(&format!(
+            "{} holds this study already: there is nothing left for shard {shard} (--force runs it anew)",
+            results.display()
+        ));
+        return Ok(Done::Well);
+    }
+    plan_shards(study).map_err(|error| error.complaint(study))?;
+    let claim = Claim { place: Place::Folder(shard.folder(&results)), ..whole };
+    let folder = claim.take()?;
+    let record = ShardRecord {
+        shard: shard.index(),
+        of: shard.of(),
+        name: study.name.clone(),
+        study: arguments.study.clone(),
+        accuracy: arguments.accuracy.clone(),
+        budget: arguments.budget.clone(),
+        inputs_blake3: claim.inputs.to_string(),
+        version: loosepin::VERSION.to_owned(),
+    };
+    let text = to_json(&record, &folder, SHARD_FILE)?;
+    // Not among the files of the result, which go when it is begun again.
+    write_whole(&folder.path().join(SHARD_FILE), text.as_bytes())?;
+    let published = Some(results.join(PUBLISHED_FILE)).filter(|published| published.exists());
+    let store = open_store(&folder, published.as_deref(), &claim, arguments.resume)?;
+    let stop = stop_on_signals("Ctrl-C will end the shard at once; what was finished until a moment before is kept");
+    let bar = Bar::new();
+    let means = Means { threads: threads(arguments.threads), progress: &bar, stop: &stop, store: Some(&store) };
+    let outcome = conduct_part(study, &claim.inputs.to_string(), &means, Part::Shard(shard));
+    bar.finish();
+    let merge = format!("loosepin merge {}.shard-*-of-{}", results.display(), shard.of());
+    match outcome {
+        Ok(_) => {
+            console::message(&format!(
+                "shard {shard}: every run of the study is made\nhint: {merge} writes the results"
+            ));
+            Ok(Done::Well)
+        }
+        Err(StudyError::RoundOpen(open)) => {
+            let made = match open.made {
+                0 => "has no run to make".to_owned(),
+                made => format!("has made its {made} runs"),
+            };
+            console::message(&format!(
+                "shard {shard} {made} in the present round of {} runs\nhint: {merge} goes on when all shards have made theirs",
+                open.runs
+            ));
+            Ok(Done::Well)
+        }
+        Err(StudyError::Interrupted { .. }) => {
+            let kept = store.settle().map_err(|error| Failure::of(&error))?;
+            console::message(&format!(
+                "interrupted; {kept} runs of shard {shard} are kept in {}\nhint: the same command with --resume goes on",
+                folder.path().display()
+            ));
+            Ok(Done::Interrupted)
+        }
+        // What is finished stays, whatever is wrong.
+        Err(error) => Err(error.complaint(study).into()),
+    }
+}
