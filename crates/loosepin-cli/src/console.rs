@@ -8,13 +8,16 @@ use loosepin::report::TERMINAL_COLUMNS;
 
 use crate::ending::Failure;
 
-/// Writes data.
+/// Writes data. Whoever closes the pipe has read enough: `loosepin ... | head` is no error, and ends as it would have without.
 ///
 /// # Errors
-/// Standard output is closed or full.
+/// Standard output is full.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
-    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(Failure::Output)
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
 }
 
 /// Writes a line for people. Where nobody can be told, nothing is lost that matters.

@@ -12,7 +12,7 @@ use loosepin::simulate::{Plan, Settings, columns, history_csv, impacts_csv, simu
 use loosepin::units::Dimension;
 
 use super::inputs::{add_model, overrides, read_model};
-use super::stored::{place, read_json, tell_again, to_json};
+use super::stored::{place, read_json, run_and_write, tell_again, to_json};
 use crate::arguments::SimulateArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -42,13 +42,10 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
         tell_again(&folder);
         return show_again(&mut folder);
     }
-    match run_and_write(&mechanism, &set, &plan, &measured, &mut folder) {
-        Ok(record) => tell(&record, &folder),
-        Err(failure) => {
-            folder.abandon()?;
-            Err(failure)
-        }
-    }
+    run_and_write(folder, |folder| {
+        let record = simulated(&mechanism, &set, &plan, &measured, folder)?;
+        tell(&record, folder)
+    })
 }
 
 /// Writes the page again from the stored record, and prints the table.
@@ -58,7 +55,8 @@ pub fn show_again(folder: &mut ResultsFolder) -> Ending {
     tell(&record, folder)
 }
 
-fn run_and_write(
+/// Runs the model and writes what came of it.
+fn simulated(
     mechanism: &Mechanism,
     set: &SetValues,
     plan: &Plan,

@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 
 use crate::arguments::OutputArguments;
 use crate::console;
-use crate::ending::Failure;
+use crate::ending::{Ending, Failure};
 
 /// Folder below the present one in which results get a folder of their own.
 const RESULTS_ROOT: &str = "results";
@@ -29,6 +29,18 @@ pub fn tell_again(folder: &ResultsFolder) {
         folder.path().display(),
         folder.kind().words()
     ));
+}
+
+/// Lets `write` make a result in `folder`, and gives the folder back as it was where that does not come to its end.
+///
+/// # Errors
+/// That of `write`; what the file system refuses.
+pub fn run_and_write(mut folder: ResultsFolder, write: impl FnOnce(&mut ResultsFolder) -> Ending) -> Ending {
+    let ending = write(&mut folder);
+    if ending.is_err() && !folder.is_finished() {
+        folder.abandon()?;
+    }
+    ending
 }
 
 /// A record as JSON.

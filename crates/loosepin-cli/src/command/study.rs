@@ -47,21 +47,29 @@ pub fn run(arguments: &StudyArguments) -> Ending {
         tell_again(&folder);
         return show_again(&mut folder);
     }
-    let store = open_store(&folder, &claim, arguments.resume)?;
+    let store = match open_store(&folder, &claim, arguments.resume) {
+        Ok(store) => store,
+        Err(failure) => {
+            // Where runs are kept, or another process is at work on them, the folder stays as it is.
+            if !folder.path().join(STORE_FILE).exists() {
+                folder.abandon()?;
+            }
+            return Err(failure);
+        }
+    };
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::new();
+    let bar = Bar::new(store.runs_at_start() as usize);
     let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
     let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();
     match outcome {
         Ok(Conducted { result, runs, surrogates }) => {
-            let count = runs.columns.first().map_or(0, |column| column.data.len());
             if let Some(surrogates) = &surrogates {
                 let text = surrogates_json(surrogates).map_err(|error| Failure::of(&error))?;
                 folder.write(SURROGATES_FILE, text.as_bytes())?;
             }
-            write(&mut folder, &result, &runs, &Timing::since(started, count, threads))?;
+            write(&mut folder, &result, &runs, &Timing::since(started, bar.made(), threads))?;
             store.remove().map_err(|error| Failure::of(&error))?;
             tell(&result, &folder)
         }
@@ -87,7 +95,8 @@ fn open_store(folder: &ResultsFolder, claim: &Claim, with_resume: bool) -> Resul
     };
     let store = RunStore::begin(&path, &identity, beginning).map_err(|error| Failure::of(&error))?;
     if store.runs_at_start() > 0 {
-        console::message(&format!("going on with {} finished runs", store.runs_at_start()));
+        let runs = console::counted(store.runs_at_start() as usize, "finished run", "finished runs");
+        console::message(&format!("going on with {runs}"));
     }
     Ok(store)
 }
@@ -114,12 +123,10 @@ fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> E
     let parquet = runs_parquet(finished).map_err(|error| Failure::of(&error))?;
     folder.write(RUNS_FILE, &parquet)?;
     folder.leave_unfinished()?;
-    // Small probabilities may take more than was expected.
-    let of_most = if count < most_runs { format!(" of at most {most_runs}") } else { String::new() };
     console::message(&format!(
-        "interrupted after {count}{of_most} runs; they are kept in {}\n\
+        "interrupted after {count} of at most {most_runs} runs; they are kept in {}\n\
          hint: the same command with --resume goes on",
-        folder.path().join(RUNS_FILE).display()
+        folder.path().join(STORE_FILE).display()
     ));
     Ok(Done::Interrupted)
 }
