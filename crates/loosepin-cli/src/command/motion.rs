@@ -7,10 +7,9 @@ use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
 use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::study::InputFile;
-use loosepin::units::{Dimension, format_value};
 
 use super::inputs::{add_model, add_study, overrides, warn};
-use super::stored::{place, read_json, tell_again, to_json};
+use super::stored::{place, read_json, run_and_write, tell_again, to_json};
 use crate::arguments::MotionArguments;
 use crate::console;
 use crate::ending::{Done, Ending};
@@ -26,7 +25,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
     });
-    let settings: Vec<String> = widest_play(&file).into_iter().chain(arguments.set.iter().cloned()).collect();
+    let settings = with_widest_play(&file, &arguments.set);
     let set = model.set_values(&settings)?;
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
     let plan = MotionPlan {
@@ -52,11 +51,12 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         tell_again(&folder);
         return show_again(&mut folder);
     }
-    let summary = to_json(&record, &folder, SUMMARY_FILE)?;
-    folder.write(SUMMARY_FILE, summary.as_bytes())?;
-    folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
-    folder.finish()?;
-    tell(&record, &folder)
+    run_and_write(folder, |folder| {
+        folder.write(SUMMARY_FILE, to_json(&record, folder, SUMMARY_FILE)?.as_bytes())?;
+        folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
+        folder.finish()?;
+        tell(&record, folder)
+    })
 }
 
 /// Writes the page again from the stored record, and prints the table.
@@ -72,16 +72,12 @@ fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
     Ok(Done::Well)
 }
 
-/// Where a study knows a clearance as an interval or a list only, the worst case is that of the largest.
-fn widest_play(file: &InputFile) -> Vec<String> {
-    let InputFile::Study(study) = file else { return Vec::new() };
-    let is_clearance = |path: &str| path.starts_with("joint.") && path.ends_with(".radial_clearance");
-    study
-        .epistemic
-        .iter()
-        .filter(|input| is_clearance(&input.path))
-        .map(|input| format!("{}={}", input.path, format_value(input.variable.ends()[1], Dimension::LENGTH)))
-        .collect()
+/// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.
+fn with_widest_play(file: &InputFile, set: &[String]) -> Vec<String> {
+    let InputFile::Study(study) = file else { return set.to_vec() };
+    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+    let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
+    widest.chain(set.iter().cloned()).collect()
 }
 
 /// What scatters, where a study says so.

@@ -23,6 +23,7 @@ pub mod runs;
 mod saved_surrogates;
 mod simultaneous;
 mod surrogate;
+mod widest_play;
 
 pub use conduct::{Conducted, Means, Progress, StudyError, conduct, plan_runs, time_a_run_s};
 pub use distribution_words::distribution_words;
