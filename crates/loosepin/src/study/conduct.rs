@@ -6,7 +6,7 @@ use super::assemble::{Extra, Material, assemble};
 use super::contributors::{ContributorPlan, contributors};
 use super::file::{Budget, Study};
 use super::keep::{Keeping, KeptList};
-use super::rare::{MOST_RARE_RUNS, rare_probabilities, requests};
+use super::rare::{most_rare_runs, rare_probabilities, requests};
 use super::response::{PrepareError, StudyResponse};
 use super::result::StudyResult;
 use super::runs::RunsTable;
@@ -164,7 +164,7 @@ fn most_runs(
     plan: &DoubleLoop,
     contributors: Option<&ContributorPlan>,
 ) -> usize {
-    let rare = MOST_RARE_RUNS * requests(&response.shared.plan.asks).count();
+    let rare = most_rare_runs(plan) * requests(&response.shared.plan.asks).count();
     let allowed = most_studies(study) * runs_of_a_study(study);
     plan.most_runs() + contributors.map_or(0, ContributorPlan::runs) + rare + allowed
 }
