@@ -21,6 +21,9 @@ pub fn motion_page(record: &MotionRecord) -> String {
         sections.push(Section::new("clearance", "What play can do", clearance(record, &writer)));
         sections.push(Section::new("contributors", "Which joint is to blame", contributors(record, &writer)));
     }
+    if record.outputs.iter().any(has_scatter) {
+        sections.push(Section::new("scatter", "What scatter of the parts does", scatter(record, &writer)));
+    }
     sections.push(Section::new("motion", "Ideal motion", motion(record, &writer)));
     if !record.drawing.bodies.is_empty() {
         let figure = mechanism_figure(&record.drawing, &record.drive, "mechanism-figure");
@@ -48,6 +51,10 @@ fn has_clearance(output: &OutputMotion) -> bool {
     output.clearance.worst_case_si.iter().any(|value| *value != 0.0)
 }
 
+fn has_scatter(output: &OutputMotion) -> bool {
+    output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0)
+}
+
 /// The answer in sentences, the most important first; for pages and terminals alike.
 pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences: Vec<String> = record
@@ -68,8 +75,19 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
         })
         .collect();
     if sentences.is_empty() {
-        sentences.push("No joint has play: the mechanism moves ideally.".to_owned());
+        let is_ideal = !record.outputs.iter().any(has_scatter);
+        let words = if is_ideal { "No joint has play: the mechanism moves ideally." } else { "No joint has play." };
+        sentences.push(words.to_owned());
     }
+    sentences.extend(record.outputs.iter().filter(|output| has_scatter(output)).map(|output| {
+        let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+        format!(
+            "Scatter of the parts moves the {} with a standard deviation of at most {} (at {}).",
+            output.name,
+            writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+            writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
+        )
+    }));
     for position in &record.singular_positions {
         sentences.push(format!(
             "Singular at {} of {}: {}.",
@@ -178,12 +196,6 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
         .map(|joint| (joint.worst_case_si.get(pose).copied().unwrap_or(0.0), joint))
         .collect();
     joints.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut dimensions: Vec<(f64, &str)> = output
-        .dimensional_contributors
-        .iter()
-        .map(|dimension| (largest(record, &dimension.standard_deviation_si).1, dimension.path.as_str()))
-        .collect();
-    dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
     html! {
         figure.treatments {
             h3 { (title(output)) }
@@ -209,26 +221,73 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
                     }
                 }
             }
-            @if !dimensions.is_empty() {
-                table.cards {
-                    thead {
-                        tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation it causes" } }
-                    }
-                    tbody {
-                        @for (deviation_si, path) in &dimensions {
-                            tr {
-                                th scope="row" { code { (path) } }
-                                td.number data-label="Largest standard deviation it causes" {
-                                    (writer.value(*deviation_si, &output.unit))
-                                }
-                            }
-                        }
-                    }
-                }
-            }
             figcaption {
                 "Shares of the worst case at " (writer.rounded(worst_angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest))
                 ", where it is largest."
+            }
+        }
+    }
+}
+
+fn scatter(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "To first order in the dimensions that scatter, without play: the root of the sum of the squares of what each causes by \
+             itself, and of what those do that go together."
+        }
+        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_scatter(output)) {
+            (scatter_chart(record, output, index, writer).figure())
+            (scatter_table(record, output, writer))
+        }
+    }
+}
+
+fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, writer: &NumberWriter) -> Chart {
+    let mut chart = angle_chart(record, format!("scatter-{index}"), writer);
+    chart.y_label = format!("deviation of {}", output.name);
+    chart.y_symbol = writer.symbol(&output.unit);
+    let upper = scaled(&output.dimensional_standard_deviation_si, &output.unit, writer);
+    let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+    chart.entries.push(Entry {
+        label: "± standard deviation of the dimensions".to_owned(),
+        role: Role::Random,
+        dashed: false,
+        values: EntryValues::band(&lower, &upper),
+    });
+    let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+    let words = format!(
+        "at most {}, at {}",
+        writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
+    );
+    chart.caption = html! {
+        strong { "Scatter of " (title(output)) " from the parts." } " Standard deviation: " (words) "."
+    };
+    chart.alternative = format!("Chart of the standard deviation of {} over one cycle: {words}.", title(output));
+    chart
+}
+
+fn scatter_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Markup {
+    let mut dimensions: Vec<(f64, &str)> = output
+        .dimensional_contributors
+        .iter()
+        .map(|dimension| (largest(record, &dimension.standard_deviation_si).1, dimension.path.as_str()))
+        .collect();
+    dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
+    html! {
+        table.cards {
+            thead {
+                tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation it causes" } }
+            }
+            tbody {
+                @for (deviation_si, path) in &dimensions {
+                    tr {
+                        th scope="row" { code { (path) } }
+                        td.number data-label="Largest standard deviation it causes" {
+                            (writer.value(*deviation_si, &output.unit))
+                        }
+                    }
+                }
             }
         }
     }
