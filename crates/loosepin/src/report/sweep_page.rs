@@ -78,7 +78,9 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
     let irregular = runs - repeating - failed.len();
     let first = if irregular == 0 && failed.is_empty() {
         format!("The motion repeats itself for all {runs} values of {}.", record.path)
-    } else if repeating == 0 {
+    } else if failed.len() == runs {
+        format!("The motion could be computed for none of the {runs} values of {}.", record.path)
+    } else if repeating == 0 && failed.is_empty() {
         format!(
             "The motion repeats itself for none of the {runs} values of {}: single histories mean little, statistics over \
              many turns do.",

@@ -6,7 +6,9 @@ use crate::bounds::Purpose;
 use crate::simulate::RunFailure;
 use crate::study::file::EpistemicSubject;
 use crate::study::response::RunExtras;
-use crate::study::result::{EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, RunCounts};
+use crate::study::result::{
+    EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, PurposeRuns, RunCounts, RunPurpose,
+};
 use crate::units::SiUnit;
 use std::collections::BTreeMap;
 
@@ -29,10 +31,33 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
     RunCounts {
         runs: material.table.len() as u64,
         failed: material.table.failed() as u64,
+        by_purpose: by_purpose(material),
         outer: material.bounds.outer_points.len() as u64,
         inner: if material.study.random.is_empty() { 1 } else { material.study.sampling.inner as u64 },
         replicates: if material.study.random.is_empty() { 1 } else { material.study.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
+    }
+}
+
+/// The runs by what they were for.
+fn by_purpose(material: &Material<'_>) -> Vec<PurposeRuns> {
+    let runs = |of: RunPurpose| {
+        let inputs = material.table.inputs().iter();
+        PurposeRuns { purpose: of, runs: inputs.filter(|inputs| purpose(inputs.purpose) == of).count() as u64 }
+    };
+    RunPurpose::ALL.into_iter().map(runs).filter(|counted| counted.runs > 0).collect()
+}
+
+/// A purpose as it is recorded.
+pub fn purpose(purpose: Purpose) -> RunPurpose {
+    match purpose {
+        Purpose::DoubleLoop => RunPurpose::Mixed,
+        Purpose::Mixture => RunPurpose::ProbabilityOnly,
+        Purpose::Extreme => RunPurpose::IntervalOnly,
+        Purpose::Contributors => RunPurpose::Contributors,
+        Purpose::Rare => RunPurpose::Rare,
+        Purpose::Training => RunPurpose::Training,
+        Purpose::Confirming => RunPurpose::Confirming,
     }
 }
 
@@ -75,7 +100,7 @@ fn command(material: &Material<'_>, run: usize) -> String {
         let symbol = if unit.symbol() == "1" { String::new() } else { format!(" {unit}") };
         format!(" --set \"{path}={value:?}{symbol}\"")
     };
-    let mut words = format!("loosepin simulate {}", study.model_path.display());
+    let mut words = format!("loosepin simulate {}", quoted(&study.model_path.display().to_string()));
     for (input, &value) in study.random.iter().zip(&inputs.random) {
         words.push_str(&number(&input.path, &unit(&study.model.quantities, input.quantity), value));
     }
@@ -94,6 +119,18 @@ fn command(material: &Material<'_>, run: usize) -> String {
         study.cycle.transient_turns, study.cycle.recorded_turns, study.sampling.tolerance_m
     ));
     words
+}
+
+/// A path as a word of a shell, in quotes where it would fall apart without.
+fn quoted(path: &str) -> String {
+    let is_plain = |character: char| character.is_ascii_alphanumeric() || "/._-+,:@%=".contains(character);
+    if !path.is_empty() && !path.starts_with('-') && path.chars().all(is_plain) {
+        return path.to_owned();
+    }
+    // A single quote ends what is quoted, stands by itself, and begins it again.
+    let inside = path.replace('\'', "'\\''");
+    let start = if path.starts_with('-') { "./" } else { "" };
+    format!("'{start}{inside}'")
 }
 
 /// Share of the finished runs whose motion repeated itself over the last turn.
@@ -174,4 +211,22 @@ pub fn centre_point(material: &Material<'_>) -> Option<u32> {
             && point.epistemic.iter().zip(&middle).all(|(a, b)| (a - b).abs() <= 1e-12 * b.abs())
     };
     material.table.inputs().iter().find(same).map(|inputs| inputs.point)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn paths_are_words_of_a_shell() {
+        for (path, word) in [
+            ("../cases/worn_pin/model.toml", "../cases/worn_pin/model.toml"),
+            ("my models/model.toml", "'my models/model.toml'"),
+            ("it's $HOME.toml", "'it'\\''s $HOME.toml'"),
+            ("-model.toml", "'./-model.toml'"),
+            ("größe.toml", "'größe.toml'"),
+        ] {
+            assert_eq!(quoted(path), word);
+        }
+    }
 }
