@@ -9,10 +9,9 @@ use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind
 use loosepin::study::InputFile;
 
 use super::inputs::{add_model, add_study, overrides, warn};
-use super::stored::{place, read_json, run_and_write, tell_again, to_json};
+use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
 use crate::arguments::MotionArguments;
-use crate::console;
-use crate::ending::{Done, Ending};
+use crate::ending::{Ending, Failure};
 
 /// Positions in a turn: every degree.
 const POSITIONS: usize = 360;
@@ -49,7 +48,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<MotionRecord>(&mut folder);
     }
     run_and_write(folder, |folder| {
         folder.write(SUMMARY_FILE, to_json(&record, folder, SUMMARY_FILE)?.as_bytes())?;
@@ -59,17 +58,18 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     })
 }
 
-/// Writes the page again from the stored record, and prints the table.
-pub fn show_again(folder: &mut ResultsFolder) -> Ending {
-    let record: MotionRecord = read_json(folder, SUMMARY_FILE)?;
-    folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
-    tell(&record, folder)
-}
+impl StoredResult for MotionRecord {
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        read_record(folder)
+    }
 
-fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
-    console::print(&motion_text(record))?;
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
-    Ok(Done::Well)
+    fn page(&self) -> String {
+        motion_page(self)
+    }
+
+    fn text(&self) -> String {
+        motion_text(self)
+    }
 }
 
 /// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.

@@ -15,7 +15,7 @@ use loosepin::study::{Conducted, Means, Study, StudyError, conduct};
 
 use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
-use super::stored::{place, tell_again};
+use super::stored::{StoredResult, place, show_again, tell, tell_again};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -45,7 +45,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     if folder.is_finished() {
         remove_store(&folder.path().join(STORE_FILE)).map_err(|error| Failure::of(&error))?;
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<StudyResult>(&mut folder);
     }
     let store = match open_store(&folder, &claim, arguments.resume) {
         Ok(store) => store,
@@ -101,11 +101,23 @@ fn open_store(folder: &ResultsFolder, claim: &Claim, with_resume: bool) -> Resul
     Ok(store)
 }
 
-/// Writes the page again from the stored result, and prints the tables.
-pub fn show_again(folder: &mut ResultsFolder) -> Ending {
-    let result = read_summary(folder.path()).map_err(|error| Failure::of(&error))?;
-    folder.write(REPORT_FILE, study_page(&result).as_bytes())?;
-    tell(&result, folder)
+impl StoredResult for StudyResult {
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        read_summary(folder.path()).map_err(|error| Failure::of(&error))
+    }
+
+    fn page(&self) -> String {
+        study_page(self)
+    }
+
+    fn text(&self) -> String {
+        study_text(self)
+    }
+
+    fn done(&self) -> Done {
+        let is_met = self.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
+        if is_met { Done::Well } else { Done::RequirementNotMet }
+    }
 }
 
 fn write(folder: &mut ResultsFolder, result: &StudyResult, runs: &RunsTable, timing: &Timing) -> Result<(), Failure> {
@@ -129,13 +141,6 @@ fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> E
         folder.path().join(STORE_FILE).display()
     ));
     Ok(Done::Interrupted)
-}
-
-fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
-    console::print(&study_text(result))?;
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
-    let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
-    Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
 }
 
 fn inputs(arguments: &StudyArguments, study: &Study) -> InputsHash {

@@ -8,6 +8,7 @@ use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::percent_of;
+use super::wording::named_words;
 use crate::accuracy::record::{MotionRecord, OutputMotion};
 use crate::units::SiUnit;
 
@@ -128,10 +129,6 @@ fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Char
     }
 }
 
-fn title(output: &OutputMotion) -> String {
-    if output.words.is_empty() { output.name.clone() } else { format!("{} ({})", output.name, output.words) }
-}
-
 fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
@@ -171,10 +168,13 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
         writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
     );
     chart.caption = html! {
-        strong { "Quasi-static effect of play on " (title(output)) "." } " Worst case: " (words)
+        strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " Worst case: " (words)
         ". To first order in the clearances."
     };
-    chart.alternative = format!("Chart of the quasi-static worst case of {} over one cycle: {words}.", title(output));
+    chart.alternative = format!(
+        "Chart of the quasi-static worst case of {} over one cycle: {words}.",
+        named_words(&output.name, &output.words)
+    );
     chart
 }
 
@@ -198,7 +198,7 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
     joints.sort_by(|a, b| b.0.total_cmp(&a.0));
     html! {
         figure.treatments {
-            h3 { (title(output)) }
+            h3 { (named_words(&output.name, &output.words)) }
             table.cards {
                 thead {
                     tr {
@@ -261,9 +261,12 @@ fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, wri
         writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
     );
     chart.caption = html! {
-        strong { "Scatter of " (title(output)) " from the parts." } " Standard deviation: " (words) "."
+        strong { "Scatter of " (named_words(&output.name, &output.words)) " from the parts." } " Standard deviation: " (words) "."
     };
-    chart.alternative = format!("Chart of the standard deviation of {} over one cycle: {words}.", title(output));
+    chart.alternative = format!(
+        "Chart of the standard deviation of {} over one cycle: {words}.",
+        named_words(&output.name, &output.words)
+    );
     chart
 }
 
@@ -345,8 +348,10 @@ fn motion_chart(
     };
     let (lowest, highest) = ends(values_si);
     let range = format!("between {} and {}", writer.value(lowest, &unit), writer.value(highest, &unit));
-    chart.caption = html! { strong { "Ideal " (what) " of " (title(output)) }  ": " (range) "." };
-    chart.alternative = format!("Chart of the ideal {what} of {} over one cycle: {range}.", title(output));
+    chart.caption =
+        html! { strong { "Ideal " (what) " of " (named_words(&output.name, &output.words)) }  ": " (range) "." };
+    chart.alternative =
+        format!("Chart of the ideal {what} of {} over one cycle: {range}.", named_words(&output.name, &output.words));
     chart.figure()
 }
 

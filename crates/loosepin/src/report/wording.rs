@@ -142,10 +142,19 @@ pub(super) fn has_lists(inputs: &[InputDescription]) -> bool {
 
 /// `slider` with its meaning where there is one: `slider (x of slider.pin)`.
 pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String {
-    match outputs.iter().find(|output| output.name == name) {
-        Some(output) if !output.words.is_empty() => format!("{name} ({})", output.words),
-        _ => name.to_owned(),
-    }
+    let words = outputs.iter().find(|output| output.name == name).map_or("", |output| &output.words);
+    named_words(name, words)
+}
+
+/// A name with its meaning where there is one.
+pub(super) fn named_words(name: &str, words: &str) -> String {
+    if words.is_empty() { name.to_owned() } else { format!("{name} ({words})") }
+}
+
+/// With a capital at its beginning.
+pub(super) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A count, on a page with thousands apart: `16 384`.
@@ -173,9 +182,5 @@ pub(super) fn counted_as(value: u64, singular: &str, plural: &str, writer: &Numb
 
 /// `a`, `a and b`, `a, b and c`.
 pub(super) fn listed(parts: &[String]) -> String {
-    match parts {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
+    crate::units::listed(parts, "and")
 }

@@ -12,10 +12,10 @@ impl Study {
     pub fn widest_play(&self) -> Vec<(&str, String)> {
         let widest = |(path, id, ends): (_, QuantityId, [f64; 2])| {
             let play = ends.map(|end| (self.sum_of_clearances_m(id, end), end));
-            let (_, value_si) =
-                play.into_iter()
-                    .filter_map(|(sum_m, end)| Some((sum_m?, end)))
-                    .reduce(|low, high| if low.0 > high.0 { low } else { high })?;
+            let (_, value_si) = play
+                .into_iter()
+                .filter_map(|(sum_m, end)| Some((sum_m?, end)))
+                .reduce(|low, high| if low.0 > high.0 { low } else { high })?;
             Some((path, format!("{path}={}", self.written_exactly(id, value_si))))
         };
         let known = self.epistemic.iter().filter_map(|input| {

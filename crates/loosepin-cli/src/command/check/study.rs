@@ -61,7 +61,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         _ => "",
     };
     let threads = counted(threads, "thread", "threads");
-    let _ = writeln!(text, "At most {most_runs} runs{before}: about {time} on {threads}");
+    let _ = writeln!(text, "At most {}{before}: about {time} on {threads}", counted(most_runs, "run", "runs"));
     Ok(text)
 }
 

@@ -6,7 +6,7 @@ use crate::report::answer::limits_words;
 use crate::report::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled};
 use crate::report::number::{NumberWriter, Rounding, significant};
 use crate::report::script_data::{round_to_digits, rounded};
-use crate::report::wording::{deviation_words, output_words, place_words};
+use crate::report::wording::{capitalised, deviation_words, output_words, place_words};
 use crate::study::result::{
     CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve, StudyResult,
 };
@@ -219,13 +219,5 @@ fn limit_sentence(pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -
             writer.percent(most, Rounding::Up)
         ),
         _ => String::new(),
-    }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut characters = text.chars();
-    match characters.next() {
-        Some(first) => first.to_uppercase().chain(characters).collect(),
-        None => String::new(),
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
             @if result.counts.failed == 0 { "No run failed. " }
             @else {
                 strong { (counted(result.counts.failed, "run", writer)) " failed" }
-                " (" (writer.percent(share, Rounding::Up)) "). What would have come of that is not known: probabilities \
+                " (" (writer.percent(share, Rounding::Up)) "). What " @if result.counts.failed == 1 { "it" } @else { "they" } " would have given is not known: probabilities \
                  include both possibilities. "
             }
             @if let Some(settled) = result.settled_share {
