@@ -251,16 +251,16 @@ fn curve_between(of: DeviationKind, lowest_m: f64, highest_m: f64) -> StudyResul
 fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
     let one_sided = curve_between(DeviationKind::Total, 4.3e-4, 5.9e-4);
     assert_says(&one_sided, "stays between 0.43 mm and 0.59 mm of its ideal motion");
-    let nearly_even = curve_between(DeviationKind::Total, 5.0e-4, 5.2e-4);
-    assert_says(&nearly_even, "stays between 0.50 mm and 0.52 mm of its ideal motion");
-    let even = curve_between(DeviationKind::Total, -5.0e-4, 5.2e-4);
+    let nearly_even = curve_between(DeviationKind::Total, 5.003e-4, 5.196e-4);
+    assert_says(&nearly_even, "stays between 0.500 mm and 0.520 mm of its ideal motion");
+    let even = curve_between(DeviationKind::Total, -4.97e-4, 5.13e-4);
     assert_says(&even, "stays within ±0.52 mm of its ideal motion");
     assert_says(&even, "would stay within ±0.27 mm at each angle; not knowing them widens this to ±0.52 mm.");
-    let value = curve_between(DeviationKind::Value, 0.155, 0.170);
+    let value = curve_between(DeviationKind::Value, 0.1552, 0.1698);
     assert_says(&value, "lies between 155 mm and 170 mm: 95 % of mechanisms at any angle.");
     let text = one_line(&study_text(&value));
     assert!(!text.contains("If the unknown values were in the middle"), "{text}");
-    let even_value = curve_between(DeviationKind::Value, -0.170, 0.170);
+    let even_value = curve_between(DeviationKind::Value, -0.1698, 0.1693);
     assert_says(&even_value, "lies between -170 mm and 170 mm: 95 % of mechanisms at any angle.");
 }
 

@@ -11,6 +11,8 @@ use crate::units::SiUnit;
 
 /// Digits of a bound in a sentence.
 const SENTENCE_DIGITS: usize = 2;
+/// Further digits where both ends of a range are nearly the same, at most.
+const MOST_MORE_DIGITS: f64 = 6.0;
 
 /// The answer, for pages and terminals alike.
 pub(super) struct Answer {
@@ -173,12 +175,14 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str
     }
 }
 
-/// Both ends, rounded outwards.
+/// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
 fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
+    let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
+    let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
     format!(
         "between {} and {}",
-        writer.rounded(lowest_si, unit, SENTENCE_DIGITS, Rounding::Down),
-        writer.rounded(highest_si, unit, SENTENCE_DIGITS, Rounding::Up)
+        writer.rounded(lowest_si, unit, digits, Rounding::Down),
+        writer.rounded(highest_si, unit, digits, Rounding::Up)
     )
 }
 
