@@ -41,8 +41,13 @@ impl Pace {
 }
 
 impl Bar {
-    /// A bar that shows nothing before it hears of runs, `kept` of which were made before.
-    pub fn new(kept: usize) -> Bar {
+    /// A bar that shows nothing before it hears of runs.
+    pub fn new() -> Bar {
+        Bar::going_on(0)
+    }
+
+    /// The same where `kept` of the runs were made before.
+    pub fn going_on(kept: usize) -> Bar {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
         let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), kept, last: None }));
         let shown = Arc::clone(&pace);

@@ -59,7 +59,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     };
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::new(store.runs_at_start() as usize);
+    let bar = Bar::going_on(store.runs_at_start() as usize);
     let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
     let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();

@@ -40,7 +40,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
         return show_again::<SweepRecord>(&mut folder);
     }
     let stop = stop_on_signals("Ctrl-C will end the sweep at once");
-    let bar = Bar::new(0);
+    let bar = Bar::new();
     let heard = |finished: usize| bar.runs(finished, plan.points);
     heard(0);
     let outcome = sweep(&mechanism, &set, &plan, threads(arguments.threads), &heard, &stop);
