@@ -1,6 +1,6 @@
 """Asks several uncertainty packages for bounds whose exact values are known; bounds/README.md says what and how.
 
-    python3 tools/compare/bounds.py [--seeds N] [--only NAME,..] [--page FILE]
+    python3 tools/compare/bounds.py [--seeds N] [--only NAME,..] [--page FILE] [--note TEXT]
 
 Makes `.venv-bounds` and `.venv-bounds-numpy-1` beside this file. Every program prints the bounds that it finds, seed after seed;
 this file holds them against the exact ones and writes the tables.
@@ -12,7 +12,6 @@ import datetime
 import io
 import json
 import math
-import os
 import shlex
 import statistics
 import sys
@@ -23,11 +22,11 @@ from pathlib import Path
 
 from compare import (
     HERE,
-    REPOSITORY,
-    Refusal,
+    build_example,
     check_python,
     commit,
     exit_status,
+    known_names,
     prepare_venv,
     processor_name,
     run,
@@ -143,11 +142,7 @@ def exact_bounds() -> Exact:
 def run_ours(seeds: int) -> list[Method]:
     """This library: the bounds that it shows, and for comparison the estimates before they are widened."""
     name = "slider_crank_bounds"
-    say(f"building {name}")
-    build = ["cargo", "build", "--release", "--locked", "--quiet", "--package", "loosepin-bench", "--example", name]
-    run(build, "install Rust from https://rustup.rs")
-    target = Path(os.environ.get("CARGO_TARGET_DIR", "target"))
-    printed = run([REPOSITORY / target / "release" / "examples" / name, str(seeds)], f"call {name} to see more")
+    printed = run([build_example(name), str(seeds)], f"call {name} to see more")
     shown = Method(OURS, "bounds widened by their stated errors")
     estimates = Method(OURS, "the same before widening")
     rows: dict[str, list[dict]] = {}
@@ -280,13 +275,16 @@ Matlab.
 """
 
 
-def circumstances(measured: str) -> str:
-    """What published numbers need beside them; `measured` is the commit."""
-    command = shlex.join(["python3", "tools/compare/bounds.py", *sys.argv[1:]])
-    return f"{datetime.date.today().isoformat()}, {processor_name()}, commit {measured}, `{command}`, one thread."
+def circumstances(measured: str, note: str) -> str:
+    """What published numbers need beside them; `measured` is the commit, `note` what else has to be known of this run."""
+    # It stands behind the command, not within it.
+    given = [word for word in sys.argv[1:] if not note or word not in ("--note", note, f"--note={note}")]
+    command = shlex.join(["python3", "tools/compare/bounds.py", *given])
+    run_words = f"{datetime.date.today().isoformat()}, {processor_name()}, commit {measured}, `{command}`, one thread."
+    return f"{run_words} {note}".strip()
 
 
-def page(methods: list[Method], exact: Exact, versions: list[str], seeds: int, measured: str) -> str:
+def page(methods: list[Method], exact: Exact, versions: list[str], seeds: int, measured: str, note: str) -> str:
     """The whole page."""
     return PAGE.format(
         truth=table_of_truth(exact),
@@ -294,7 +292,7 @@ def page(methods: list[Method], exact: Exact, versions: list[str], seeds: int, m
         counts=table_of_counts(methods, exact),
         misses=table_of_misses(methods, exact),
         versions="\n".join(f"* {version}" for version in versions),
-        circumstances=circumstances(measured),
+        circumstances=circumstances(measured, note),
     )
 
 
@@ -309,15 +307,13 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--only", default=",".join(names), metavar="NAME,..", help=f"some of: {', '.join(names)}")
     parser.add_argument("--jobs", type=int, default=2, help="packages at a time (2), one thread each")
     parser.add_argument("--page", type=Path, help="write the page there instead of printing it")
+    parser.add_argument("--note", default="", metavar="TEXT", help="what else has to be known of this run, for the end of the page")
     arguments = parser.parse_args()
     if arguments.seeds < 1:
         parser.error(f"--seeds {arguments.seeds}; must be >= 1")
-    arguments.only = [name.strip() for name in arguments.only.split(",") if name.strip()]
     if arguments.jobs < 1:
         parser.error(f"--jobs {arguments.jobs}; must be >= 1")
-    unknown = [name for name in arguments.only if name not in names]
-    if unknown or not arguments.only:
-        parser.error(f"--only: there is no package '{', '.join(unknown)}'; known are {', '.join(names)}")
+    arguments.only = known_names(parser, "--only", "package", arguments.only, names)
     return arguments
 
 
@@ -340,7 +336,7 @@ def compare_bounds() -> None:
         for found in pool.map(lambda package: run_package(package, arguments.seeds), chosen):
             methods += found
     versions += [f"{package.name} {package.version()}, PyPI `{package.distribution}`" for package in chosen]
-    text = page(methods, exact, versions, arguments.seeds, measured)
+    text = page(methods, exact, versions, arguments.seeds, measured, arguments.note)
     if arguments.page is None:
         print(text)
     else:

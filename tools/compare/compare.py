@@ -174,14 +174,18 @@ def python_program(name: str) -> list[str]:
     return [str(venv_python()), str(PROGRAMS / f"{name}.py")]
 
 
-def build_ours() -> list[str]:
-    """Builds this library's own program, for any processor of this platform, as it is shipped."""
-    name = "slider_crank_batch"
+def build_example(name: str) -> Path:
+    """Builds an example of `loosepin-bench`, for any processor of this platform, as the library is shipped."""
     say(f"building {name}")
     build = ["cargo", "build", "--release", "--locked", "--quiet", "--package", "loosepin-bench", "--example", name]
     run(build, "install Rust from https://rustup.rs")
     target = Path(os.environ.get("CARGO_TARGET_DIR", "target"))
-    return [str(REPOSITORY / target / "release" / "examples" / name)]
+    return REPOSITORY / target / "release" / "examples" / name
+
+
+def build_ours() -> list[str]:
+    """Builds this library's own program."""
+    return [str(build_example("slider_crank_batch"))]
 
 
 def compiler_version() -> str:
@@ -364,6 +368,15 @@ def circumstances(rounds: int) -> str:
 # Command line
 
 
+def known_names(parser: argparse.ArgumentParser, option: str, what: str, written: str, names: Sequence[str]) -> list[str]:
+    """The names behind an option, with a comma between them; ends the program where one of them is not known, or there is none."""
+    found = [name.strip() for name in written.split(",") if name.strip()]
+    unknown = [name for name in found if name not in names]
+    if unknown or not found:
+        parser.error(f"{option}: there is no {what} '{', '.join(unknown)}'; known are {', '.join(names)}")
+    return found
+
+
 def read_arguments(names: list[str]) -> argparse.Namespace:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -373,10 +386,7 @@ def read_arguments(names: list[str]) -> argparse.Namespace:
     arguments = parser.parse_args()
     if arguments.rounds < 1:
         parser.error(f"--rounds {arguments.rounds}; must be >= 1")
-    arguments.only = [name.strip() for name in arguments.only.split(",") if name.strip()]
-    unknown = [name for name in arguments.only if name not in names]
-    if unknown or not arguments.only:
-        parser.error(f"--only: there is no program '{', '.join(unknown)}'; known are {', '.join(names)}")
+    arguments.only = known_names(parser, "--only", "program", arguments.only, names)
     return arguments
 
 

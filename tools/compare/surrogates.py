@@ -11,7 +11,7 @@ import os
 import statistics
 import sys
 
-from compare import HERE, REPOSITORY, check_python, exit_status, prepare_venv, run
+from compare import HERE, build_example, check_python, exit_status, known_names, prepare_venv, run
 
 FOLDER = HERE / "surrogates"
 BUILD = FOLDER / "build"
@@ -25,11 +25,7 @@ def our_program() -> str:
     """The example of `loosepin-bench`, built for release; `SURROGATES` names one that is built already."""
     if given := os.environ.get("SURROGATES"):
         return given
-    run(
-        ["cargo", "build", "--release", "--locked", "--package", "loosepin-bench", "--example", "surrogates"],
-        "install Rust 1.95 or newer",
-    )
-    return str(REPOSITORY / "target/release/examples/surrogates")
+    return str(build_example("surrogates"))
 
 
 def lines_of(command: list[str]) -> list[dict]:
@@ -37,24 +33,39 @@ def lines_of(command: list[str]) -> list[dict]:
     return [json.loads(line) for line in run(command, "its last lines say why").splitlines() if line.startswith("{")]
 
 
+def read_arguments() -> argparse.Namespace:
+    """The command line."""
+    programs = OURS + PEERS
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--designs", type=int, default=20, help="sets of runs to learn from (20)")
+    parser.add_argument("--only", default=",".join(programs), metavar="NAME,..", help=f"some of: {', '.join(programs)}")
+    parser.add_argument("--cases", default=",".join(INPUTS), metavar="NAME,..", help=f"some of: {', '.join(INPUTS)}")
+    parser.add_argument("--runs", default="50,100,200", metavar="N,..", help="runs to learn from (50,100,200)")
+    arguments = parser.parse_args()
+    if arguments.designs < 1:
+        parser.error(f"--designs {arguments.designs}; must be >= 1")
+    arguments.only = known_names(parser, "--only", "program", arguments.only, programs)
+    arguments.cases = known_names(parser, "--cases", "case", arguments.cases, list(INPUTS))
+    written = [number.strip() for number in arguments.runs.split(",") if number.strip()]
+    if not written or not all(number.isdecimal() and int(number) > 0 for number in written):
+        parser.error(f"--runs {arguments.runs}; must be whole numbers >= 1 with commas between them")
+    arguments.runs = [int(number) for number in written]
+    return arguments
+
+
 def compare_surrogates() -> None:
     """Runs all, prints a line for each program and number of runs."""
     check_python()
     # Every program computes on one thread; `run` says so to the libraries of linear algebra.
     os.environ["RAYON_NUM_THREADS"] = "1"
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--designs", type=int, default=20)
-    parser.add_argument("--only", default=",".join(OURS + PEERS))
-    parser.add_argument("--cases", default=",".join(INPUTS))
-    parser.add_argument("--runs", default="50,100,200")
-    arguments = parser.parse_args()
-    wanted = arguments.only.split(",")
+    arguments = read_arguments()
+    wanted = arguments.only
     ours = our_program()
     if any(name in PEERS for name in wanted):
         prepare_venv(VENV, FOLDER / "requirements.txt")
     BUILD.mkdir(exist_ok=True)
-    for case in arguments.cases.split(","):
-        for runs in (int(n) for n in arguments.runs.split(",")):
+    for case in arguments.cases:
+        for runs in arguments.runs:
             kinds = [name.removeprefix("ours-") for name in wanted if name in OURS]
             rows = lines_of([ours, case, str(runs), str(arguments.designs), ",".join(kinds), str(BUILD)])
             for peer in (name for name in wanted if name in PEERS):

@@ -124,15 +124,28 @@ fn truth(study: &Study, mechanisms: usize, at: Vec<f64>, seed: u64) -> Truth {
         input.variable = EpistemicVariable::from(Interval::try_new(value, value).expect("a finite value"));
     }
     let Conducted { runs, result, .. } = run(&known);
-    let first = 6 + known.random.len() + known.epistemic.len();
-    let responses = (first..first + result.treatments.len()).map(|column| double_loop(&runs, column)).collect();
+    let responses = result.treatments.iter().map(|of| double_loop(&runs, &column_name(of))).collect();
     Truth { at, responses }
 }
 
+/// The column of a response in the runs.
+fn column_name(of: &TreatmentComparison) -> String {
+    let at = match &of.at {
+        ResponsePoint::Pose { pose_rad } => format!("at {} rad", (pose_rad * 1e9).round() / 1e9),
+        ResponsePoint::Reduced { reduction } => reduction.word().to_owned(),
+        other => panic!("{other:?} has no treatments"),
+    };
+    format!("{} {} {at}", of.output, of.of.word())
+}
+
 /// The values of a column in the runs of the double loop; failed ones are not a number.
-fn double_loop(runs: &RunsTable, column: usize) -> Vec<f64> {
-    let (RunData::Text(purposes), RunData::F64(values)) = (&runs.columns[1].data, &runs.columns[column].data) else {
-        panic!("'{}' is no response of the runs", runs.columns[column].name)
+fn double_loop(runs: &RunsTable, name: &str) -> Vec<f64> {
+    let column = |name: &str| {
+        let found = runs.columns.iter().find(|column| column.name == name);
+        &found.unwrap_or_else(|| panic!("the runs have no column '{name}'")).data
+    };
+    let (RunData::Text(purposes), RunData::F64(values)) = (column("purpose"), column(name)) else {
+        panic!("'{name}' is no response of the runs")
     };
     purposes.iter().zip(values).filter(|(purpose, _)| *purpose == "mixed").map(|(_, &value)| value).collect()
 }

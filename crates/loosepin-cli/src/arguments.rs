@@ -161,7 +161,7 @@ pub struct SimulateArguments {
 #[command(
     after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
     for any number of threads. Every finished run is on disk within a second: after Ctrl-C, a crash or a power failure --resume \
-    goes on, and the results are the same as those of a study that nothing disturbed.\n\n\
+    goes on, and the results are the same as those of a study that nothing disturbed; a budget of time begins anew.\n\n\
     With --accuracy the samples of the study grow, round by round, until its bounds are widened by no more than that; \
     it is of all bounds that measure what it measures, or of an output or one of its statistics. Where the budget ends it \
     before, the study says what is reached and what it would take; that is no error.\n\n\

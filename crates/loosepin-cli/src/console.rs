@@ -8,13 +8,16 @@ use loosepin::report::TERMINAL_COLUMNS;
 
 use crate::ending::Failure;
 
-/// Writes data.
+/// Writes data. Whoever closes the pipe has read enough: `loosepin ... | head` is no error, and ends as it would have without.
 ///
 /// # Errors
-/// Standard output is closed or full.
+/// Standard output is full.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
-    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(Failure::Output)
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
 }
 
 /// Writes a line for people. Where nobody can be told, nothing is lost that matters.
@@ -58,15 +61,6 @@ pub fn counted(count: usize, singular: &str, plural: &str) -> String {
         0 => format!("no {singular}"),
         1 => format!("1 {singular}"),
         _ => format!("{count} {plural}"),
-    }
-}
-
-/// `a`, `a and b`, `a, b and c`.
-pub fn listed(items: &[String]) -> String {
-    match items {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 

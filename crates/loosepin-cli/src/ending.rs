@@ -69,8 +69,6 @@ pub fn exit_code(ending: Ending) -> ExitCode {
             console::complain(&complaints);
             ExitCode::from(2)
         }
-        // Whoever reads the output has seen enough: `loosepin ... | head` is no error.
-        Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(Failure::Output(error)) => {
             console::message(&format!("error: cannot write to standard output: {error}"));
             ExitCode::from(2)

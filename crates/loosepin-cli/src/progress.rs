@@ -21,23 +21,35 @@ pub struct Bar {
 /// When so many runs were finished. Runs are reported in batches, so that a rate between reports would swing.
 struct Pace {
     began: Instant,
+    /// Runs that were there before: they have taken no time.
+    kept: usize,
     last: Option<(Instant, usize, usize)>,
 }
 
 impl Pace {
+    /// Runs that were made.
+    fn made(&self) -> usize {
+        self.last.map_or(0, |(_, finished, _)| finished.saturating_sub(self.kept))
+    }
+
     /// Time that is left at the mean rate up to the last report; nothing before the first runs are done.
     fn remaining_s(&self) -> Option<f64> {
-        let (reported, finished, most) = self.last.filter(|(_, finished, _)| *finished > 0)?;
-        let seconds_a_run = (reported - self.began).as_secs_f64() / finished as f64;
-        Some((seconds_a_run * (most - finished) as f64 - reported.elapsed().as_secs_f64()).max(0.0))
+        let (reported, finished, most) = self.last.filter(|_| self.made() > 0)?;
+        let seconds_a_run = (reported - self.began).as_secs_f64() / self.made() as f64;
+        Some((seconds_a_run * most.saturating_sub(finished) as f64 - reported.elapsed().as_secs_f64()).max(0.0))
     }
 }
 
 impl Bar {
     /// A bar that shows nothing before it hears of runs.
     pub fn new() -> Bar {
+        Bar::going_on(0)
+    }
+
+    /// The same where `kept` of the runs were made before.
+    pub fn going_on(kept: usize) -> Bar {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-        let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), last: None }));
+        let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), kept, last: None }));
         let shown = Arc::clone(&pace);
         let remaining = move |_: &ProgressState, text: &mut dyn Write| {
             let remaining_s = shown.lock().ok().and_then(|pace| pace.remaining_s());
@@ -52,6 +64,11 @@ impl Bar {
             .with_key("remaining", remaining);
         bar.set_style(style.progress_chars("=> "));
         Bar { bar, pace }
+    }
+
+    /// Runs that were made since it began.
+    pub fn made(&self) -> usize {
+        self.pace.lock().map_or(0, |pace| pace.made())
     }
 
     /// Removes the bar.
@@ -70,5 +87,23 @@ impl Progress for Bar {
         }
         self.bar.set_length(most as u64);
         self.bar.set_position(finished as u64);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Duration, Instant, Pace};
+
+    #[test]
+    fn kept_runs_have_taken_no_time_and_more_runs_than_foreseen_leave_none() {
+        let began = Instant::now();
+        let reported = began + Duration::from_secs(3600);
+        let pace = |kept, finished, most| Pace { began, kept, last: Some((reported, finished, most)) };
+        // Of 400 runs 300 were there: 100 in an hour, so that 200 more take two.
+        let remaining_s = pace(300, 400, 600).remaining_s().unwrap();
+        assert_eq!(remaining_s, 7200.0, "the report is not yet behind");
+        assert_eq!(pace(300, 400, 600).made(), 100);
+        assert_eq!(pace(0, 700, 600).remaining_s(), Some(0.0));
+        assert_eq!(pace(300, 300, 600).remaining_s(), None);
     }
 }

@@ -81,6 +81,13 @@ fn a_requirement_that_is_not_met_is_exit_status_1() {
     );
     let report = desk.run(&["report", "bounds"]);
     assert_eq!((report.status, &report.output), (1, &said.output));
+    // A pipe that nobody reads to its end changes nothing of that.
+    let piped = [Stdio::null(), Stdio::piped(), Stdio::null()];
+    let [input, output, messages] = piped;
+    let mut command = desk.command(&["study", "study.toml", "--out", "bounds"]);
+    let mut child = command.stdin(input).stdout(output).stderr(messages).spawn().expect("the command starts");
+    drop(child.stdout.take());
+    assert_eq!(child.wait().expect("it ends").code(), Some(1));
     // Another study does not go into the same folder.
     desk.write("study.toml", &SHORT_STUDY.replace("seed = 7", "seed = 8"));
     let refused = desk.run(&["study", "study.toml", "--out", "bounds"]);
@@ -115,7 +122,7 @@ fn ctrl_c_ends_a_study_and_keeps_its_runs() {
     assert_eq!(child.wait().expect("it ends").code(), Some(130), "{messages}");
     assert!(messages.starts_with("interrupted after ") && messages.contains(" of at most "), "{messages}");
     assert!(
-        messages.ends_with("they are kept in bounds/runs.parquet\nhint: the same command with --resume goes on\n"),
+        messages.ends_with("they are kept in bounds/runs.sqlite\nhint: the same command with --resume goes on\n"),
         "{messages}"
     );
     assert!(desk.path("bounds/runs.parquet").exists());
@@ -153,7 +160,7 @@ fn an_accuracy_is_reached_or_it_is_said_what_it_would_take() {
     let ended =
         desk.succeed(&["study", "study.toml", "--accuracy", "1e-14m", "--budget", "2500 runs", "--out", "ended"]);
     assert!(
-        ended.output.contains("- Not as near as asked: 1 of 1 accuracies. The study ended after "),
+        ended.output.contains("- Not as near as asked: the one accuracy. The study ended after "),
         "{}",
         ended.output
     );

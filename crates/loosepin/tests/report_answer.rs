@@ -5,11 +5,12 @@ mod report_fixture;
 
 use std::collections::BTreeMap;
 
-use loosepin::report::{motion_text, simulation_text, study_page, study_text};
+use loosepin::report::{motion_page, motion_text, simulation_text, study_page, study_text};
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
-    CoveragePoint, DeviationKind, GuaranteeKind, InputDescription, InputKind, Reduction, ResponsePoint, StatisticKind,
-    StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+    AllocationStop, CoveragePoint, CutBounds, DeviationKind, GuaranteeKind, InputDescription, InputKind,
+    PercentileBounds, PurposeRuns, Reduction, ResponsePoint, RunPurpose, StatisticKind, StudyResult, TreatmentBand,
+    TreatmentComparison, TreatmentKind, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -30,7 +31,7 @@ fn quantile_bound_m(value: f64, error: f64) -> StudyResult {
     let mut result = worn_pin();
     result.bounds.truncate(1);
     let bound = &mut result.bounds[0];
-    assert_eq!(bound.at, ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude });
+    assert_eq!(bound.at, ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute });
     bound.upper.value_si = value - error;
     bound.upper.widened_si = value;
     bound.upper.error.sampling_si = error;
@@ -136,7 +137,7 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
          the finished runs and have no bound.",
     );
     result.counts.failed = 0;
-    assert_says(&result, "From 16384 runs; none failed.");
+    assert_says(&result, "From 17536 runs; none failed.");
 }
 
 /// Y = X + u, X standard normal, u in [-1, 1], central 95 % band (method: exact case), in millimetres.
@@ -213,7 +214,121 @@ fn a_failed_run_says_why() {
 fn a_mechanism_without_play_says_so() {
     let mut record = report_fixture::motion::worn_pin();
     record.outputs[0].clearance = loosepin::accuracy::record::ClearanceAnswer::default();
+    // The rod moves the slider by Δl/cos b, the crank by Δr (cos t + tan b sin t), sin b = -(r/l) sin t; of whole degrees most at
+    // 225°: 0.03644020 mm.
+    let text = one_line(&motion_text(&record));
+    let scatter = "No joint has play. Scatter of the parts moves the slider with a standard deviation of at most 0.03645 mm (at 225°).";
+    assert!(text.contains(scatter), "{text}");
+    assert!(!text.contains("ideally"), "{text}");
+    let page = motion_page(&record);
+    assert!(
+        page.contains("What scatter of the parts does") && page.contains("parameter.rod_length"),
+        "it has its section"
+    );
+    record.outputs[0].dimensional_standard_deviation_si.clear();
+    record.outputs[0].dimensional_contributors.clear();
     let text = one_line(&motion_text(&record));
     assert!(text.contains("No joint has play: the mechanism moves ideally."), "{text}");
     assert!(!text.contains("not known"), "{text}");
+    assert!(!motion_page(&record).contains("What scatter of the parts does"));
+}
+
+/// The curve of the study from `lowest_m` to `highest_m`, half as far in the middle of the ranges, and nothing else to answer with.
+fn curve_between(of: DeviationKind, lowest_m: f64, highest_m: f64) -> StudyResult {
+    let mut result = worn_pin();
+    result.bounds.clear();
+    let curve = &mut result.curves[0];
+    curve.of = of;
+    let middle_m = 0.5 * (lowest_m + highest_m);
+    for (range, share) in [(&mut curve.mixed, 1.0), (&mut curve.random, 0.5)] {
+        range.lower_si.fill(middle_m + share * (lowest_m - middle_m));
+        range.upper_si.fill(middle_m + share * (highest_m - middle_m));
+    }
+    result
+}
+
+#[test]
+fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
+    let one_sided = curve_between(DeviationKind::Total, 4.3e-4, 5.9e-4);
+    assert_says(&one_sided, "stays between 0.43 mm and 0.59 mm of its ideal motion");
+    let nearly_even = curve_between(DeviationKind::Total, 5.003e-4, 5.196e-4);
+    assert_says(&nearly_even, "stays between 0.500 mm and 0.520 mm of its ideal motion");
+    let even = curve_between(DeviationKind::Total, -4.97e-4, 5.13e-4);
+    assert_says(&even, "stays within ±0.52 mm of its ideal motion");
+    assert_says(&even, "would stay within ±0.27 mm at each angle; not knowing them widens this to ±0.52 mm.");
+    let value = curve_between(DeviationKind::Value, 0.1552, 0.1698);
+    assert_says(&value, "lies between 155 mm and 170 mm: 95 % of mechanisms at any angle.");
+    let text = one_line(&study_text(&value));
+    assert!(!text.contains("If the unknown values were in the middle"), "{text}");
+    let even_value = curve_between(DeviationKind::Value, -0.1698, 0.1693);
+    assert_says(&even_value, "lies between -170 mm and 170 mm: 95 % of mechanisms at any angle.");
+}
+
+#[test]
+fn identity_runs_are_told_by_what_they_were_for() {
+    let mut result = worn_pin();
+    let parts = [(RunPurpose::Contributors, 640), (RunPurpose::Rare, 5120)];
+    result.counts.by_purpose.extend(parts.map(|(purpose, runs)| PurposeRuns { purpose, runs }));
+    result.counts.runs += 640 + 5120;
+    let page = one_line(&study_page(&result));
+    let account = "23 296 = 64 values of the interval inputs × 256 random samples in 8 independent replicates + 1024 with everything \
+                   as probability + 128 with everything as interval + 640 for what contributes + 5120 for small probabilities";
+    assert!(page.contains(account), "{page}");
+    assert!(!page.contains("for the two other treatments"));
+}
+
+#[test]
+fn without_intervals_nothing_is_said_to_hold_over_them() {
+    let mut result = worn_pin();
+    result.inputs.retain(|input| input.kind == InputKind::Random);
+    result.counts.outer = 1;
+    result.counts.by_purpose.truncate(1);
+    result.counts.runs = 256;
+    let text = one_line(&study_text(&result));
+    assert!(text.contains("Bounds, widened by their numerical error"), "{text}");
+    assert!(!text.contains("interval inputs"), "{text}");
+    let page = one_line(&study_page(&result));
+    assert!(page.contains("256 = 256 random samples in 8 independent replicates"), "{page}");
+    assert!(page.contains("Each share includes its numerical error."), "{page}");
+    assert!(page.contains("Each statistic lies between its two bounds. "), "{page}");
+}
+
+#[test]
+fn lists_of_uneven_length_leave_gaps() {
+    let mut result = worn_pin();
+    let bounds = result.bounds.clone();
+    let fewer = bounds[..1].to_vec();
+    result.percentiles = vec![
+        PercentileBounds { percentile: 0.05, bounds: bounds.clone() },
+        PercentileBounds { percentile: 0.95, bounds: fewer.clone() },
+    ];
+    result.cuts = vec![CutBounds { alpha: 0.0, bounds }, CutBounds { alpha: 0.5, bounds: fewer }];
+    assert!(study_text(&result).contains("5 % percentile"));
+    assert!(study_page(&result).contains("Degree 0.5"));
+}
+
+#[test]
+fn a_search_for_offers_says_why_it_ended() {
+    let mut result = worn_pin();
+    let allocation = result.allocation.as_mut().expect("the fixture has one");
+    allocation.choices.clear();
+    (allocation.combinations, allocation.excluded, allocation.studies) = (9, 9, 1);
+    allocation.stop = AllocationStop::AllExcluded;
+    assert_says(
+        &result,
+        "No offer named: none of 9 combinations meets the requirements, each being run and refused, or looser than such a one \
+         (1 direct study).",
+    );
+    let allocation = result.allocation.as_mut().expect("the fixture has one");
+    (allocation.combinations, allocation.excluded, allocation.studies) = (81, 30, 27);
+    allocation.stop = AllocationStop::TriedEnough;
+    assert_says(
+        &result,
+        "No offer named: the search ended after 27 direct studies. Of 81 combinations, 30 are excluded, being run and refused, or \
+         looser than such a one; nothing is known of the 51 others that cost more.",
+    );
+    let allocation = result.allocation.as_mut().expect("the fixture has one");
+    (allocation.combinations, allocation.excluded, allocation.studies) = (160_000, 0, 0);
+    allocation.stop = AllocationStop::TooManyCombinations;
+    assert_says(&result, "No offer named: 160000 combinations are more than are searched.");
 }

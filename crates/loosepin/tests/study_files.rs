@@ -41,7 +41,7 @@ fn identity_summary_reads_back_to_the_same_result() {
     assert!(read == result, "what is read differs from what was written");
     assert!(to_json(&read).expect("it can be written again") == text, "writing repeats byte for byte");
     // Order of keys and layout are part of the format.
-    assert!(text.starts_with("{\n  \"format\": 1,\n  \"name\": \"worn pin at 5000 rpm\",\n"), "{}", &text[..80]);
+    assert!(text.starts_with("{\n  \"format\": 2,\n  \"name\": \"worn pin at 5000 rpm\",\n"), "{}", &text[..80]);
     assert!(text.contains("\"widened_si\": \"inf\""));
     assert!(text.ends_with("}\n"));
     let longest_depth = text.lines().filter(|line| line.trim_start().starts_with(|c: char| c.is_ascii_digit())).count();
@@ -122,7 +122,7 @@ fn identity_bounds_table_reads_back_to_the_same_numbers() {
     }
     assert_eq!(rows[0]["statistic"], "quantile");
     assert_eq!(rows[0]["parameter"], "0.975");
-    assert_eq!(rows[0]["reduction"], "maximum_magnitude");
+    assert_eq!(rows[0]["reduction"], "maximum_absolute");
     assert_eq!(rows[0]["pose_rad"], "");
     assert_eq!(rows[0]["guarantee"], "sampled 0.95");
 }
@@ -199,6 +199,17 @@ fn a_folder_holds_the_four_files_and_no_partial_ones() {
     assert!(read_summary(folder.path()).expect("the summary can be read") == result);
     let text = fs::read_to_string(folder.path().join(TIMING_FILE)).expect("the times can be read");
     assert_eq!(read_json::<Timing>(&text, TIMING_FILE).ok(), Some(timing()));
+}
+
+#[test]
+fn another_format_is_refused_by_its_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join(SUMMARY_FILE);
+    // What the other one holds does not matter.
+    fs::write(&path, "{\"format\": 1, \"study\": \"older\"}").expect("writable");
+    let error = read_summary(folder.path()).expect_err("an older format");
+    assert_eq!(error.to_string(), format!("{} has format 1; this version reads format 2", path.display()));
+    assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
 }
 
 #[test]

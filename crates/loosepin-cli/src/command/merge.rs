@@ -6,14 +6,16 @@ use std::time::SystemTime;
 use loosepin::results::{Claim, Place, ResultKind, ShardFolders, ShardsError};
 use loosepin::store::{PUBLISHED_FILE, RunStore, STORE_FILE, Shard, join_stores, remove_store};
 use loosepin::study::files::Timing;
+use loosepin::study::result::StudyResult;
 use loosepin::study::{Means, OpenRound, Part, StudyError, conduct_part, plan_shards};
+use loosepin::units;
 
 use super::signals::stop_on_signals;
-use super::stored::tell_again;
-use super::study::{conclude, identity, read_stated, show_again};
+use super::stored::{show_again, tell_again};
+use super::study::{conclude, identity, read_stated};
 use super::threads::threads;
 use crate::arguments::MergeArguments;
-use crate::console::{self, listed};
+use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 
@@ -42,7 +44,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     if folder.is_finished() {
         remove_store(&joined).map_err(|error| Failure::of(&error))?;
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<StudyResult>(&mut folder);
     }
     if claim.with_force {
         remove_store(&joined).map_err(|error| Failure::of(&error))?;
@@ -57,7 +59,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let store = RunStore::open(&joined, &identity(&claim)).map_err(|error| Failure::of(&error))?;
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::new();
+    let bar = Bar::going_on(store.runs_at_start() as usize);
     let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
     let part = Part::Joined { of, largest_round: arguments.small_round as usize };
     let outcome = conduct_part(&study, &claim.inputs.to_string(), &means, part);
@@ -75,7 +77,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         ));
         return Ok(Done::Interrupted);
     }
-    conclude(&study, folder, store, outcome, &|runs| Timing::since(started, runs, threads))
+    conclude(&study, folder, store, outcome, &|| Timing::since(started, bar.made(), threads))
 }
 
 /// Where the results go: where those of a study in one piece would.
@@ -99,7 +101,7 @@ fn tell_open(open: &OpenRound, of: u32) {
             "the present round of {} runs is not complete: missing are those of shard {}\n\
              hint: run these shards again with --resume, then merge again",
             open.runs,
-            listed(&shards)
+            units::listed(&shards, "and")
         ));
     } else {
         console::message(&format!(

@@ -7,13 +7,11 @@ use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
 use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::study::InputFile;
-use loosepin::units::{Dimension, format_value};
 
 use super::inputs::{add_model, add_study, overrides, warn};
-use super::stored::{place, read_json, tell_again, to_json};
+use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
 use crate::arguments::MotionArguments;
-use crate::console;
-use crate::ending::{Done, Ending};
+use crate::ending::{Ending, Failure};
 
 /// Positions in a turn: every degree.
 const POSITIONS: usize = 360;
@@ -26,7 +24,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
     });
-    let settings: Vec<String> = widest_play(&file).into_iter().chain(arguments.set.iter().cloned()).collect();
+    let settings = with_widest_play(&file, &arguments.set);
     let set = model.set_values(&settings)?;
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
     let plan = MotionPlan {
@@ -50,38 +48,36 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<MotionRecord>(&mut folder);
     }
-    let summary = to_json(&record, &folder, SUMMARY_FILE)?;
-    folder.write(SUMMARY_FILE, summary.as_bytes())?;
-    folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
-    folder.finish()?;
-    tell(&record, &folder)
+    run_and_write(folder, |folder| {
+        folder.write(SUMMARY_FILE, to_json(&record, folder, SUMMARY_FILE)?.as_bytes())?;
+        folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
+        folder.finish()?;
+        tell(&record, folder)
+    })
 }
 
-/// Writes the page again from the stored record, and prints the table.
-pub fn show_again(folder: &mut ResultsFolder) -> Ending {
-    let record: MotionRecord = read_json(folder, SUMMARY_FILE)?;
-    folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
-    tell(&record, folder)
+impl StoredResult for MotionRecord {
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        read_record(folder)
+    }
+
+    fn page(&self) -> String {
+        motion_page(self)
+    }
+
+    fn text(&self) -> String {
+        motion_text(self)
+    }
 }
 
-fn tell(record: &MotionRecord, folder: &ResultsFolder) -> Ending {
-    console::print(&motion_text(record))?;
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
-    Ok(Done::Well)
-}
-
-/// Where a study knows a clearance as an interval or a list only, the worst case is that of the largest.
-fn widest_play(file: &InputFile) -> Vec<String> {
-    let InputFile::Study(study) = file else { return Vec::new() };
-    let is_clearance = |path: &str| path.starts_with("joint.") && path.ends_with(".radial_clearance");
-    study
-        .epistemic
-        .iter()
-        .filter(|input| is_clearance(&input.path))
-        .map(|input| format!("{}={}", input.path, format_value(input.variable.ends()[1], Dimension::LENGTH)))
-        .collect()
+/// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.
+fn with_widest_play(file: &InputFile, set: &[String]) -> Vec<String> {
+    let InputFile::Study(study) = file else { return set.to_vec() };
+    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+    let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
+    widest.chain(set.iter().cloned()).collect()
 }
 
 /// What scatters, where a study says so.

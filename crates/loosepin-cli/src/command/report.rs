@@ -1,8 +1,12 @@
 //! `loosepin report`.
 
+use loosepin::accuracy::record::MotionRecord;
 use loosepin::results::{ResultKind, ResultsFolder};
+use loosepin::simulate::record::SimulationRecord;
+use loosepin::study::result::StudyResult;
+use loosepin::sweep::record::SweepRecord;
 
-use super::{motion, simulate, study, sweep};
+use super::stored::show_again;
 use crate::arguments::ReportArguments;
 use crate::ending::Ending;
 
@@ -10,9 +14,9 @@ use crate::ending::Ending;
 pub fn run(arguments: &ReportArguments) -> Ending {
     let mut folder = ResultsFolder::open(&arguments.folder)?;
     match folder.kind() {
-        ResultKind::Simulation => simulate::show_again(&mut folder),
-        ResultKind::Study => study::show_again(&mut folder),
-        ResultKind::Sweep => sweep::show_again(&mut folder),
-        ResultKind::Motion => motion::show_again(&mut folder),
+        ResultKind::Simulation => show_again::<SimulationRecord>(&mut folder),
+        ResultKind::Study => show_again::<StudyResult>(&mut folder),
+        ResultKind::Sweep => show_again::<SweepRecord>(&mut folder),
+        ResultKind::Motion => show_again::<MotionRecord>(&mut folder),
     }
 }

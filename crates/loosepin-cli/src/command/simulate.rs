@@ -12,10 +12,9 @@ use loosepin::simulate::{Plan, Settings, columns, history_csv, impacts_csv, simu
 use loosepin::units::Dimension;
 
 use super::inputs::{add_model, overrides, read_model};
-use super::stored::{place, read_json, tell_again, to_json};
+use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
 use crate::arguments::SimulateArguments;
-use crate::console;
-use crate::ending::{Done, Ending, Failure};
+use crate::ending::{Ending, Failure};
 
 /// Runs the model, or shows the run that is there.
 pub fn run(arguments: &SimulateArguments) -> Ending {
@@ -40,25 +39,30 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<SimulationRecord>(&mut folder);
     }
-    match run_and_write(&mechanism, &set, &plan, &measured, &mut folder) {
-        Ok(record) => tell(&record, &folder),
-        Err(failure) => {
-            folder.abandon()?;
-            Err(failure)
-        }
+    run_and_write(folder, |folder| {
+        let record = simulated(&mechanism, &set, &plan, &measured, folder)?;
+        tell(&record, folder)
+    })
+}
+
+impl StoredResult for SimulationRecord {
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        read_record(folder)
+    }
+
+    fn page(&self) -> String {
+        simulation_page(self)
+    }
+
+    fn text(&self) -> String {
+        simulation_text(self)
     }
 }
 
-/// Writes the page again from the stored record, and prints the table.
-pub fn show_again(folder: &mut ResultsFolder) -> Ending {
-    let record: SimulationRecord = read_json(folder, SUMMARY_FILE)?;
-    folder.write(REPORT_FILE, simulation_page(&record).as_bytes())?;
-    tell(&record, folder)
-}
-
-fn run_and_write(
+/// Runs the model and writes what came of it.
+fn simulated(
     mechanism: &Mechanism,
     set: &SetValues,
     plan: &Plan,
@@ -77,12 +81,6 @@ fn run_and_write(
     folder.write(REPORT_FILE, simulation_page(&simulation.record).as_bytes())?;
     folder.finish()?;
     Ok(simulation.record)
-}
-
-fn tell(record: &SimulationRecord, folder: &ResultsFolder) -> Ending {
-    console::print(&simulation_text(record))?;
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
-    Ok(Done::Well)
 }
 
 fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {

@@ -17,7 +17,7 @@ use loosepin::study::{Conducted, Means, Study, StudyError, conduct};
 use super::inputs::{add_model, add_study, read_study};
 use super::shard;
 use super::signals::stop_on_signals;
-use super::stored::{place, tell_again};
+use super::stored::{StoredResult, place, show_again, tell, tell_again};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -46,16 +46,25 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     if folder.is_finished() {
         remove_store(&folder.path().join(STORE_FILE)).map_err(|error| Failure::of(&error))?;
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<StudyResult>(&mut folder);
     }
-    let store = open_store(&folder, None, &claim, arguments.resume)?;
+    let store = match open_store(&folder, None, &claim, arguments.resume) {
+        Ok(store) => store,
+        Err(failure) => {
+            // Where runs are kept, or another process is at work on them, the folder stays as it is.
+            if !folder.path().join(STORE_FILE).exists() {
+                folder.abandon()?;
+            }
+            return Err(failure);
+        }
+    };
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
-    let bar = Bar::new();
+    let bar = Bar::going_on(store.runs_at_start() as usize);
     let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
     let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();
-    conclude(&study, folder, store, outcome, &|runs| Timing::since(started, runs, threads))
+    conclude(&study, folder, store, outcome, &|| Timing::since(started, bar.made(), threads))
 }
 
 /// Reads a study with what the command line states beside the file; also gives the hash of all inputs.
@@ -87,16 +96,15 @@ pub fn conclude(
     mut folder: ResultsFolder,
     store: RunStore,
     outcome: Result<Conducted, StudyError>,
-    timing: &dyn Fn(usize) -> Timing,
+    timing: &dyn Fn() -> Timing,
 ) -> Ending {
     match outcome {
         Ok(Conducted { result, runs, surrogates }) => {
-            let count = runs.columns.first().map_or(0, |column| column.data.len());
             if let Some(surrogates) = &surrogates {
                 let text = surrogates_json(surrogates).map_err(|error| Failure::of(&error))?;
                 folder.write(SURROGATES_FILE, text.as_bytes())?;
             }
-            write(&mut folder, &result, &runs, &timing(count))?;
+            write(&mut folder, &result, &runs, &timing())?;
             store.remove().map_err(|error| Failure::of(&error))?;
             tell(&result, &folder)
         }
@@ -142,16 +150,29 @@ pub fn open_store(
     let store = RunStore::begin_beside(&path, published, &identity(claim), beginning);
     let store = store.map_err(|error| Failure::of(&error))?;
     if store.runs_at_start() > 0 {
-        console::message(&format!("going on with {} finished runs", store.runs_at_start()));
+        let runs = console::counted(store.runs_at_start() as usize, "finished run", "finished runs");
+        console::message(&format!("going on with {runs}"));
     }
     Ok(store)
 }
 
-/// Writes the page again from the stored result, and prints the tables.
-pub fn show_again(folder: &mut ResultsFolder) -> Ending {
-    let result = read_summary(folder.path()).map_err(|error| Failure::of(&error))?;
-    folder.write(REPORT_FILE, study_page(&result).as_bytes())?;
-    tell(&result, folder)
+impl StoredResult for StudyResult {
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        read_summary(folder.path()).map_err(|error| Failure::of(&error))
+    }
+
+    fn page(&self) -> String {
+        study_page(self)
+    }
+
+    fn text(&self) -> String {
+        study_text(self)
+    }
+
+    fn done(&self) -> Done {
+        let is_met = self.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
+        if is_met { Done::Well } else { Done::RequirementNotMet }
+    }
 }
 
 fn write(folder: &mut ResultsFolder, result: &StudyResult, runs: &RunsTable, timing: &Timing) -> Result<(), Failure> {
@@ -169,19 +190,10 @@ fn keep(folder: &mut ResultsFolder, finished: &RunsTable, most_runs: usize) -> E
     let parquet = runs_parquet(finished).map_err(|error| Failure::of(&error))?;
     folder.write(RUNS_FILE, &parquet)?;
     folder.leave_unfinished()?;
-    // Small probabilities may take more than was expected.
-    let of_most = if count < most_runs { format!(" of at most {most_runs}") } else { String::new() };
     console::message(&format!(
-        "interrupted after {count}{of_most} runs; they are kept in {}\n\
+        "interrupted after {count} of at most {most_runs} runs; they are kept in {}\n\
          hint: the same command with --resume goes on",
-        folder.path().join(RUNS_FILE).display()
+        folder.path().join(STORE_FILE).display()
     ));
     Ok(Done::Interrupted)
-}
-
-fn tell(result: &StudyResult, folder: &ResultsFolder) -> Ending {
-    console::print(&study_text(result))?;
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
-    let is_met = result.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
-    Ok(if is_met { Done::Well } else { Done::RequirementNotMet })
 }

@@ -12,7 +12,7 @@ use loosepin::units::Dimension;
 
 use super::inputs::{add_model, overrides, read_model};
 use super::signals::stop_on_signals;
-use super::stored::{place, read_json, tell_again, to_json};
+use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
 use super::threads::threads;
 use crate::arguments::SweepArguments;
 use crate::console;
@@ -37,7 +37,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     let mut folder = claim.take()?;
     if folder.is_finished() {
         tell_again(&folder);
-        return show_again(&mut folder);
+        return show_again::<SweepRecord>(&mut folder);
     }
     let stop = stop_on_signals("Ctrl-C will end the sweep at once");
     let bar = Bar::new();
@@ -45,38 +45,34 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     heard(0);
     let outcome = sweep(&mechanism, &set, &plan, threads(arguments.threads), &heard, &stop);
     bar.finish();
-    match outcome {
-        Ok(record) => {
-            folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
-            folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
-            folder.write(SUMMARY_FILE, to_json(&record, &folder, SUMMARY_FILE)?.as_bytes())?;
-            folder.write(REPORT_FILE, sweep_page(&record).as_bytes())?;
-            folder.finish()?;
-            tell(&record, &folder)
-        }
-        Err(SweepError::Interrupted { finished, runs }) => {
-            folder.abandon()?;
-            console::message(&format!("interrupted after {finished} of {runs} runs"));
-            Ok(Done::Interrupted)
-        }
-        Err(error) => {
-            folder.abandon()?;
-            Err(Failure::of(&error))
-        }
+    if let Err(SweepError::Interrupted { finished, runs }) = outcome {
+        folder.abandon()?;
+        console::message(&format!("interrupted after {finished} of {runs} runs"));
+        return Ok(Done::Interrupted);
     }
+    run_and_write(folder, |folder| {
+        let record = outcome.map_err(|error| Failure::of(&error))?;
+        folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
+        folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
+        folder.write(SUMMARY_FILE, to_json(&record, folder, SUMMARY_FILE)?.as_bytes())?;
+        folder.write(REPORT_FILE, sweep_page(&record).as_bytes())?;
+        folder.finish()?;
+        tell(&record, folder)
+    })
 }
 
-/// Writes the page again from the stored record, and prints the table.
-pub fn show_again(folder: &mut ResultsFolder) -> Ending {
-    let record: SweepRecord = read_json(folder, SUMMARY_FILE)?;
-    folder.write(REPORT_FILE, sweep_page(&record).as_bytes())?;
-    tell(&record, folder)
-}
+impl StoredResult for SweepRecord {
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        read_record(folder)
+    }
 
-fn tell(record: &SweepRecord, folder: &ResultsFolder) -> Ending {
-    console::print(&sweep_text(record))?;
-    console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
-    Ok(Done::Well)
+    fn page(&self) -> String {
+        sweep_page(self)
+    }
+
+    fn text(&self) -> String {
+        sweep_text(self)
+    }
 }
 
 fn plan(arguments: &SweepArguments, model: &Model, set: &SetValues) -> Result<SweepPlan, Failure> {

@@ -10,12 +10,12 @@ mod problem;
 mod reader;
 mod schema;
 
+pub(crate) use crate::units::listed;
 pub(crate) use entry::{Entry, Table, Written};
 pub use keys::{Key, Keys, Kind};
 pub(crate) use keys::{optional, quantity, required};
 pub(crate) use path::EntryPath;
 pub use path::describe_path;
 pub use problem::DocumentProblem;
-pub(crate) use problem::listed;
 pub(crate) use reader::{Reader, parse_toml, read_source, source_from_bytes};
 pub(crate) use schema::json_schema;

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
-use crate::units::{Dimension, Rule};
+use crate::units::{Dimension, Rule, listed};
 
 /// The largest file that is read.
 pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
@@ -217,15 +217,6 @@ fn quoted(keys: &[&'static str]) -> String {
 fn one_of(choices: &[&'static str]) -> String {
     let quoted: Vec<String> = choices.iter().map(|choice| format!("\"{choice}\"")).collect();
     listed(&quoted, "or")
-}
-
-/// `a`, `a and b`, `a, b and c`.
-pub(crate) fn listed(items: &[String], conjunction: &str) -> String {
-    match items {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
-    }
 }
 
 impl Problem for DocumentProblem {

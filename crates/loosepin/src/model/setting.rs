@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::law_choice::LawError;
 use super::quantity::{Origin, QuantityError, QuantityId};
-use super::topology::Model;
+use super::topology::{Joint, Model};
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
 use crate::document::listed;
 use crate::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
@@ -239,6 +239,12 @@ impl Model {
         }
         roots.sort();
         roots
+    }
+
+    /// The joints with play whose clearance is this quantity or depends on it, each with its clearance.
+    pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (&Joint, QuantityId)> {
+        let with_clearance = self.joints.iter().filter_map(|joint| Some((joint, joint.kind.play()?.0)));
+        with_clearance.filter(move |(_, clearance)| *clearance == id || self.roots(*clearance).contains(&id))
     }
 
     /// Reads a setting `path=value` and checks it by itself: path, unit, rule of the value. Rules between several

@@ -31,6 +31,18 @@ impl Default for SubsetSimulation {
     }
 }
 
+impl SubsetSimulation {
+    /// Points of each level.
+    fn points(&self) -> usize {
+        self.level.max(200).next_multiple_of(LEVEL_SHARE * ADAPTIONS)
+    }
+
+    /// Evaluations at most: those of every level that there may be.
+    pub fn most_runs(&self) -> usize {
+        self.points() * MOST_LEVELS
+    }
+}
+
 /// P(g <= 0) by subset simulation, for events that no design point describes.
 ///
 /// ```text
@@ -50,7 +62,7 @@ pub fn subset_simulation<E>(
     settings: &SubsetSimulation,
 ) -> Result<RareProbability, E> {
     let key = hash(settings.seed, SUBSETS);
-    let level = settings.level.max(200).next_multiple_of(LEVEL_SHARE * ADAPTIONS);
+    let level = settings.points();
     let chains = level / LEVEL_SHARE;
     let first = hash(key, 0);
     let mut points: Vec<Vec<f64>> = (0..level)

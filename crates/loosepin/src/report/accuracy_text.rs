@@ -52,7 +52,7 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
             let next =
                 record.next_round_runs.map_or(String::new(), |runs| format!(", of {},", counted(runs, "run", writer)));
             let reached = if missing > 0 {
-                format!("Not as near as asked: {} of {} accuracies.", missing, record.targets.len())
+                format!("Not as near as asked: {}.", of_accuracies(missing, record.targets.len()))
             } else {
                 "The samples are smaller than stated.".to_owned()
             };
@@ -61,11 +61,15 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
             )
         }
         AccuracyStop::Exhausted => format!(
-            "Not as near as asked: {} of {} accuracies. The study ended after {made}, since more runs are not possible or do not help.",
-            missing,
-            record.targets.len()
+            "Not as near as asked: {}. The study ended after {made}, since more runs are not possible or do not help.",
+            of_accuracies(missing, record.targets.len())
         ),
     }
+}
+
+/// `2 of 3 accuracies`, `the one accuracy`.
+fn of_accuracies(missing: usize, all: usize) -> String {
+    if all == 1 { "the one accuracy".to_owned() } else { format!("{missing} of {all} accuracies") }
 }
 
 fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutcome, writer: &NumberWriter) -> String {

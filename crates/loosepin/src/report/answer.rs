@@ -11,6 +11,8 @@ use crate::units::SiUnit;
 
 /// Digits of a bound in a sentence.
 const SENTENCE_DIGITS: usize = 2;
+/// Further digits where both ends of a range are nearly the same, at most.
+const MOST_MORE_DIGITS: f64 = 6.0;
 
 /// The answer, for pages and terminals alike.
 pub(super) struct Answer {
@@ -82,9 +84,10 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
                         writer.value_shortest(*upper_si, &input.unit)
                     ))
                 }
-                InputKind::Evidence { elements, .. } => {
-                    Some(format!("what is known of the {name} in {} intervals", elements.len()))
-                }
+                InputKind::Evidence { elements, .. } => Some(format!(
+                    "what is known of the {name} in {}",
+                    counted(elements.len() as u64, "interval", writer)
+                )),
                 InputKind::Periodic { .. } => Some(format!("the {name} anywhere on its circle")),
                 InputKind::Fuzzy { .. } => Some(format!("the {name} wherever it is possible")),
                 InputKind::Choice { of } => Some(format!("the {name} any of {}", listed(of))),
@@ -98,7 +101,7 @@ fn main_bound(result: &StudyResult) -> Option<(&BoundRecord, f64)> {
     result.bounds.iter().find_map(|bound| {
         let is_main = bound.treatment == TreatmentKind::Mixed
             && bound.of == DeviationKind::Total
-            && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude })
+            && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
             && bound.upper.widened_si.is_finite();
         match bound.statistic {
             StatisticKind::Quantile { probability } if is_main && probability > 0.5 => Some((bound, probability)),
@@ -154,14 +157,11 @@ pub(super) fn output_unit(result: &StudyResult, name: &str) -> SiUnit {
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str, writer: &NumberWriter) -> String {
     let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
     let magnitude = highest.abs().max(lowest.abs());
-    let range = if (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude {
+    let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
+    let range = if is_even && curve.of != DeviationKind::Value {
         format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else {
-        format!(
-            "between {} and {}",
-            writer.rounded(lowest, &curve.unit, SENTENCE_DIGITS, Rounding::Down),
-            writer.rounded(highest, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
-        )
+        between(lowest, highest, &curve.unit, writer)
     };
     let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let subject = output_words(&curve.output, &result.outputs);
@@ -175,18 +175,40 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str
     }
 }
 
+/// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
+fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
+    let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
+    let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
+    format!(
+        "between {} and {}",
+        writer.rounded(lowest_si, unit, digits, Rounding::Down),
+        writer.rounded(highest_si, unit, digits, Rounding::Up)
+    )
+}
+
+/// What not knowing costs; nothing of the output itself, whose size is no deviation.
 fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<String> {
-    let random = largest(&curve.random.upper_si).abs().max(smallest(&curve.random.lower_si).abs());
-    let mixed = largest(&curve.mixed.upper_si).abs().max(smallest(&curve.mixed.lower_si).abs());
+    if curve.of == DeviationKind::Value {
+        return None;
+    }
+    let [random_ends, mixed_ends] =
+        [&curve.random, &curve.mixed].map(|range| [smallest(&range.lower_si), largest(&range.upper_si)]);
+    let magnitude = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());
+    let (random, mixed) = (magnitude(random_ends), magnitude(mixed_ends));
     let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
     is_worth_saying.then(|| {
-        format!(
-            "If the unknown values were in the middle of their ranges, {} of mechanisms would stay within ±{} at each \
-             angle; not knowing them widens this to ±{}.",
-            writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest),
-            writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
-            writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
-        )
+        let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+        let middle =
+            format!("If the unknown values were in the middle of their ranges, {share} of mechanisms would stay");
+        if [random_ends, mixed_ends].into_iter().all(|[lowest, highest]| lowest < 0.0 && highest > 0.0) {
+            return format!(
+                "{middle} within ±{} at each angle; not knowing them widens this to ±{}.",
+                writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
+                writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
+            );
+        }
+        let [random, mixed] = [random_ends, mixed_ends].map(|[low, high]| between(low, high, &curve.unit, writer));
+        format!("{middle} {random} at each angle; not knowing them widens this to {mixed}.")
     })
 }
 

@@ -114,6 +114,20 @@ pub(super) struct Entry {
     pub values: EntryValues,
 }
 
+impl Entry {
+    /// A curve of SI values.
+    pub fn line(
+        label: &str,
+        role: Role,
+        dashed: bool,
+        values_si: &[f64],
+        unit: &SiUnit,
+        writer: &NumberWriter,
+    ) -> Entry {
+        Entry { label: label.to_owned(), role, dashed, values: EntryValues::line(&scaled(values_si, unit, writer)) }
+    }
+}
+
 /// An upright line with a name.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Mark {

@@ -1,9 +1,9 @@
 //! What the requirements allow, and how small probabilities were estimated: sentences for pages and terminals.
 
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::wording::{counted, deviation_words, listed, place_words, statistic_words, verdict_words};
+use super::wording::{counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words};
 use crate::study::result::{
-    AllocationRecord, AllowanceRecord, Loosened, RareEnd, RareMethodUsed, RareRecord, StudyResult,
+    AllocationRecord, AllocationStop, AllowanceRecord, Loosened, RareEnd, RareMethodUsed, RareRecord, StudyResult,
 };
 
 /// Digits of a value that is allowed.
@@ -70,13 +70,30 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
 
 fn allocation(result: &StudyResult, one: &AllocationRecord, writer: &NumberWriter) -> String {
     let combinations = counted(one.combinations, "combination", writer);
-    let studies = writer.count(one.studies);
-    if one.choices.is_empty() {
-        return format!(
-            "No offer named: of {combinations}, {} are excluded, since they or tighter ones do not meet the requirements, after \
-             {studies} direct studies.",
-            writer.count(one.excluded)
-        );
+    let studies = counted_as(one.studies, "direct study", "direct studies", writer);
+    match one.stop {
+        AllocationStop::Found => {}
+        AllocationStop::AllExcluded => {
+            return format!(
+                "No offer named: none of {combinations} meets the requirements, each being run and refused, or looser than such a one \
+                 ({studies})."
+            );
+        }
+        AllocationStop::TriedEnough => {
+            let left = one.combinations - one.excluded;
+            return format!(
+                "No offer named: the search ended after {studies}. Of {combinations}, {} excluded, being run and refused, or looser \
+                 than such a one; nothing is known of the {} that {} more.",
+                is_or_are(one.excluded, writer),
+                if left == 1 { "one".to_owned() } else { format!("{} others", writer.count(left)) },
+                if left == 1 { "costs" } else { "cost" },
+            );
+        }
+        AllocationStop::TooManyCombinations => {
+            return format!(
+                "No offer named: {combinations} are more than are searched. Fewer offers an input would do."
+            );
+        }
     }
     let choices: Vec<String> = one
         .choices
@@ -87,11 +104,15 @@ fn allocation(result: &StudyResult, one: &AllocationRecord, writer: &NumberWrite
         })
         .collect();
     format!(
-        "Cheapest of {combinations}: {}, together {}; every cheaper one is run and refused, or looser than such a one ({studies} \
-         direct studies).",
+        "Cheapest of {combinations}: {}, together {}; every cheaper one is run and refused, or looser than such a one ({studies}).",
         listed(&choices),
         one.cost
     )
+}
+
+/// `1 is`, `24 are`.
+fn is_or_are(value: u64, writer: &NumberWriter) -> String {
+    format!("{} {}", writer.count(value), if value == 1 { "is" } else { "are" })
 }
 
 /// How each small probability was estimated.

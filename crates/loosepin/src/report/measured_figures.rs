@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, HorizontalAxis, Role, scaled};
 use super::number::{NumberWriter, Rounding};
 use super::script_data::rounded;
 use super::wording::count;
@@ -80,14 +80,10 @@ fn chart(curve: &MeasuredCurve, record: &SimulationRecord, id: String, writer: &
     }
 }
 
-fn line(label: &str, role: Role, dashed: bool, values_si: &[f64], unit: &SiUnit, writer: &NumberWriter) -> Entry {
-    Entry { label: label.to_owned(), role, dashed, values: EntryValues::line(&scaled(values_si, unit, writer)) }
-}
-
 fn over(curve: &MeasuredCurve, record: &SimulationRecord, index: usize, writer: &NumberWriter) -> Chart {
     let mut chart = chart(curve, record, format!("measured-{index}"), writer);
-    chart.entries.push(line("computed", Role::First, false, &curve.computed_si, &curve.unit, writer));
-    chart.entries.push(line("measured", Role::Limit, true, &curve.measured_si, &curve.unit, writer));
+    chart.entries.push(Entry::line("computed", Role::First, false, &curve.computed_si, &curve.unit, writer));
+    chart.entries.push(Entry::line("measured", Role::Limit, true, &curve.measured_si, &curve.unit, writer));
     chart.caption = html! { strong { (curve.output) } ", measured (" (curve.file) ") and computed." };
     chart.alternative = format!("Chart of {}, measured and computed.", curve.output);
     chart
@@ -98,7 +94,7 @@ fn residual(curve: &MeasuredCurve, record: &SimulationRecord, index: usize, writ
     chart.height = 200;
     let residuals: Vec<f64> =
         curve.measured_si.iter().zip(&curve.computed_si).map(|(measured, computed)| measured - computed).collect();
-    chart.entries.push(line("measured minus computed", Role::Mixed, false, &residuals, &curve.unit, writer));
+    chart.entries.push(Entry::line("measured minus computed", Role::Mixed, false, &residuals, &curve.unit, writer));
     chart.caption = html! { strong { "Residual of " (curve.output) } ": measured minus computed." };
     chart.alternative = format!("Chart of the residual of {}.", curve.output);
     chart

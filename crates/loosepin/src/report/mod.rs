@@ -3,6 +3,7 @@
 
 mod accuracy_text;
 mod answer;
+mod axes;
 mod cases_page;
 mod chart;
 mod contributors_text;

@@ -8,6 +8,7 @@ use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::percent_of;
+use super::wording::named_words;
 use crate::accuracy::record::{MotionRecord, OutputMotion};
 use crate::units::SiUnit;
 
@@ -20,6 +21,9 @@ pub fn motion_page(record: &MotionRecord) -> String {
     if record.outputs.iter().any(has_clearance) {
         sections.push(Section::new("clearance", "What play can do", clearance(record, &writer)));
         sections.push(Section::new("contributors", "Which joint is to blame", contributors(record, &writer)));
+    }
+    if record.outputs.iter().any(has_scatter) {
+        sections.push(Section::new("scatter", "What scatter of the parts does", scatter(record, &writer)));
     }
     sections.push(Section::new("motion", "Ideal motion", motion(record, &writer)));
     if !record.drawing.bodies.is_empty() {
@@ -48,6 +52,10 @@ fn has_clearance(output: &OutputMotion) -> bool {
     output.clearance.worst_case_si.iter().any(|value| *value != 0.0)
 }
 
+fn has_scatter(output: &OutputMotion) -> bool {
+    output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0)
+}
+
 /// The answer in sentences, the most important first; for pages and terminals alike.
 pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences: Vec<String> = record
@@ -68,8 +76,19 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
         })
         .collect();
     if sentences.is_empty() {
-        sentences.push("No joint has play: the mechanism moves ideally.".to_owned());
+        let is_ideal = !record.outputs.iter().any(has_scatter);
+        let words = if is_ideal { "No joint has play: the mechanism moves ideally." } else { "No joint has play." };
+        sentences.push(words.to_owned());
     }
+    sentences.extend(record.outputs.iter().filter(|output| has_scatter(output)).map(|output| {
+        let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+        format!(
+            "Scatter of the parts moves the {} with a standard deviation of at most {} (at {}).",
+            output.name,
+            writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+            writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
+        )
+    }));
     for position in &record.singular_positions {
         sentences.push(format!(
             "Singular at {} of {}: {}.",
@@ -108,10 +127,6 @@ fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Char
         caption: html! {},
         alternative: String::new(),
     }
-}
-
-fn title(output: &OutputMotion) -> String {
-    if output.words.is_empty() { output.name.clone() } else { format!("{} ({})", output.name, output.words) }
 }
 
 fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
@@ -153,10 +168,13 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
         writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
     );
     chart.caption = html! {
-        strong { "Quasi-static effect of play on " (title(output)) "." } " Worst case: " (words)
+        strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " Worst case: " (words)
         ". To first order in the clearances."
     };
-    chart.alternative = format!("Chart of the quasi-static worst case of {} over one cycle: {words}.", title(output));
+    chart.alternative = format!(
+        "Chart of the quasi-static worst case of {} over one cycle: {words}.",
+        named_words(&output.name, &output.words)
+    );
     chart
 }
 
@@ -178,15 +196,9 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
         .map(|joint| (joint.worst_case_si.get(pose).copied().unwrap_or(0.0), joint))
         .collect();
     joints.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut dimensions: Vec<(f64, &str)> = output
-        .dimensional_contributors
-        .iter()
-        .map(|dimension| (largest(record, &dimension.standard_deviation_si).1, dimension.path.as_str()))
-        .collect();
-    dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
     html! {
         figure.treatments {
-            h3 { (title(output)) }
+            h3 { (named_words(&output.name, &output.words)) }
             table.cards {
                 thead {
                     tr {
@@ -209,26 +221,76 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
                     }
                 }
             }
-            @if !dimensions.is_empty() {
-                table.cards {
-                    thead {
-                        tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation it causes" } }
-                    }
-                    tbody {
-                        @for (deviation_si, path) in &dimensions {
-                            tr {
-                                th scope="row" { code { (path) } }
-                                td.number data-label="Largest standard deviation it causes" {
-                                    (writer.value(*deviation_si, &output.unit))
-                                }
-                            }
-                        }
-                    }
-                }
-            }
             figcaption {
                 "Shares of the worst case at " (writer.rounded(worst_angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest))
                 ", where it is largest."
+            }
+        }
+    }
+}
+
+fn scatter(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "To first order in the dimensions that scatter, without play: the root of the sum of the squares of what each causes by \
+             itself, and of what those do that go together."
+        }
+        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_scatter(output)) {
+            (scatter_chart(record, output, index, writer).figure())
+            (scatter_table(record, output, writer))
+        }
+    }
+}
+
+fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, writer: &NumberWriter) -> Chart {
+    let mut chart = angle_chart(record, format!("scatter-{index}"), writer);
+    chart.y_label = format!("deviation of {}", output.name);
+    chart.y_symbol = writer.symbol(&output.unit);
+    let upper = scaled(&output.dimensional_standard_deviation_si, &output.unit, writer);
+    let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+    chart.entries.push(Entry {
+        label: "± standard deviation of the dimensions".to_owned(),
+        role: Role::Random,
+        dashed: false,
+        values: EntryValues::band(&lower, &upper),
+    });
+    let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+    let words = format!(
+        "at most {}, at {}",
+        writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
+    );
+    chart.caption = html! {
+        strong { "Scatter of " (named_words(&output.name, &output.words)) " from the parts." } " Standard deviation: " (words) "."
+    };
+    chart.alternative = format!(
+        "Chart of the standard deviation of {} over one cycle: {words}.",
+        named_words(&output.name, &output.words)
+    );
+    chart
+}
+
+fn scatter_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Markup {
+    let mut dimensions: Vec<(f64, &str)> = output
+        .dimensional_contributors
+        .iter()
+        .map(|dimension| (largest(record, &dimension.standard_deviation_si).1, dimension.path.as_str()))
+        .collect();
+    dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
+    html! {
+        table.cards {
+            thead {
+                tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation it causes" } }
+            }
+            tbody {
+                @for (deviation_si, path) in &dimensions {
+                    tr {
+                        th scope="row" { code { (path) } }
+                        td.number data-label="Largest standard deviation it causes" {
+                            (writer.value(*deviation_si, &output.unit))
+                        }
+                    }
+                }
             }
         }
     }
@@ -286,8 +348,10 @@ fn motion_chart(
     };
     let (lowest, highest) = ends(values_si);
     let range = format!("between {} and {}", writer.value(lowest, &unit), writer.value(highest, &unit));
-    chart.caption = html! { strong { "Ideal " (what) " of " (title(output)) }  ": " (range) "." };
-    chart.alternative = format!("Chart of the ideal {what} of {} over one cycle: {range}.", title(output));
+    chart.caption =
+        html! { strong { "Ideal " (what) " of " (named_words(&output.name, &output.words)) }  ": " (range) "." };
+    chart.alternative =
+        format!("Chart of the ideal {what} of {} over one cycle: {range}.", named_words(&output.name, &output.words));
     chart.figure()
 }
 

@@ -24,14 +24,14 @@ pub(super) fn percentile_sentences(result: &StudyResult, writer: &NumberWriter) 
     let Some(first) = result.percentiles.first() else { return Vec::new() };
     let is_single = |(_, bound): &(usize, &BoundRecord)| !matches!(bound.at, ResponsePoint::Curve { .. });
     let sentence = |(index, bound): (usize, &BoundRecord)| {
-        let parts = result.percentiles.iter().map(|each| {
-            let bound = &each.bounds[index];
-            format!(
+        let parts = result.percentiles.iter().filter_map(|each| {
+            let bound = each.bounds.get(index)?;
+            Some(format!(
                 "{} {} to {}",
                 percentile_words(each.percentile, writer),
                 bound_value(&bound.lower, bound, Rounding::Down, writer),
                 bound_value(&bound.upper, bound, Rounding::Up, writer)
-            )
+            ))
         });
         format!(
             "{} of {} ({}, {}): {}.",

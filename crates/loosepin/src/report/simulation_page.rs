@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::answer::{turn_word, turns};
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, HorizontalAxis, Role, scaled};
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
@@ -11,7 +11,7 @@ use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::orbit_figure;
-use super::wording::{count, counted, listed};
+use super::wording::{count, counted, listed, named_words};
 use crate::simulate::record::{
     ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, StopReason, SwingCourse,
@@ -222,14 +222,6 @@ fn time_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> C
     }
 }
 
-fn line(label: &str, role: Role, dashed: bool, values_si: &[f64], unit: &SiUnit, writer: &NumberWriter) -> Entry {
-    Entry { label: label.to_owned(), role, dashed, values: EntryValues::line(&scaled(values_si, unit, writer)) }
-}
-
-fn output_title(output: &OutputHistory) -> String {
-    if output.words.is_empty() { output.name.clone() } else { format!("{} ({})", output.name, output.words) }
-}
-
 fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
         @for (index, output) in record.outputs.iter().enumerate() {
@@ -242,12 +234,12 @@ fn output_chart(record: &SimulationRecord, output: &OutputHistory, index: usize,
     let mut chart = time_chart(record, format!("output-{index}"), writer);
     chart.y_label.clone_from(&output.name);
     chart.y_symbol = writer.symbol(&output.unit);
-    chart.entries.push(line("with play", Role::First, false, &output.value_si, &output.unit, writer));
+    chart.entries.push(Entry::line("with play", Role::First, false, &output.value_si, &output.unit, writer));
     if !output.ideal_si.is_empty() {
-        chart.entries.push(line("ideal", Role::Worst, true, &output.ideal_si, &output.unit, writer));
+        chart.entries.push(Entry::line("ideal", Role::Worst, true, &output.ideal_si, &output.unit, writer));
     }
-    chart.caption = html! { strong { (output_title(output)) } " over time." };
-    chart.alternative = format!("Chart of {} over time.", output_title(output));
+    chart.caption = html! { strong { (named_words(&output.name, &output.words)) } " over time." };
+    chart.alternative = format!("Chart of {} over time.", named_words(&output.name, &output.words));
     chart
 }
 
@@ -263,10 +255,19 @@ fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, index: usi
     let mut chart = time_chart(record, format!("deviation-{index}"), writer);
     chart.y_label = format!("deviation of {}", output.name);
     chart.y_symbol = writer.symbol(&output.unit);
-    chart.entries.push(line("actual minus ideal", Role::Mixed, false, &output.deviation_si, &output.unit, writer));
-    chart.caption =
-        html! { strong { "Deviation of " (output_title(output)) } ": actual minus ideal at the same time." };
-    chart.alternative = format!("Chart of the deviation of {} from its ideal value over time.", output_title(output));
+    chart.entries.push(Entry::line(
+        "actual minus ideal",
+        Role::Mixed,
+        false,
+        &output.deviation_si,
+        &output.unit,
+        writer,
+    ));
+    chart.caption = html! { strong { "Deviation of " (named_words(&output.name, &output.words)) } ": actual minus ideal at the same time." };
+    chart.alternative = format!(
+        "Chart of the deviation of {} from its ideal value over time.",
+        named_words(&output.name, &output.words)
+    );
     chart
 }
 
@@ -366,7 +367,7 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
     chart.y_symbol = writer.symbol(&SiUnit::FORCE);
     for (index, history) in record.contact_forces.iter().enumerate() {
         let role = Role::of_index(index);
-        chart.entries.push(line(&history.joint, role, false, &history.force_n, &SiUnit::FORCE, writer));
+        chart.entries.push(Entry::line(&history.joint, role, false, &history.force_n, &SiUnit::FORCE, writer));
     }
     chart.caption = html! {
         strong { "Normal contact force" } " at the sample times; a peak between samples is higher than drawn, and stands \
@@ -400,7 +401,7 @@ fn control_chart(
     chart.height = 220;
     chart.y_label = label.to_owned();
     chart.y_symbol = writer.symbol(unit);
-    chart.entries.push(line(label, Role::Mixed, false, values_si, unit, writer));
+    chart.entries.push(Entry::line(label, Role::Mixed, false, values_si, unit, writer));
     chart.caption = caption;
     chart.alternative = format!("Chart of the {label} of a control over time.");
     chart.figure()
@@ -479,7 +480,7 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     ];
     for (label, role, values_j) in histories {
         if values_j.iter().any(|value| *value != 0.0) {
-            chart.entries.push(line(label, role, label == "supplied", values_j, &unit, writer));
+            chart.entries.push(Entry::line(label, role, label == "supplied", values_j, &unit, writer));
         }
     }
     chart.caption = html! {
@@ -491,7 +492,7 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     rest.height = 200;
     rest.y_label = "residual".to_owned();
     rest.y_symbol = writer.symbol(&unit);
-    rest.entries.push(line("residual", Role::Worst, false, &account.residual_j, &unit, writer));
+    rest.entries.push(Entry::line("residual", Role::Worst, false, &account.residual_j, &unit, writer));
     rest.caption = html! {
         strong { "What does not add up." } " At most "
         (writer.rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))

@@ -109,7 +109,7 @@ pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup,
                     @let width = (bin.to.log10() - bin.from.log10()) / (to - from) * 94.0;
                     rect.bar x=(format!("{left:.3}%")) width=(format!("{:.3}%", (width - 0.25).max(0.1)))
                         y=(format!("{:.2}", 130.0 - 115.0 * share)) height=(format!("{:.2}", 115.0 * share)) {
-                        title { (bin.count) " runs" }
+                        title { (bin.count) @if bin.count == 1 { " run" } @else { " runs" } }
                     }
                 }
                 line.axis x1="3%" x2="97%" y1="130" y2="130" {}

@@ -2,8 +2,8 @@
 
 use maud::{Markup, html};
 
+use super::axes::{Axes, Axis};
 use super::number::{NumberWriter, plain_name};
-use super::section_figure::{Axis, tick_text};
 use super::wording::{deviation_words, output_words};
 use crate::study::result::{StudyResult, SurrogateOutput, SurrogatePicture};
 use crate::units::SiUnit;
@@ -11,10 +11,6 @@ use crate::units::SiUnit;
 /// Width and height of the picture in its own units; a unit is about a pixel.
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 340.0;
-/// Room for numbers on the left and below.
-const LEFT: f64 = 74.0;
-const BELOW: f64 = 46.0;
-const MARGIN: f64 = 18.0;
 
 /// A dot for each run, a line for the surrogate, and two for the ends of its band.
 pub(super) fn surrogate_figure(
@@ -32,8 +28,9 @@ pub(super) fn surrogate_figure(
     let x_axis = Axis::over(picture.input_si.iter().map(|value| across.from_si(*value)));
     let shown = picture.run_output_si.iter().chain(&low).chain(&high);
     let y_axis = Axis::over(shown.map(|value| up.from_si(*value))).wider();
-    let x = |value_si: f64| LEFT + x_axis.share(across.from_si(value_si)) * (WIDTH - LEFT - MARGIN);
-    let y = |value_si: f64| HEIGHT - BELOW - y_axis.share(up.from_si(value_si)) * (HEIGHT - BELOW - MARGIN);
+    let axes = Axes { width: WIDTH, height: HEIGHT, x: x_axis, y: y_axis };
+    let x = |value_si: f64| axes.across(across.from_si(value_si));
+    let y = |value_si: f64| axes.up(up.from_si(value_si));
     let line = |values: &[f64]| {
         let mut path = String::new();
         for (input, value) in picture.input_si.iter().zip(values) {
@@ -46,7 +43,6 @@ pub(super) fn surrogate_figure(
     for (input, value) in picture.run_input_si.iter().zip(&picture.run_output_si) {
         dots.push_str(&format!("M{:.1} {:.1}h0", x(*input), y(*value)));
     }
-    let symbol = |symbol: &str| if symbol.is_empty() { String::new() } else { format!(" [{symbol}]") };
     let name = output_words(&output.output, &result.outputs);
     let at =
         picture.pose_rad.map_or(String::new(), |pose| format!(", at {}", writer.value_trimmed(pose, &SiUnit::ANGLE)));
@@ -58,26 +54,12 @@ pub(super) fn surrogate_figure(
     html! {
         figure.section {
             svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(alternative) {
-                @for tick in x_axis.ticks() {
-                    @let place = LEFT + x_axis.share(tick) * (WIDTH - LEFT - MARGIN);
-                    line.grid x1=(format!("{place:.1}")) x2=(format!("{place:.1}")) y1=(MARGIN) y2=(HEIGHT - BELOW) {}
-                    text x=(format!("{place:.1}")) y=(HEIGHT - BELOW + 17.0) text-anchor="middle" { (tick_text(tick)) }
-                }
-                @for tick in y_axis.ticks() {
-                    @let place = HEIGHT - BELOW - y_axis.share(tick) * (HEIGHT - BELOW - MARGIN);
-                    line.grid x1=(LEFT) x2=(WIDTH - MARGIN) y1=(format!("{place:.1}")) y2=(format!("{place:.1}")) {}
-                    text x=(LEFT - 8.0) y=(format!("{:.1}", place + 4.0)) text-anchor="end" { (tick_text(tick)) }
-                }
+                (axes.grid())
                 path.irregular stroke-width="5" d=(dots) {}
                 path.regular d=(line(&picture.output_si)) {}
                 path.regular stroke-dasharray="5 5" d=(line(&low)) {}
                 path.regular stroke-dasharray="5 5" d=(line(&high)) {}
-                text x=(0.5 * (LEFT + WIDTH - MARGIN)) y=(HEIGHT - 8.0) text-anchor="middle" {
-                    (input) (symbol(&across.symbol))
-                }
-                text transform=(format!("translate(14 {}) rotate(-90)", 0.5 * (HEIGHT - BELOW))) text-anchor="middle" {
-                    (output.output) (symbol(&up.symbol))
-                }
+                (axes.labels([&input, &across.symbol], [&output.output, &up.symbol]))
             }
             figcaption {
                 strong { (name) ", " (deviation_words(output.of)) (at) ", against the " (input) "." }

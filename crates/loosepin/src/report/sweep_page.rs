@@ -7,7 +7,7 @@ use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::section_figure::section_figure;
-use super::wording::counted;
+use super::wording::{capitalised, counted};
 use crate::simulate::REPEAT_SHARE;
 use crate::sweep::record::{SweepRecord, SweptJoint};
 use crate::units::SiUnit;
@@ -78,7 +78,9 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
     let irregular = runs - repeating - failed.len();
     let first = if irregular == 0 && failed.is_empty() {
         format!("The motion repeats itself for all {runs} values of {}.", record.path)
-    } else if repeating == 0 {
+    } else if failed.len() == runs {
+        format!("The motion could be computed for none of the {runs} values of {}.", record.path)
+    } else if repeating == 0 && failed.is_empty() {
         format!(
             "The motion repeats itself for none of the {runs} values of {}: single histories mean little, statistics over \
              many turns do.",
@@ -158,11 +160,15 @@ fn joint_chart(
     });
     let all = record.points.iter().flat_map(|point| point.joints.iter().map(&read));
     let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-    let range = format!(
-        "between {} and {}",
-        writer.rounded(least, unit, 3, Rounding::Nearest),
-        writer.rounded(most, unit, 3, Rounding::Nearest)
-    );
+    let range = if least.is_finite() {
+        format!(
+            "between {} and {}",
+            writer.rounded(least, unit, 3, Rounding::Nearest),
+            writer.rounded(most, unit, 3, Rounding::Nearest)
+        )
+    } else {
+        "not computed".to_owned()
+    };
     Chart {
         id: id.to_owned(),
         horizontal: HorizontalAxis::Plain,
@@ -179,11 +185,6 @@ fn joint_chart(
         alternative: format!("Chart of {what} over {}: {range}.", record.path),
     }
     .figure()
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn method(record: &SweepRecord, writer: &NumberWriter) -> Markup {
@@ -209,4 +210,46 @@ fn method(record: &SweepRecord, writer: &NumberWriter) -> Markup {
         ("Version".to_owned(), html! { "loosepin " (record.version) }),
     ];
     facts(&rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::record::SweepPoint;
+    use crate::units::DisplayUnits;
+
+    #[test]
+    fn a_sweep_that_could_not_be_computed_says_nothing_of_its_motion() {
+        let failed = |value_si: f64| SweepPoint {
+            value_si,
+            failure: Some("the loops cannot be closed".to_owned()),
+            period_turns: None,
+            sections_si: Vec::new(),
+            joints: Vec::new(),
+        };
+        let record = SweepRecord {
+            model: "slider-crank".to_owned(),
+            version: "0.1.0".to_owned(),
+            overrides: Vec::new(),
+            path: "parameter.rod_length".to_owned(),
+            unit: SiUnit::LENGTH,
+            drive: "crank".to_owned(),
+            section_angle_rad: 0.3,
+            transient_turns: 20,
+            recorded_turns: 8,
+            tolerance_m: 1e-8,
+            outputs: Vec::new(),
+            joints: vec!["gudgeon".to_owned()],
+            points: vec![failed(0.02), failed(0.03)],
+            display_units: DisplayUnits::default(),
+        };
+        assert_eq!(
+            headline_sentences(&record, &NumberWriter::for_terminal(&record.display_units)),
+            [
+                "The motion could be computed for none of the 2 values of parameter.rod_length.",
+                "2\u{a0}runs failed; the first one: the loops cannot be closed"
+            ]
+        );
+        assert!(sweep_page(&record).contains("not computed"));
+    }
 }

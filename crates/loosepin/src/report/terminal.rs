@@ -12,8 +12,8 @@ use super::percentile_words::percentile_sentences;
 use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::surrogate_text;
 use super::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, count, counted, deviation_words, has_lists, output_words, place_words,
-    reading_beside, statistic_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, count, counted, deviation_words, has_lists, has_unknown, named_words,
+    output_words, place_words, reading_beside, statistic_words, treatment_words, unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
@@ -49,8 +49,9 @@ pub fn study_text(result: &StudyResult) -> String {
         .filter(|bound| bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
         .collect();
     if !shown.is_empty() {
-        let unknown = unknown_words(&result.inputs);
-        text.push_str(&format!("\nBounds over the {unknown}, widened by their numerical error\n"));
+        let is_over_some = has_unknown(&result.inputs);
+        let over = if is_over_some { format!(" over the {}", unknown_words(&result.inputs)) } else { String::new() };
+        text.push_str(&format!("\nBounds{over}, widened by their numerical error\n"));
         let rows = &shown[..shown.len().min(MOST_ROWS)];
         for group in
             rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
@@ -202,7 +203,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
         let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let where_known = |text: String| if worst_si.is_finite() { text } else { "-".to_owned() };
         ranges.add_row([
-            output_words_of(&output.name, &output.words),
+            named_words(&output.name, &output.words),
             writer.value(smallest, &output.unit),
             writer.value(largest, &output.unit),
             where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
@@ -335,13 +336,6 @@ fn treatments_table(comparison: &crate::study::result::TreatmentComparison, writ
         ]);
     }
     trimmed(&treatments)
-}
-
-/// `slider (x of slider.pin)`.
-fn output_words_of(name: &str, words: &str) -> String {
-    let output =
-        crate::study::result::OutputDescription { name: name.to_owned(), words: words.to_owned(), unit: SiUnit::NONE };
-    output_words(name, &[output])
 }
 
 /// A table with a rule under its head, numbers to the right, wrapped to the width of the terminal.

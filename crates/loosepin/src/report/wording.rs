@@ -25,9 +25,9 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
         ResponsePoint::Reduced { reduction } => match reduction {
             Reduction::Maximum => "largest in the cycle",
             Reduction::Minimum => "smallest in the cycle",
-            Reduction::MaximumMagnitude => "largest in the cycle, in either direction",
-            Reduction::PeakToPeak => "peak to peak in the cycle",
-            Reduction::Rms => "root mean square over the cycle",
+            Reduction::MaximumAbsolute => "largest in the cycle, in either direction",
+            Reduction::Range => "peak to peak in the cycle",
+            Reduction::RootMeanSquare => "root mean square over the cycle",
             Reduction::Mean => "mean over the cycle",
         }
         .to_owned(),
@@ -118,6 +118,11 @@ pub(super) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
     if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
 }
 
+/// Whether anything is known as an interval, a list or so.
+pub(super) fn has_unknown(inputs: &[InputDescription]) -> bool {
+    inputs.iter().any(|input| input.kind != InputKind::Random)
+}
+
 /// What stands beside bounds that are put together from several intervals.
 pub(super) const MASSES_ADD: &str = "Masses of evidence add: such a bound is attained by one value in each of the intervals, so that no single value stands beside it. \
      Read as probability, each interval is taken by its mass and evenly within; of fuzzy numbers each cut by the difference of the degrees.";
@@ -137,10 +142,19 @@ pub(super) fn has_lists(inputs: &[InputDescription]) -> bool {
 
 /// `slider` with its meaning where there is one: `slider (x of slider.pin)`.
 pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String {
-    match outputs.iter().find(|output| output.name == name) {
-        Some(output) if !output.words.is_empty() => format!("{name} ({})", output.words),
-        _ => name.to_owned(),
-    }
+    let words = outputs.iter().find(|output| output.name == name).map_or("", |output| &output.words);
+    named_words(name, words)
+}
+
+/// A name with its meaning where there is one.
+pub(super) fn named_words(name: &str, words: &str) -> String {
+    if words.is_empty() { name.to_owned() } else { format!("{name} ({words})") }
+}
+
+/// With a capital at its beginning.
+pub(super) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A count, on a page with thousands apart: `16 384`.
@@ -150,15 +164,23 @@ pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
 
 /// `1 run`, `2 runs`.
 pub(super) fn counted(value: u64, singular: &str, writer: &NumberWriter) -> String {
-    let plural = if value == 1 { "" } else { "s" };
-    format!("{}{}{singular}{plural}", count(value, writer), writer.space())
+    counted_as(value, singular, &format!("{singular}s"), writer)
+}
+
+/// `A further 3 bounds stand in `, `A further bound stands in `; `which` stands behind the noun, with a space at its end.
+pub(super) fn further(others: usize, singular: &str, which: &str, writer: &NumberWriter) -> String {
+    match others {
+        1 => format!("A further {singular} {which}stands in "),
+        _ => format!("A further {} {which}stand in ", counted(others as u64, singular, writer)),
+    }
+}
+
+/// `1 study`, `2 studies`.
+pub(super) fn counted_as(value: u64, singular: &str, plural: &str, writer: &NumberWriter) -> String {
+    format!("{}{}{}", count(value, writer), writer.space(), if value == 1 { singular } else { plural })
 }
 
 /// `a`, `a and b`, `a, b and c`.
 pub(super) fn listed(parts: &[String]) -> String {
-    match parts {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
+    crate::units::listed(parts, "and")
 }

@@ -42,8 +42,6 @@ pub struct ResultsFolder {
     marker: Marker,
     /// Folders that were made for it, the innermost first.
     made: Vec<PathBuf>,
-    /// Files of a finished result that wait under another name until this one is finished.
-    set_aside: Vec<String>,
 }
 
 impl Claim {
@@ -98,7 +96,8 @@ impl Claim {
     }
 
     /// Takes the folder, making it where there is none. A finished result of the same inputs is left as it is (see
-    /// [`ResultsFolder::is_finished`]), an unfinished one is taken over. With force the result is always made anew.
+    /// [`ResultsFolder::is_finished`]), an unfinished one is taken over, with the finished one that it was to replace. With force
+    /// the result is always made anew.
     ///
     /// # Errors
     /// The folder holds something else, or the file system refuses.
@@ -109,11 +108,18 @@ impl Claim {
         }
         let made = path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
         fs::create_dir_all(&path).map_err(|source| ResultsError::Write { path: path.clone(), source })?;
-        let set_aside = match self.held(&path)? {
-            Some(held) if held.is_finished && self.is_same(&held) && !self.with_force => {
-                return Ok(ResultsFolder { path, marker: held, made, set_aside: Vec::new() });
+        let held = self.held(&path)?;
+        let replaced = match &held {
+            Some(held) if held.is_finished && self.is_same(held) && !self.with_force => {
+                let mut folder = ResultsFolder { path, marker: held.clone(), made };
+                folder.remove_replaced()?;
+                return Ok(folder);
             }
-            Some(held) => clear(&path, &held)?,
+            Some(held) if held.is_finished => prepare_to_replace(&path, held)?,
+            Some(held) => {
+                remove_files(&path, &held.files)?;
+                held.replaced.clone()
+            }
             None => Vec::new(),
         };
         let marker = Marker {
@@ -123,9 +129,12 @@ impl Claim {
             version: crate::VERSION.to_owned(),
             is_finished: false,
             files: Vec::new(),
+            replaced,
         };
-        let folder = ResultsFolder { path, marker, made, set_aside };
+        let folder = ResultsFolder { path, marker, made };
+        // Said before anything is renamed, so that whoever comes next knows what waits under which name.
         folder.write_marker()?;
+        folder.set_replaced_aside()?;
         Ok(folder)
     }
 }
@@ -144,7 +153,7 @@ impl ResultsFolder {
         }
         let marker = read_marker(path)?;
         if marker.is_finished {
-            Ok(ResultsFolder { path: path.to_owned(), marker, made: Vec::new(), set_aside: Vec::new() })
+            Ok(ResultsFolder { path: path.to_owned(), marker, made: Vec::new() })
         } else {
             Err(ResultsError::Unfinished { folder: path.to_owned(), kind: marker.kind, name: marker.name })
         }
@@ -204,11 +213,7 @@ impl ResultsFolder {
         self.marker.is_finished = true;
         self.write_marker()?;
         // What was replaced goes only now that its successor is whole.
-        for file_name in self.set_aside.drain(..) {
-            let path = self.path.join(file_name + SET_ASIDE);
-            fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
-        }
-        Ok(())
+        self.remove_replaced()
     }
 
     /// Keeps what was written so far of a result that did not finish: the next run replaces it.
@@ -226,16 +231,17 @@ impl ResultsFolder {
     /// # Errors
     /// What the file system refuses.
     pub fn abandon(self) -> Result<(), ResultsError> {
-        remove_files(&self.path, &self.marker)?;
-        let path = self.path.join(MARKER_FILE);
-        if !self.set_aside.is_empty() {
-            for file_name in &self.set_aside {
-                let path = self.path.join(file_name);
-                let aside = self.path.join(format!("{file_name}{SET_ASIDE}"));
+        remove_files(&self.path, &self.marker.files)?;
+        if !self.marker.replaced.is_empty() {
+            // The marker of the finished result comes last: until then it is known what is still to come back.
+            let files = self.marker.replaced.iter().filter(|file_name| *file_name != MARKER_FILE);
+            for file_name in files.map(String::as_str).chain([MARKER_FILE]) {
+                let Some([path, aside]) = self.names(file_name).filter(|[_, aside]| aside.is_file()) else { continue };
                 fs::rename(aside, &path).map_err(|source| ResultsError::Write { path, source })?;
             }
             return Ok(());
         }
+        let path = self.path.join(MARKER_FILE);
         fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
         for folder in &self.made {
             // A folder with something else in it meanwhile is not empty and stays, as it should.
@@ -246,10 +252,34 @@ impl ResultsFolder {
         Ok(())
     }
 
+    /// Where a file stands, and where it waits until its successor is whole.
+    fn names(&self, file_name: &str) -> Option<[PathBuf; 2]> {
+        inside(&self.path, file_name).zip(inside(&self.path, &aside(file_name))).map(|(path, aside)| [path, aside])
+    }
+
+    /// Renames what is to be replaced, whatever of that was done before; what has come in its place meanwhile goes.
+    fn set_replaced_aside(&self) -> Result<(), ResultsError> {
+        for file_name in self.marker.replaced.iter().filter(|file_name| *file_name != MARKER_FILE) {
+            let Some([path, aside]) = self.names(file_name).filter(|[path, _]| path.is_file()) else { continue };
+            let moved = if aside.is_file() { fs::remove_file(&path) } else { fs::rename(&path, aside) };
+            moved.map_err(|source| ResultsError::Write { path, source })?;
+        }
+        Ok(())
+    }
+
+    /// Removes what was replaced, now that its successor is whole.
+    fn remove_replaced(&mut self) -> Result<(), ResultsError> {
+        if self.marker.replaced.is_empty() {
+            return Ok(());
+        }
+        let waiting: Vec<String> = self.marker.replaced.iter().map(|file_name| aside(file_name)).collect();
+        remove_files(&self.path, &waiting)?;
+        self.marker.replaced.clear();
+        self.write_marker()
+    }
+
     fn write_marker(&self) -> Result<(), ResultsError> {
-        let mut text = serde_json::to_string_pretty(&self.marker).map_err(|source| ResultsError::Layout { source })?;
-        text.push('\n');
-        write_whole(&self.path.join(MARKER_FILE), text.as_bytes())
+        write_whole(&self.path.join(MARKER_FILE), self.marker.to_text()?.as_bytes())
     }
 }
 
@@ -292,37 +322,34 @@ fn read_marker(folder: &Path) -> Result<Marker, ResultsError> {
     }
 }
 
-/// What is added to the names of files of a finished result until its successor is finished.
-const SET_ASIDE: &str = ".replaced";
-
-/// Clears a folder of what a marker lists: a finished result is set aside until its successor is whole, an unfinished one
-/// goes at once. Gives the names of the files that were set aside.
-fn clear(folder: &Path, held: &Marker) -> Result<Vec<String>, ResultsError> {
-    if !held.is_finished {
-        remove_files(folder, held)?;
-        return Ok(Vec::new());
-    }
-    let mut set_aside = Vec::new();
-    for file_name in held.files.iter().map(String::as_str).chain([MARKER_FILE]) {
-        let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
-        let path = folder.join(file_name);
-        if is_inside && path.is_file() {
-            let aside = folder.join(format!("{file_name}{SET_ASIDE}"));
-            fs::rename(&path, aside).map_err(|source| ResultsError::Write { path, source })?;
-            set_aside.push(file_name.to_owned());
-        }
-    }
-    Ok(set_aside)
+/// The name under which a file of a finished result waits until its successor is whole.
+fn aside(file_name: &str) -> String {
+    format!("{file_name}.replaced")
 }
 
-/// Removes what a marker lists, and nothing outside the folder.
-fn remove_files(folder: &Path, held: &Marker) -> Result<(), ResultsError> {
-    for file_name in &held.files {
-        let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
-        let path = folder.join(file_name);
-        if is_inside && path.is_file() {
-            fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
-        }
+/// A file of the folder; nothing where the name leads out of it.
+fn inside(folder: &Path, file_name: &str) -> Option<PathBuf> {
+    let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
+    is_inside.then(|| folder.join(file_name))
+}
+
+/// The files of a finished result that are to be set aside, its marker among them, of which a copy is made: the marker itself is
+/// overwritten in one step, so that the folder is never without one.
+fn prepare_to_replace(folder: &Path, held: &Marker) -> Result<Vec<String>, ResultsError> {
+    let is_there = |file_name: &&String| inside(folder, file_name).is_some_and(|path| path.is_file());
+    let mut replaced: Vec<String> = held.files.iter().filter(is_there).cloned().collect();
+    // What an earlier result has left under these names is not what comes back.
+    let waiting: Vec<String> = replaced.iter().chain(&held.replaced).map(|file_name| aside(file_name)).collect();
+    remove_files(folder, &waiting)?;
+    write_whole(&folder.join(aside(MARKER_FILE)), held.to_text()?.as_bytes())?;
+    replaced.push(MARKER_FILE.to_owned());
+    Ok(replaced)
+}
+
+/// Removes files, and nothing outside the folder.
+fn remove_files(folder: &Path, file_names: &[String]) -> Result<(), ResultsError> {
+    for path in file_names.iter().filter_map(|file_name| inside(folder, file_name)).filter(|path| path.is_file()) {
+        fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
     }
     Ok(())
 }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::error::ResultsError;
+
 /// Name of the file that says what a folder holds.
 pub const MARKER_FILE: &str = "loosepin.json";
 
@@ -46,4 +48,19 @@ pub struct Marker {
     pub is_finished: bool,
     /// Names of the files that belong to the result, this one left out.
     pub files: Vec<String>,
+    /// Files of the finished result that this one replaces: each waits as `NAME.replaced` until this one is finished.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub replaced: Vec<String>,
+}
+
+impl Marker {
+    /// The text of the file.
+    ///
+    /// # Errors
+    /// What has no form in JSON.
+    pub(super) fn to_text(&self) -> Result<String, ResultsError> {
+        let mut text = serde_json::to_string_pretty(self).map_err(|source| ResultsError::Layout { source })?;
+        text.push('\n');
+        Ok(text)
+    }
 }

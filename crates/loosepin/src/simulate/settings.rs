@@ -10,7 +10,8 @@ pub struct Settings {
     pub tolerance_m: f64,
     /// The embedded pair. Default: DOP853 (`docs/integrators.md` has the measurement).
     pub method: &'static Tableau,
-    /// Evaluations of the equations of motion after which a run is given up. Default: 3e8 for one simulation, a minute or so; 1e8 in a study.
+    /// Evaluations of the equations of motion after which a run is given up. Default: 3e8, a minute or so; the same
+    /// in a study, so that a run that is given up there is given up again by itself.
     pub largest_evaluations: u64,
     /// Whether batches may turn the equations into machine code; the bits are the same without. Default: yes.
     pub machine_code: bool,
@@ -29,7 +30,7 @@ impl Settings {
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {
-        Self { tolerance_m: 1e-8, largest_evaluations: 100_000_000, ..Self::for_simulation() }
+        Self { tolerance_m: 1e-8, ..Self::for_simulation() }
     }
 
     /// A contact begins or ends where |δ| is below this, m.

@@ -17,7 +17,7 @@ pub enum StoreError {
         path: PathBuf,
     },
     /// It holds runs of this very study, and nobody said what is to become of them.
-    #[error("{} holds {runs} finished runs of this study", path.display())]
+    #[error("{} holds {runs} finished {} of this study", path.display(), if *runs == 1 { "run" } else { "runs" })]
     HoldsRuns {
         /// The store.
         path: PathBuf,

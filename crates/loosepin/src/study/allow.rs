@@ -6,7 +6,8 @@ use super::file::{Allowance, AllowedInput, Study};
 use super::plans::problem;
 use super::response::StudyResponse;
 use super::result::{
-    AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome, Verdict,
+    AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome,
+    Verdict,
 };
 use super::runner::Runner;
 use crate::bounds::{DoubleLoop, SampleTable};
@@ -17,8 +18,8 @@ use crate::units::SiUnit;
 const HALVINGS: usize = 7;
 /// The least standard deviation that is tried, as a share of the largest.
 const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
-/// Studies in search of the cheapest combination, at most.
-const MOST_ALLOCATION_STUDIES: usize = 24;
+/// Combinations that are run in search of the cheapest, at most.
+const MOST_TRIED: usize = 24;
 /// Separates the random numbers of confirmations.
 const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
@@ -26,7 +27,7 @@ const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 pub(super) fn most_studies(study: &Study) -> usize {
     let searches = study.allowances.len() * 2 * (2 + HALVINGS);
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
-    searches + if has_costs { 2 * MOST_ALLOCATION_STUDIES } else { 0 }
+    searches + if has_costs { 2 * MOST_TRIED } else { 0 }
 }
 
 /// Runs of one such study at most: the double loop alone.
@@ -137,13 +138,14 @@ pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>
     if offered.is_empty() {
         return Ok(None);
     }
-    let mut runs = 0;
+    let (mut runs, mut studies) = (0, 0);
     let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
-    let search = cheapest(&costs, MOST_ALLOCATION_STUDIES, |values| {
+    let search = cheapest(&costs, MOST_TRIED, |values| {
         let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
         for is_confirmation in [false, true] {
             let answer = run(runner, &set, seed(runner.study, is_confirmation))?;
             runs += answer.runs;
+            studies += 1;
             if answer.verdict() != Verdict::Met {
                 return Ok(false);
             }
@@ -160,10 +162,10 @@ pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>
     });
     Ok(Some(AllocationRecord {
         cost: if choices.is_empty() { f64::NAN } else { choices.iter().map(|choice| choice.cost).sum() },
-        is_cheapest: !choices.is_empty(),
+        stop: search.stop,
         choices,
         combinations: search.combinations as u64,
-        studies: search.studies as u64,
+        studies,
         excluded: search.excluded as u64,
         runs: runs as u64,
     }))
@@ -173,23 +175,26 @@ pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>
 struct Cheapest {
     /// Place of the offer for each input.
     chosen: Option<Vec<usize>>,
+    stop: AllocationStop,
     combinations: usize,
-    studies: usize,
+    /// Combinations that were run.
+    tried: usize,
     excluded: usize,
 }
 
 /// With more combinations than this no search is made.
 const MOST_COMBINATIONS: usize = 100_000;
 
-/// The cheapest combination of `offers` (value and cost, tightest first) for which `is_met`, after at most `most_studies` of these.
+/// The cheapest combination of `offers` (value and cost, tightest first) for which `is_met`, trying at most `most_tried`.
 fn cheapest<E>(
     offers: &[&[[f64; 2]]],
-    most_studies: usize,
+    most_tried: usize,
     mut is_met: impl FnMut(&[f64]) -> Result<bool, E>,
 ) -> Result<Cheapest, E> {
     let number = offers.iter().fold(1_usize, |product, of_input| product.saturating_mul(of_input.len()));
     if number > MOST_COMBINATIONS {
-        return Ok(Cheapest { chosen: None, combinations: number, studies: 0, excluded: 0 });
+        let stop = AllocationStop::TooManyCombinations;
+        return Ok(Cheapest { chosen: None, stop, combinations: number, tried: 0, excluded: 0 });
     }
     let mut combinations: Vec<Vec<usize>> = vec![Vec::new()];
     for of_input in offers {
@@ -201,20 +206,23 @@ fn cheapest<E>(
     let cost = |places: &[usize]| places.iter().zip(offers).map(|(&place, of)| of[place][1]).sum::<f64>();
     combinations.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     let mut refused: Vec<Vec<usize>> = Vec::new();
-    let mut found = Cheapest { chosen: None, combinations: combinations.len(), studies: 0, excluded: 0 };
+    let stop = AllocationStop::AllExcluded;
+    let mut found = Cheapest { chosen: None, stop, combinations: combinations.len(), tried: 0, excluded: 0 };
     for places in combinations {
         let is_looser = |known: &Vec<usize>| places.iter().zip(known).all(|(place, tight)| place >= tight);
         if refused.iter().any(is_looser) {
             found.excluded += 1;
             continue;
         }
-        if found.studies == most_studies {
+        if found.tried == most_tried {
+            found.stop = AllocationStop::TriedEnough;
             break;
         }
-        found.studies += 1;
+        found.tried += 1;
         let values: Vec<f64> = places.iter().zip(offers).map(|(&place, of)| of[place][0]).collect();
         if is_met(&values)? {
             found.chosen = Some(places);
+            found.stop = AllocationStop::Found;
             break;
         }
         found.excluded += 1;
@@ -290,7 +298,7 @@ fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), St
 mod tests {
     use std::convert::Infallible;
 
-    use super::cheapest;
+    use super::{AllocationStop, cheapest};
 
     #[test]
     fn analytic_the_cheapest_of_all_combinations() {
@@ -315,8 +323,13 @@ mod tests {
         let chosen = found.chosen.unwrap();
         let cost: f64 = chosen.iter().zip(offers).map(|(&place, of)| of[place][1]).sum();
         assert_eq!(cost, best);
-        assert!(found.studies < 10, "{} of 27", found.studies);
+        assert!(found.tried < 10 && found.stop == AllocationStop::Found, "{} of 27", found.tried);
         let starved = cheapest(&offers, 1, |values| Ok::<bool, Infallible>(fits(values))).unwrap();
-        assert_eq!((starved.chosen, starved.studies), (None, 1));
+        assert_eq!((starved.chosen, starved.stop, starved.tried), (None, AllocationStop::TriedEnough, 1));
+        let refused = cheapest(&offers, 27, |_| Ok::<bool, Infallible>(false)).unwrap();
+        assert_eq!((refused.stop, refused.excluded), (AllocationStop::AllExcluded, 27));
+        let many: Vec<[f64; 2]> = (1..400).map(|place| [f64::from(place), 1.5]).collect();
+        let too_many = cheapest(&[&many, &many], 27, |_| Ok::<bool, Infallible>(true)).unwrap();
+        assert_eq!((too_many.stop, too_many.tried), (AllocationStop::TooManyCombinations, 0));
     }
 }

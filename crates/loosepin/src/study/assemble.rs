@@ -171,7 +171,7 @@ impl Material<'_> {
                     ResponsePoint::Pose { pose_rad }
                 }
             }
-            Spot::Reduced(reduction) => ResponsePoint::Reduced { reduction: reduction_kind(reduction) },
+            Spot::Reduced(reduction) => ResponsePoint::Reduced { reduction },
         }
     }
 }
@@ -200,18 +200,6 @@ pub(super) fn deviation_kind(deviation: Deviation) -> DeviationKind {
         Deviation::Total => DeviationKind::Total,
         Deviation::Dimensional => DeviationKind::Dimensional,
         Deviation::Clearance => DeviationKind::Clearance,
-    }
-}
-
-fn reduction_kind(reduction: Reduction) -> super::result::Reduction {
-    use super::result::Reduction as Kind;
-    match reduction {
-        Reduction::Maximum => Kind::Maximum,
-        Reduction::Minimum => Kind::Minimum,
-        Reduction::MaximumAbsolute => Kind::MaximumMagnitude,
-        Reduction::RootMeanSquare => Kind::Rms,
-        Reduction::Mean => Kind::Mean,
-        Reduction::Range => Kind::PeakToPeak,
     }
 }
 

@@ -128,7 +128,7 @@ impl Problem for FilesError {
     fn code(&self) -> Code {
         match self {
             Self::Results(error) => error.code(),
-            Self::Layout { .. } | Self::ForeignColumn { .. } => Code::NoResults,
+            Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => Code::NoResults,
             Self::Json { .. }
             | Self::Csv { .. }
             | Self::UnequalColumns { .. }
@@ -140,7 +140,7 @@ impl Problem for FilesError {
 
     fn hint(&self) -> Option<String> {
         match self {
-            Self::Layout { .. } | Self::ForeignColumn { .. } => {
+            Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => {
                 Some("run the study again, or use the version that wrote it".to_owned())
             }
             Self::Results(error) => error.hint(),

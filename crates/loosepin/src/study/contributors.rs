@@ -2,7 +2,7 @@
 
 use super::assemble::{Material, deviation_kind};
 use super::columns::{PlannedAsk, Spot};
-use super::file::{Deviation, Study, Where};
+use super::file::{Deviation, EpistemicInput, Study, Where};
 use super::result::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
 use crate::accuracy::record::{MotionRecord, OutputMotion};
 use crate::accuracy::{MotionPlan, Scatter, motion};
@@ -174,7 +174,7 @@ fn of_columns(
                 quasi_static_share: still
                     .as_ref()
                     .filter(|_| planned.ask.deviation != Deviation::Dimensional)
-                    .and_then(|still| still.play_share(&input.path)),
+                    .and_then(|still| still.play_share(&play_from(study, input))),
             }
         })
         .collect();
@@ -234,6 +234,12 @@ fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
     motion(material.response.mechanism(), &material.response.nominal, &plan).ok()
 }
 
+/// Names of the joints whose play an input decides.
+fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
+    let joints = input.quantity().into_iter().flat_map(|id| study.model.play_from(id));
+    joints.map(|(joint, _)| joint.name.as_str()).collect()
+}
+
 /// The pose of a question at a single one.
 fn spot(material: &Material<'_>, planned: &PlannedAsk, columns: &[usize]) -> Option<f64> {
     match material.response.shared.plan.columns[columns[0]].spot {
@@ -276,12 +282,15 @@ impl Still<'_> {
         (total > 0.0).then(|| own / total)
     }
 
-    /// The share of the joint whose clearance `path` names in the worst case of all.
-    fn play_share(&self, path: &str) -> Option<f64> {
-        let joint = path.strip_prefix("joint.")?;
-        let joint = joint.strip_suffix(".radial_clearance").or_else(|| joint.strip_suffix(".clearance"))?;
-        let own = self.output.clearance.contributors.iter().find(|known| known.joint == joint)?;
+    /// The share of `joints` in the worst case of all; nothing where there are none.
+    fn play_share(&self, joints: &[&str]) -> Option<f64> {
+        let all = &self.output.clearance.contributors;
+        let own: Vec<f64> = all
+            .iter()
+            .filter(|known| joints.contains(&known.joint.as_str()))
+            .map(|own| self.sum(&own.worst_case_si, |value| value))
+            .collect();
         let total = self.sum(&self.output.clearance.worst_case_si, |value| value);
-        (total > 0.0).then(|| self.sum(&own.worst_case_si, |value| value) / total)
+        (total > 0.0 && !own.is_empty()).then(|| own.iter().sum::<f64>() / total)
     }
 }

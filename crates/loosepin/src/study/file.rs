@@ -17,13 +17,14 @@ mod random;
 mod random_problem;
 mod surrogate;
 mod tolerance;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use accuracy::WrittenAccuracies;
-pub(super) use accuracy::statistic_name;
 pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
+use ask::KnownPose;
 pub use description::{
     Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
     RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate,
@@ -33,6 +34,8 @@ use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
+use words::READINGS;
+pub(super) use words::statistic_name;
 
 use crate::accuracy::ScatterCorrelation;
 use crate::bounds::Reading;
@@ -42,16 +45,6 @@ use crate::model::{Cycle, Model};
 use crate::uncertainty::CorrelationSeries;
 use crate::units::{Dimension, Rule};
 
-/// Points in the box of the epistemic inputs, where the file does not say.
-const OUTER: usize = 64;
-/// Samples of the random inputs at each of them, where the file does not say.
-const INNER: usize = 256;
-/// Independent randomisations of the inner samples, where the file does not say.
-const REPLICATES: usize = 4;
-/// Accuracy of positions in a run, where the file does not say, m.
-const TOLERANCE_M: f64 = 1e-8;
-/// One run in ten.
-const MOST_FAILED: f64 = 0.1;
 /// Percentiles of statistics that are themselves random, where the file does not say.
 const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// The seed, where the file does not say.
@@ -140,6 +133,7 @@ fn read(
         readings: vec![Reading::FixedButUnknown],
         tables: Vec::new(),
         parameters: Parameters::default(),
+        poses: Vec::new(),
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
@@ -209,6 +203,8 @@ pub(super) struct StudyReader {
     pub tables: Vec<Arc<Source>>,
     /// Of the distribution that is being read.
     pub parameters: Parameters,
+    /// Angles at which single numbers are asked for or required.
+    pub poses: Vec<KnownPose>,
 }
 
 impl StudyReader {
@@ -226,15 +222,10 @@ impl StudyReader {
 
     /// How intervals are read, one or several side by side; questions depend on it.
     fn read_reading(&mut self, root: &Table<'_>) {
-        let readings = [
-            ("fixed", Reading::FixedButUnknown),
-            ("unknown-distribution", Reading::UnknownDistribution),
-            ("random-set", Reading::RandomSet),
-        ];
         let Some(written) = root.get("reading") else { return };
         if written.is_text() {
             self.readings =
-                self.reader.choice(&written, &readings).map_or_else(|| self.readings.clone(), |own| vec![own]);
+                self.reader.choice(&written, &READINGS).map_or_else(|| self.readings.clone(), |own| vec![own]);
             return;
         }
         let Some(entries) = self.reader.list(&written) else { return };
@@ -244,9 +235,9 @@ impl StudyReader {
         }
         let mut found = Vec::new();
         for entry in &entries {
-            let Some(reading) = self.reader.choice(entry, &readings) else { continue };
+            let Some(reading) = self.reader.choice(entry, &READINGS) else { continue };
             if found.contains(&reading) {
-                let value = readings.iter().find(|known| known.1 == reading).map_or("", |known| known.0);
+                let value = READINGS.iter().find(|known| known.1 == reading).map_or("", |known| known.0);
                 let (entry_words, value) = (written.path.describe(), format!("\"{value}\""));
                 self.complain(&StudyProblem::MemberTwice { entry: entry_words, value }, entry);
             }
@@ -277,13 +268,7 @@ impl StudyReader {
 
     /// How many runs; how near the bounds are to be, and what that may cost.
     fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<Budget>) {
-        let mut sampling = Sampling {
-            outer: OUTER,
-            inner: INNER,
-            replicates: REPLICATES,
-            tolerance_m: TOLERANCE_M,
-            most_failed: MOST_FAILED,
-        };
+        let mut sampling = Sampling::default();
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
             return (sampling, WrittenAccuracies::default(), None);
         };
@@ -304,5 +289,26 @@ impl StudyReader {
     /// Complains about an entry.
     fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
         self.reader.complain(problem, entry.span);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sampling;
+    use super::keys::SAMPLING_KEYS;
+
+    #[test]
+    fn the_schema_tells_what_is_left_out() {
+        let Sampling { outer, inner, replicates, tolerance_m, most_failed } = Sampling::default();
+        let told = |key: &str| SAMPLING_KEYS.find(key).map(|known| known.doc).unwrap_or("");
+        for (key, usual) in [
+            ("outer", outer.to_string()),
+            ("inner", inner.to_string()),
+            ("replicates", replicates.to_string()),
+            ("tolerance", format!("{tolerance_m:e} m")),
+            ("most_failed", most_failed.to_string()),
+        ] {
+            assert!(told(key).ends_with(&format!("; {usual} if left out")), "{key}: {}", told(key));
+        }
     }
 }

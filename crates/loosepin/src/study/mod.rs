@@ -27,6 +27,7 @@ mod saved_surrogates;
 mod simultaneous;
 mod surrogate;
 mod time_a_run;
+mod widest_play;
 
 pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_part};
 pub use distribution_words::distribution_words;

@@ -5,7 +5,7 @@ use super::allow::{most_studies, runs_of_a_study};
 use super::conduct::StudyError;
 use super::contributors::ContributorPlan;
 use super::file::{Budget, Study};
-use super::rare::{MOST_RARE_RUNS, requests};
+use super::rare::{most_rare_runs, requests};
 use super::response::StudyResponse;
 use super::surrogate::{most_surrogate_runs, surrogate_plan};
 use crate::bounds::{Problem, Refinement, SampleTable, Sampling, SurrogatePlan};
@@ -54,7 +54,7 @@ impl Plans {
         let surrogate = surrogate_plan(study, response)?;
         let surrogate_runs = surrogate.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
-        let rare = MOST_RARE_RUNS * requests(&response.shared.plan.asks).count();
+        let rare = most_rare_runs(direct) * requests(&response.shared.plan.asks).count();
         let allowed = most_studies(study) * runs_of_a_study(study);
         let beside = contributors.as_ref().map_or(0, ContributorPlan::runs) + rare + allowed + surrogate_runs;
         let (stated_runs, reserved) =

@@ -28,8 +28,24 @@ const LARGEST_PROBABILITY: f64 = 1.0 - f64::EPSILON / 2.0;
 /// Separates the stream of random numbers.
 const RARE: u64 = 0x7261_7265_0000;
 
-/// Runs that a rare probability may take, for the plan: both ends.
-pub(super) const MOST_RARE_RUNS: usize = 40_000;
+/// Runs of the search for design points over the box, for each combination of the members of lists, at most; where they do not
+/// suffice, subset simulation takes its place.
+const MOST_DESIGN_RUNS: usize = 40_000;
+
+/// Runs that a rare probability takes at most: a search for design points that is given up, sampling around them that is not near
+/// enough, then subset simulations at every place that is compared and at both ends.
+pub(super) fn most_rare_runs(plan: &DoubleLoop) -> usize {
+    let comparing = SubsetSimulation { level: COMPARING_LEVEL, seed: 0 }.most_runs();
+    let compared = plan.box_combinations() * (MOST_DESIGN_RUNS + places(plan).len() * comparing);
+    compared + ImportanceSampling::default().most_runs + 2 * SubsetSimulation::default().most_runs()
+}
+
+/// Centre and corners of the box, of many corners some.
+fn places(plan: &DoubleLoop) -> Vec<Vec<f64>> {
+    let places = plan.box_places();
+    let stride = places.len().saturating_sub(1).div_ceil(MOST_CORNERS).max(1);
+    places.into_iter().enumerate().filter(|(k, _)| *k == 0 || (k - 1) % stride == 0).map(|(_, place)| place).collect()
+}
 
 /// The bounds of a rare probability.
 pub(super) struct Rare {
@@ -115,6 +131,14 @@ struct Event<'r, 's> {
     round: u32,
 }
 
+/// Why a search for design points came to no end.
+enum SearchEnd {
+    /// It took as many runs as it may.
+    Spent,
+    /// The study itself cannot go on.
+    Study(StudyError),
+}
+
 /// An estimate at one value of the epistemic inputs.
 struct End {
     epistemic: Vec<f64>,
@@ -159,30 +183,24 @@ impl Event<'_, '_> {
         self.runner.study.random.len()
     }
 
-    /// Centre and corners of the box.
-    fn places(&self) -> Vec<Vec<f64>> {
-        let places = self.plan.box_places();
-        let stride = places.len().saturating_sub(1).div_ceil(MOST_CORNERS).max(1);
-        places
-            .into_iter()
-            .enumerate()
-            .filter(|(k, _)| *k == 0 || (k - 1) % stride == 0)
-            .map(|(_, place)| place)
-            .collect()
-    }
-
     /// Both ends by importance sampling where the index is largest and smallest; nothing where an index cannot be relied on.
     fn by_design_points(&mut self, seed: u64) -> Result<Option<[End; 2]>, StudyError> {
         let dimensions = self.dimensions();
         let search = BoxSearch { design: DesignSearch { seed, ..DesignSearch::default() }, ..BoxSearch::default() };
-        let places = self.places();
+        let places = places(self.plan);
         let closes = self.plan.box_closes();
         let mut ends: [Option<(usize, IndexExtreme)>; 2] = [None, None];
         for combination in 0..self.plan.box_combinations() {
             self.combination = combination;
-            let mut limit_state = |points: &[Vec<f64>], at: &[f64]| self.limit_state(points, at);
-            let Some(range) = index_range(&mut limit_state, dimensions, &places, &closes, &search)? else {
-                return Ok(None);
+            let mut left = MOST_DESIGN_RUNS;
+            let mut limit_state = |points: &[Vec<f64>], at: &[f64]| {
+                left = left.checked_sub(points.len()).ok_or(SearchEnd::Spent)?;
+                self.limit_state(points, at).map_err(SearchEnd::Study)
+            };
+            let range = match index_range(&mut limit_state, dimensions, &places, &closes, &search) {
+                Ok(Some(range)) => range,
+                Ok(None) | Err(SearchEnd::Spent) => return Ok(None),
+                Err(SearchEnd::Study(error)) => return Err(error),
             };
             for (end, extreme, sign) in [(0, range.largest, -1.0), (1, range.smallest, 1.0)] {
                 let is_better = ends[end]
@@ -223,7 +241,7 @@ impl Event<'_, '_> {
         let mut compared: Vec<(f64, usize, Vec<f64>)> = Vec::new();
         for combination in 0..self.plan.box_combinations() {
             self.combination = combination;
-            for place in self.places() {
+            for place in places(self.plan) {
                 let settings = SubsetSimulation { level: COMPARING_LEVEL, seed };
                 let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, &place);
                 let found = subset_simulation(&mut limit_state, dimensions, &settings)?;

@@ -12,13 +12,11 @@ use super::result::{
 use super::runner::Runner;
 use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::bounds::{
-    ColumnGroup, GroupBounds, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan, SurrogateSettings,
+    ColumnGroup, GroupBounds, MOST_WITNESSES, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan,
+    SurrogateSettings,
 };
 use crate::surrogate::{OutputSurrogate, Surrogate, Verdict};
 use crate::units::SiUnit;
-
-/// The most witnesses at which direct runs are made; `bounds` looks at no more.
-const MOST_WITNESSES: usize = 24;
 
 /// The plan of the surrogates of `study`; nothing where it asks for none.
 ///

@@ -113,7 +113,19 @@ pub fn worn_pin() -> StudyResult {
             words: "x of slider.pin".to_owned(),
             unit: SiUnit::LENGTH,
         }],
-        counts: RunCounts { runs: 16_384, failed: 3, outer: 64, inner: 256, replicates: 8, rounds: 1 },
+        counts: RunCounts {
+            runs: 17_536,
+            failed: 3,
+            by_purpose: vec![
+                PurposeRuns { purpose: RunPurpose::Mixed, runs: 16_384 },
+                PurposeRuns { purpose: RunPurpose::ProbabilityOnly, runs: 1024 },
+                PurposeRuns { purpose: RunPurpose::IntervalOnly, runs: 128 },
+            ],
+            outer: 64,
+            inner: 256,
+            replicates: 8,
+            rounds: 1,
+        },
         failures: vec![FailureGroup {
             code: "step_below_minimum".to_owned(),
             words: "step 8.1e-15 s is under the minimum of 1e-14 s at t = 0.0213 s: grazing contact in gudgeon"
@@ -226,7 +238,7 @@ fn bound(
 }
 
 fn bounds(outers: &[Outer], poses: &[f64]) -> Vec<BoundRecord> {
-    let largest = ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude };
+    let largest = ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute };
     let of_largest = |statistic: &dyn Fn(&[f64]) -> f64| -> Vec<(f64, &Witness)> {
         outers.iter().map(|outer| (statistic(&outer.largest), &outer.at)).collect()
     };
@@ -302,8 +314,6 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
     let at_centre = |statistic: &dyn Fn(&[f64]) -> f64| -> Vec<f64> {
         centre.curves.iter().map(|values| statistic(values)).collect()
     };
-    // Worst case of a gudgeon with play: the eccentricity moves the slider by c / cos(rod angle).
-    let worst: Vec<f64> = poses.iter().map(|angle| 5e-4 / nominal.ideal_slider(*angle).1.cos() + 6e-5).collect();
     DeviationCurve {
         output: "slider".to_owned(),
         of: DeviationKind::Total,
@@ -316,8 +326,6 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
         nominal_si: poses.iter().map(|angle| nominal.slider(*angle).0 - nominal.ideal_slider(*angle).0).collect(),
         random: CurveRange { lower_si: at_centre(&low), upper_si: at_centre(&high) },
         mixed: CurveRange { lower_si: over(&low, true), upper_si: over(&high, false) },
-        mean: CurveRange { lower_si: over(&mean, true), upper_si: over(&mean, false) },
-        worst_case: CurveRange { lower_si: worst.iter().map(|value| -value).collect(), upper_si: worst },
         simultaneous: Vec::new(),
     }
 }
@@ -328,7 +336,7 @@ fn probability_box(outers: &[Outer], pooled: &[f64]) -> ProbabilityBox {
     ProbabilityBox {
         output: "slider".to_owned(),
         of: DeviationKind::Total,
-        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
         unit: SiUnit::LENGTH,
         lower: value_si.iter().map(|value| shares(*value).fold(1.0, f64::min)).collect(),
         upper: value_si.iter().map(|value| shares(*value).fold(0.0, f64::max)).collect(),
@@ -365,7 +373,7 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
     TreatmentComparison {
         output: "slider".to_owned(),
         of: DeviationKind::Total,
-        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
         unit: SiUnit::LENGTH,
         promised_coverage: 0.95,
         bands: vec![
@@ -414,7 +422,7 @@ pub fn runs_table() -> RunsTable {
     };
     let crank = column("parameter.crank_length", SiUnit::LENGTH, CRANK_M, 2e-5, false);
     let rod = column("parameter.rod_length", SiUnit::LENGTH, ROD_M, 3e-5, false);
-    let largest = column("slider.total.maximum_magnitude", SiUnit::LENGTH, 4e-4, 5e-5, true);
+    let largest = column("slider.total.maximum_absolute", SiUnit::LENGTH, 4e-4, 5e-5, true);
     let words =
         |value: &dyn Fn(usize) -> &'static str| RunData::Text((0..RUNS).map(|row| value(row).to_owned()).collect());
     let plain = |name: &str, data: RunData| RunColumn { name: name.to_owned(), unit: SiUnit::NONE, data };
@@ -451,7 +459,7 @@ fn contributors() -> Vec<Contributors> {
     vec![Contributors {
         output: "slider".to_owned(),
         of: DeviationKind::Total,
-        at: ResponsePoint::Reduced { reduction: Reduction::MaximumMagnitude },
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
         unit: SiUnit::LENGTH,
         band_width_si: 4.7e-4,
         band_width_error_si: 5e-6,
@@ -510,7 +518,7 @@ fn allocation() -> Option<AllocationRecord> {
         combinations: 9,
         studies: 3,
         excluded: 4,
-        is_cheapest: true,
+        stop: AllocationStop::Found,
         runs: 49_152,
     })
 }

@@ -9,11 +9,11 @@ use loosepin::model::{
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
-use loosepin::units::{Dimension, format_number, format_value};
+use loosepin::units::{Dimension, format_number, format_value, listed};
 
 use super::elements::push_elements;
 use super::trial::Trial;
-use crate::console::{counted, listed};
+use crate::console::counted;
 
 /// Angles in sentences are shown to this, rad: a hundredth of a degree picks an assembly well enough.
 const SHOWN_ANGLE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
@@ -294,7 +294,8 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
         (0, _) => "no closed loop".to_owned(),
         (_, []) => format!("{}, held by ideal joints", counted(loops, "closed loop", "closed loops")),
         (_, plays) => {
-            let opened = format!("opened by the play of {}", listed(&plays.iter().map(name).collect::<Vec<_>>()));
+            let opened =
+                format!("opened by the play of {}", listed(&plays.iter().map(name).collect::<Vec<_>>(), "and"));
             match (loops, held) {
                 (1, 0) => format!("1 closed loop, {opened}"),
                 (_, 0) => format!("{loops} closed loops, all of them {opened}"),
@@ -336,7 +337,7 @@ fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: 
     let drives = (0..model.drives.len()).map(|index| start_of_drive(mechanism, DriveId(index), values));
     let given = (!mechanism.is_driven()).then(|| "as given under [initial]".to_owned());
     let starts: Vec<String> = drives.chain(given).collect();
-    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&starts));
+    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&starts, "and"));
     let width = model.bodies[1..].iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
     for (body, start) in model.bodies.iter().zip(&tried.start).skip(1) {
         let points: Vec<String> = body

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
 use loosepin::study::{Budget, CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
-use loosepin::uncertainty::{Distribution, EpistemicVariable};
+use loosepin::uncertainty::EpistemicVariable;
 use loosepin::units::{Dimension, format_number, format_value};
 
 use super::trial::Trial;
@@ -46,10 +46,11 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         error => error.complaint(study),
     })?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let turns = study.cycle.transient_turns;
     let _ = writeln!(
         text,
-        "\nA run: {} turns to settle, {} recorded, of {} each, positions to {:e} m",
-        format_number(study.cycle.transient_turns),
+        "\nA run: {} to settle, {} recorded, of {} each, positions to {:e} m",
+        if turns == 1.0 { "1 turn".to_owned() } else { format!("{} turns", format_number(turns)) },
         format_number(study.cycle.recorded_turns),
         format_value(tried.turn_s, Dimension::TIME),
         study.sampling.tolerance_m
@@ -59,11 +60,8 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         Some(Budget::Time { .. } | Budget::Rounds(_)) if !study.accuracy.is_empty() => " before its samples grow",
         _ => "",
     };
-    // How many a small probability takes is not known before.
-    let has_rare = study.asks.iter().any(|ask| !ask.rare.is_empty());
-    let at_most = if has_rare { "About" } else { "At most" };
     let threads = counted(threads, "thread", "threads");
-    let _ = writeln!(text, "{at_most} {most_runs} runs{before}: about {time} on {threads}");
+    let _ = writeln!(text, "At most {}{before}: about {time} on {threads}", counted(most_runs, "run", "runs"));
     Ok(text)
 }
 
@@ -73,7 +71,7 @@ fn push_inputs(text: &mut String, study: &Study) {
     let dimension = |id: QuantityId| study.model.quantities[id].dimension;
     let _ = writeln!(text, "\n{}", counted(study.random.len(), "random input", "random inputs"));
     for input in &study.random {
-        let shown = shown_distribution(input.variable.distribution(), dimension(input.quantity));
+        let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
         let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
         let _ = writeln!(text, "  {:width$}  {shown}{origin}", input.path);
     }
@@ -108,7 +106,7 @@ fn push_inputs(text: &mut String, study: &Study) {
                     }
                     EpistemicVariable::SecondOrder(parameter) => {
                         let dimension = input.dimension(&study.model);
-                        format!("{}, looked at ", shown_distribution(parameter.variable().distribution(), dimension))
+                        format!("{}, looked at ", distribution_words(parameter.variable().distribution(), dimension))
                     }
                     EpistemicVariable::Periodic(_) => "on a circle, ".to_owned(),
                     EpistemicVariable::Fuzzy(_) => "fuzzy, ".to_owned(),
@@ -118,36 +116,5 @@ fn push_inputs(text: &mut String, study: &Study) {
             }
         };
         let _ = writeln!(text, "  {:width$}  {known}", input.path);
-    }
-}
-
-fn shown_distribution(distribution: &Distribution, dimension: Dimension) -> String {
-    let value = |value_si: f64| format_value(value_si, dimension);
-    match *distribution {
-        Distribution::Normal { mean, standard_deviation } => {
-            format!("normal, mean {}, standard deviation {}", value(mean), value(standard_deviation))
-        }
-        Distribution::TruncatedNormal { mean, standard_deviation, lower, upper } => format!(
-            "normal, mean {}, standard deviation {}, cut to {} .. {}",
-            value(mean),
-            value(standard_deviation),
-            value(lower),
-            value(upper)
-        ),
-        Distribution::Uniform { lower, upper } => format!("uniform from {} to {}", value(lower), value(upper)),
-        Distribution::Lognormal { mean, standard_deviation } => {
-            format!("lognormal, mean {}, standard deviation {}", value(mean), value(standard_deviation))
-        }
-        Distribution::Triangular { lower, mode, upper } => {
-            format!("triangular from {} over {} to {}", value(lower), value(mode), value(upper))
-        }
-        Distribution::Beta { alpha, beta, lower, upper } => format!(
-            "beta from {} to {}, shapes {} and {}",
-            value(lower),
-            value(upper),
-            format_number(alpha),
-            format_number(beta)
-        ),
-        _ => distribution_words(distribution, dimension),
     }
 }

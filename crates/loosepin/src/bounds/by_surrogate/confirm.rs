@@ -16,7 +16,7 @@ type Answers = Vec<Option<Vec<f64>>>;
 type DirectAnswers = Vec<Option<[Vec<f64>; 3]>>;
 
 /// Values of the epistemic inputs at which direct runs are made, at most.
-const MOST_WITNESSES: usize = 24;
+pub const MOST_WITNESSES: usize = 24;
 
 /// Which direct runs the bounds on the surrogates are to be held against.
 pub struct Confirmation {

@@ -42,7 +42,7 @@ mod search;
 mod section;
 mod space;
 
-pub use confirm::Confirmation;
+pub use confirm::{Confirmation, MOST_WITNESSES};
 pub use learned::{Learned, LearnedGroup};
 pub use plan::{ColumnGroup, SurrogatePlan, SurrogatePlanError, SurrogateSettings};
 pub use results::{GroupBounds, SurrogateBounds, SurrogatePair};

@@ -5,8 +5,8 @@ use maud::{Markup, html};
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::wording::{
-    MASSES_ADD, deviation_words, guarantee_words, has_parts, output_words, place_words, reading_beside,
-    statistic_words, unknown_words,
+    MASSES_ADD, deviation_words, further, guarantee_words, has_parts, has_unknown, output_words, place_words,
+    reading_beside, statistic_words, unknown_words,
 };
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
@@ -21,7 +21,9 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
     let others = result.bounds.len() - rows.len();
     html! {
         p {
-            "Each statistic lies between its two bounds, wherever in their ranges the " (unknown_words(&result.inputs)) " are. The bounds are \
+            "Each statistic lies between its two bounds"
+            @if has_unknown(&result.inputs) { ", wherever in their ranges the " (unknown_words(&result.inputs)) " are" }
+            ". The bounds are \
              rounded and widened outwards by their numerical error, which stands beside them."
         }
         @if has_parts(&result.inputs) {
@@ -52,7 +54,7 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
         }
         @if others > 0 {
             p.quiet {
-                "A further " (others) " bounds (points of the curves, other treatments) stand in " code { "bounds.csv" } "."
+                (further(others, "bound", "(points of the curves, other treatments) ", writer)) code { "bounds.csv" } "."
             }
         }
     }

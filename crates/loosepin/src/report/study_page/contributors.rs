@@ -72,9 +72,9 @@ fn caption(one: &Contributors, writer: &NumberWriter) -> String {
     );
     if !one.points.is_empty() {
         caption.push_str(&format!(
-            " Shares of the variance: Sobol' indices, first order and total, over {} values of the unknown inputs with their errors \
+            " Shares of the variance: Sobol' indices, first order and total, over {} of the unknown inputs with their errors \
              (confidence {}); their part of the band takes the scatter to shrink with the square root of the variance.",
-            writer.count(one.points.len() as u64),
+            crate::report::wording::counted(one.points.len() as u64, "value", writer),
             writer.percent(one.confidence, Rounding::Nearest)
         ));
     }

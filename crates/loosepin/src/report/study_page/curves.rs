@@ -6,7 +6,7 @@ use crate::report::answer::limits_words;
 use crate::report::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled};
 use crate::report::number::{NumberWriter, Rounding, significant};
 use crate::report::script_data::{round_to_digits, rounded};
-use crate::report::wording::{deviation_words, output_words, place_words};
+use crate::report::wording::{capitalised, deviation_words, output_words, place_words};
 use crate::study::result::{
     CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve, StudyResult,
 };
@@ -43,17 +43,9 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         let (lower, upper) = range(&curve.random);
         add(format!("{share}, random scatter alone"), Role::Random, false, EntryValues::band(&lower, &upper));
     }
-    if !curve.mean.lower_si.is_empty() {
-        let (lower, upper) = range(&curve.mean);
-        add("bounds of the mean".to_owned(), Role::Mean, false, EntryValues::pair(&lower, &upper));
-    }
     if !curve.nominal_si.is_empty() {
         let values = scaled(&curve.nominal_si, &curve.unit, writer);
         add("nominal parts".to_owned(), Role::Nominal, true, EntryValues::line(&values));
-    }
-    if !curve.worst_case.lower_si.is_empty() {
-        let (lower, upper) = range(&curve.worst_case);
-        add("worst case, quasi-static".to_owned(), Role::Worst, true, EntryValues::pair(&lower, &upper));
     }
     for (label, lower_si, upper_si) in limits(result, curve, writer) {
         let constant = |value_si: f64| vec![writer.scaled(value_si, &curve.unit); curve.pose_rad.len()];
@@ -227,13 +219,5 @@ fn limit_sentence(pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -
             writer.percent(most, Rounding::Up)
         ),
         _ => String::new(),
-    }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut characters = text.chars();
-    match characters.next() {
-        Some(first) => first.to_uppercase().chain(characters).collect(),
-        None => String::new(),
     }
 }

@@ -6,7 +6,7 @@ use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::percentile_words::{PERCENTILES_MEAN, percentile_words};
 use crate::report::study_page::bounds_table::end_value;
-use crate::report::wording::{deviation_words, output_words, place_words, statistic_words};
+use crate::report::wording::{deviation_words, further, output_words, place_words, statistic_words};
 use crate::study::result::{BoundRecord, ResponsePoint, StudyResult};
 
 /// More statistics are left to `bounds.csv`.
@@ -58,10 +58,11 @@ fn in_columns(columns: &[(String, &[BoundRecord])], result: &StudyResult, writer
                             (statistic_words(bound.statistic, &output_unit(result, &bound.output), writer))
                         }
                         @for (title, bounds) in columns {
-                            @let bound = &bounds[*index];
                             td.number data-label=(title) {
-                                (end_value(&bound.lower, bound, Rounding::Down, writer)) " to "
-                                (end_value(&bound.upper, bound, Rounding::Up, writer))
+                                @if let Some(bound) = bounds.get(*index) {
+                                    (end_value(&bound.lower, bound, Rounding::Down, writer)) " to "
+                                    (end_value(&bound.upper, bound, Rounding::Up, writer))
+                                } @else { "–" }
                             }
                         }
                     }
@@ -69,7 +70,7 @@ fn in_columns(columns: &[(String, &[BoundRecord])], result: &StudyResult, writer
             }
         }
         @if others > 0 {
-            p.quiet { "A further " (others) " statistics stand in " code { "bounds.csv" } "." }
+            p.quiet { (further(others, "statistic", "", writer)) code { "bounds.csv" } "." }
         }
     }
 }

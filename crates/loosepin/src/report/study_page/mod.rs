@@ -20,7 +20,7 @@ use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::still_figures::orbit_figure;
-use super::wording::{count, place_words, unknown_words, verdict_words};
+use super::wording::{counted, has_unknown, place_words, unknown_words, verdict_words};
 use crate::study::result::{StudyResult, Verdict};
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
@@ -98,7 +98,7 @@ pub fn study_page(result: &StudyResult) -> String {
         title: result.name.clone(),
         kicker: "Accuracy study",
         subtitle: html! {
-            "Mechanism " strong { (result.model) } " · " (count(result.counts.runs, &writer)) " runs · study "
+            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer)) " · study "
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
@@ -136,7 +136,11 @@ fn verdict_class(verdict: Verdict) -> &'static str {
 fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         table.cards {
-            caption.quiet { "Each share holds for every value of the " (unknown_words(&result.inputs)) " and includes its numerical error." }
+            caption.quiet {
+                "Each share "
+                @if has_unknown(&result.inputs) { "holds for every value of the " (unknown_words(&result.inputs)) " and " }
+                "includes its numerical error."
+            }
             thead {
                 tr {
                     th scope="col" { "Requirement" }

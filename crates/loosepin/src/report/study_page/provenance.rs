@@ -7,24 +7,26 @@ use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
 use crate::report::still_figures::histogram_figure;
-use crate::report::wording::{count, guarantee_words, listed, reading_words, unknown_words};
-use crate::study::result::{EnergyResiduals, InputKind, JointImpacts, StudyResult, TreatmentKind};
+use crate::report::wording::{count, counted, guarantee_words, has_unknown, listed, reading_words, unknown_words};
+use crate::study::result::{EnergyResiduals, InputKind, JointImpacts, RunPurpose, StudyResult, TreatmentKind};
 use crate::units::SiUnit;
 
 pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
     let share = result.counts.failed as f64 / result.counts.runs.max(1) as f64;
     html! {
         p {
-            @if is_by_surrogate(result) { (count(result.counts.runs, writer)) " runs, from which a surrogate was learned. " }
+            @if is_by_surrogate(result) { (counted(result.counts.runs, "run", writer)) ", from which a surrogate was learned. " }
             @else {
-                (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
-                " values of the " (unknown_words(&result.inputs)) ", each with " (count(result.counts.inner, writer))
-                " random samples, the same for every one of them. "
+                (counted(result.counts.runs, "run", writer))
+                @if result.counts.by_purpose.len() > 1 { ", " (count(double_loop_runs(result), writer)) " of them in the double loop" }
+                ": " (double_loop_words(result, ", each with ", writer))
+                @if has_unknown(&result.inputs) && has_scatter(result) { ", the same for every one of them" }
+                ". "
             }
             @if result.counts.failed == 0 { "No run failed. " }
             @else {
-                strong { (count(result.counts.failed, writer)) " runs failed" }
-                " (" (writer.percent(share, Rounding::Up)) "). What they would have given is not known: probabilities \
+                strong { (counted(result.counts.failed, "run", writer)) " failed" }
+                " (" (writer.percent(share, Rounding::Up)) "). What " @if result.counts.failed == 1 { "it" } @else { "they" } " would have given is not known: probabilities \
                  include both possibilities. "
             }
             @if let Some(settled) = result.settled_share {
@@ -160,9 +162,44 @@ pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
     }
 }
 
+/// Runs of the double loop.
+fn double_loop_runs(result: &StudyResult) -> u64 {
+    let parts = result.counts.by_purpose.iter();
+    parts.filter(|part| part.purpose == RunPurpose::Mixed).map(|part| part.runs).sum()
+}
+
+/// Whether anything scatters with a known distribution.
+fn has_scatter(result: &StudyResult) -> bool {
+    result.inputs.iter().any(|input| input.kind == InputKind::Random)
+}
+
+/// The double loop: values of what is unknown, samples of what scatters at each of them.
+fn double_loop_words(result: &StudyResult, each: &str, writer: &NumberWriter) -> String {
+    let counts = &result.counts;
+    let values = format!("{} of the {}", counted(counts.outer, "value", writer), unknown_words(&result.inputs));
+    let samples = counted(counts.inner, "random sample", writer);
+    match (has_unknown(&result.inputs), has_scatter(result)) {
+        (true, true) => format!("{values}{each}{samples}"),
+        (true, false) => values,
+        (false, _) => samples,
+    }
+}
+
 /// Whether there was no direct double loop.
 fn is_by_surrogate(result: &StudyResult) -> bool {
     result.surrogate.as_ref().is_some_and(|record| record.direct_runs == 0)
+}
+
+fn purpose_words(purpose: RunPurpose) -> &'static str {
+    match purpose {
+        RunPurpose::Mixed => "with each as what it is",
+        RunPurpose::ProbabilityOnly => "with everything as probability",
+        RunPurpose::IntervalOnly => "with everything as interval",
+        RunPurpose::Contributors => "for what contributes",
+        RunPurpose::Rare => "for small probabilities",
+        RunPurpose::Training => "for surrogates to learn from",
+        RunPurpose::Confirming => "to confirm surrogates",
+    }
 }
 
 fn kind_words(kind: &InputKind) -> &'static str {
@@ -205,14 +242,14 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
                 (count(counts.runs, writer))
                 @if is_by_surrogate(result) { ", from which a surrogate was learned" }
                 @else {
-                    " = " (count(counts.outer, writer)) " values of the " (unknown_words(&result.inputs)) " × "
-                    (count(counts.inner, writer)) " random samples"
-                }
-                @if let Some(others) = counts.runs.checked_sub(counts.outer * counts.inner).filter(|&others| others > 0 && !is_by_surrogate(result)) {
-                    " + " (count(others, writer)) " for the two other treatments"
+                    " = " (double_loop_words(result, " × ", writer))
                 }
                 @if counts.replicates > 1 { " in " (counts.replicates) " independent replicates" }
                 @if counts.rounds > 1 { ", in " (counts.rounds) " rounds" }
+                @for part in counts.by_purpose.iter().filter(|part| part.purpose != RunPurpose::Mixed) {
+                    @if is_by_surrogate(result) { "; " } @else { " + " }
+                    (count(part.runs, writer)) " " (purpose_words(part.purpose))
+                }
             },
         ),
         (

@@ -137,3 +137,61 @@ fn an_abandoned_result_leaves_nothing_behind() {
     assert!(path.join("notes.txt").exists());
     assert!(!path.join(MARKER_FILE).exists());
 }
+
+/// Everything in a folder by name, with its text.
+fn contents(path: &Path) -> Vec<(String, String)> {
+    let entries = fs::read_dir(path).expect("readable").map(|entry| entry.expect("readable"));
+    let named = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut all: Vec<(String, String)> =
+        named.map(|name| (name.clone(), fs::read_to_string(path.join(name)).expect("text"))).collect();
+    all.sort();
+    all
+}
+
+#[test]
+fn what_was_to_be_replaced_survives_a_crash() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    finished(&path, "a");
+    let before = contents(&path);
+    // Forced, and ended by Ctrl-C or by a crash: nothing is called after that.
+    let mut crashed = claim(&path, "b", true).take().expect("forced");
+    crashed.write("history.csv", b"half").expect("writable");
+    crashed.leave_unfinished().expect("writable");
+    drop(crashed);
+    drop(claim(&path, "b", false).take().expect("the same inputs"));
+    claim(&path, "b", false).take().expect("the same inputs").abandon().expect("removable");
+    assert_eq!(contents(&path), before, "the finished result is back");
+    // Once more; this time the result comes to its end.
+    drop(claim(&path, "b", true).take().expect("forced"));
+    finished(&path, "b");
+    let names: Vec<String> = contents(&path).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["history.csv", MARKER_FILE]);
+    assert_eq!(
+        ResultsFolder::open(&path).expect("finished").marker.inputs_blake3,
+        claim(&path, "b", false).inputs.to_string()
+    );
+}
+
+#[test]
+fn a_crash_while_files_are_renamed_loses_nothing() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    finished(&path, "a");
+    let before = contents(&path);
+    drop(claim(&path, "a", true).take().expect("forced"));
+    // As if the machine had stopped between the marker and the first file that is renamed.
+    fs::rename(path.join("history.csv.replaced"), path.join("history.csv")).expect("it waits");
+    let folder = claim(&path, "a", false).take().expect("the same inputs");
+    assert!(path.join("history.csv.replaced").exists() && !path.join("history.csv").exists());
+    folder.abandon().expect("removable");
+    assert_eq!(contents(&path), before);
+    // As if it had stopped between the end of the new result and the removal of the old one.
+    fs::write(path.join("history.csv.replaced"), "old").expect("writable");
+    let text = fs::read_to_string(path.join(MARKER_FILE)).expect("the marker");
+    let text =
+        text.replace("\"history.csv\"\n  ]", "\"history.csv\"\n  ],\n  \"replaced\": [\n    \"history.csv\"\n  ]");
+    fs::write(path.join(MARKER_FILE), text).expect("writable");
+    assert!(claim(&path, "a", false).take().expect("ours").is_finished());
+    assert_eq!(contents(&path), before);
+}

@@ -33,9 +33,6 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         nominal_si: Vec::new(),
         random: CurveRange::default(),
         mixed: CurveRange::default(),
-        // Bounds of the mean stand in the table: beside a band of quantiles people read them as part of it.
-        mean: CurveRange::default(),
-        worst_case: CurveRange::default(),
         simultaneous: simultaneous(material, bands, planned),
     };
     for &column in &planned.columns {

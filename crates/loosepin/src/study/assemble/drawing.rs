@@ -58,7 +58,8 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         add(label.to_owned(), central.record.orbits);
     }
     let is_shown = |input: &EpistemicInput| {
-        input.path.ends_with("radial_clearance") || matches!(input.subject, EpistemicSubject::Law { .. })
+        let is_play = |id| study.model.play_from(id).next().is_some();
+        input.quantity().is_some_and(is_play) || matches!(input.subject, EpistemicSubject::Law { .. })
     };
     for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_shown(input)) {
         for value in input.variable.shown() {

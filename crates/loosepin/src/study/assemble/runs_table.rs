@@ -1,9 +1,10 @@
 //! Every run as a row: inputs, single numbers, status, counters.
 
 use super::describe::unit;
-use crate::bounds::{Purpose, SampleTable};
+use super::summary::purpose;
+use crate::bounds::SampleTable;
 use crate::simulate::RunFailure;
-use crate::study::columns::Spot;
+use crate::study::columns::{Spot, named_angle_rad};
 use crate::study::file::{EpistemicSubject, Study, Where};
 use crate::study::response::StudyResponse;
 use crate::study::runs::{RunColumn, RunData, RunsTable};
@@ -16,19 +17,10 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     let mut push = |name: String, unit: SiUnit, data: RunData| columns.push(RunColumn { name, unit, data });
     let inputs = table.inputs();
     push("index".to_owned(), SiUnit::NONE, RunData::U64(rows.clone().map(|run| run as u64).collect()));
-    let purpose = |purpose: Purpose| match purpose {
-        Purpose::DoubleLoop => "mixed",
-        Purpose::Mixture => "probability_only",
-        Purpose::Extreme => "interval_only",
-        Purpose::Contributors => "contributors",
-        Purpose::Rare => "rare",
-        Purpose::Training => "training",
-        Purpose::Confirming => "confirming",
-    };
     let text = |f: &dyn Fn(usize) -> String| RunData::Text(rows.clone().map(f).collect());
     let count = |f: &dyn Fn(usize) -> u64| RunData::U64(rows.clone().map(f).collect());
     let number = |f: &dyn Fn(usize) -> f64| RunData::F64(rows.clone().map(f).collect());
-    push("purpose".to_owned(), SiUnit::NONE, text(&|run| purpose(inputs[run].purpose).to_owned()));
+    push("purpose".to_owned(), SiUnit::NONE, text(&|run| purpose(inputs[run].purpose).word().to_owned()));
     push("round".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].round)));
     push("outer".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].point)));
     push("replicate".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].replicate)));
@@ -58,9 +50,9 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
         let of = super::deviation_kind(column.deviation).word();
         let at = match column.spot {
             Spot::Pose { angle_rad, .. } => {
-                format!("at {} rad", (angle_rad * 1e9).round() / 1e9)
+                format!("at {} rad", named_angle_rad(angle_rad))
             }
-            Spot::Reduced(reduction) => super::reduction_kind(reduction).word().to_owned(),
+            Spot::Reduced(reduction) => reduction.word().to_owned(),
         };
         push(format!("{} {of} {at}", output.name), output.unit.clone(), number(&|run| table.values(run)[index]));
     }

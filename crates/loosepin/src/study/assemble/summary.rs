@@ -3,7 +3,7 @@
 use super::Material;
 use crate::bounds::Purpose;
 use crate::study::response::RunExtras;
-use crate::study::result::{EnergyResiduals, HistogramBin, JointImpacts, RunCounts};
+use crate::study::result::{EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts, RunPurpose};
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
 const SETTLED: f64 = 1e-6;
@@ -24,10 +24,33 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
     RunCounts {
         runs: material.table.len() as u64,
         failed: material.table.failed() as u64,
+        by_purpose: by_purpose(material),
         outer: material.bounds.outer_points.len() as u64,
         inner: if material.study.random.is_empty() { 1 } else { material.study.sampling.inner as u64 },
         replicates: if material.study.random.is_empty() { 1 } else { material.study.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
+    }
+}
+
+/// The runs by what they were for.
+fn by_purpose(material: &Material<'_>) -> Vec<PurposeRuns> {
+    let runs = |of: RunPurpose| {
+        let inputs = material.table.inputs().iter();
+        PurposeRuns { purpose: of, runs: inputs.filter(|inputs| purpose(inputs.purpose) == of).count() as u64 }
+    };
+    RunPurpose::ALL.into_iter().map(runs).filter(|counted| counted.runs > 0).collect()
+}
+
+/// A purpose as it is recorded.
+pub fn purpose(purpose: Purpose) -> RunPurpose {
+    match purpose {
+        Purpose::DoubleLoop => RunPurpose::Mixed,
+        Purpose::Mixture => RunPurpose::ProbabilityOnly,
+        Purpose::Extreme => RunPurpose::IntervalOnly,
+        Purpose::Contributors => RunPurpose::Contributors,
+        Purpose::Rare => RunPurpose::Rare,
+        Purpose::Training => RunPurpose::Training,
+        Purpose::Confirming => RunPurpose::Confirming,
     }
 }
 

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::StudyReader;
 use super::description::{Ask, Study};
-use super::keys::{PLAIN_STATISTICS, STATISTICS};
+use super::words::{NUMBERS, statistic_name};
 use crate::bounds::Statistic;
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, Span, nearest_name};
 use crate::document::{Entry, Table, Written, listed};
@@ -153,7 +153,7 @@ impl Problem for AccuracyProblem {
             | Self::UnknownStatistic { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownOutput { asked, .. } if asked.is_empty() => Some("ask for it under [[ask]]".to_owned()),
             Self::UnknownOutput { asked, .. } => Some(format!("something is asked of {}", listed(asked, "and"))),
-            Self::UnknownStatistic { .. } => Some(format!("there is {}", listed(&names(), "and"))),
+            Self::UnknownStatistic { .. } => Some(format!("there is {}", listed(&NUMBERS.map(str::to_owned), "and"))),
             Self::NotAsked { asked, .. } if asked.is_empty() => {
                 Some("add it to the statistics of an [[ask]]".to_owned())
             }
@@ -173,24 +173,6 @@ impl Problem for AccuracyProblem {
     }
 }
 
-/// The name that a statistic with bounds of one number has in study files; nothing for others.
-pub(in crate::study) fn statistic_name(statistic: Statistic) -> Option<&'static str> {
-    Some(match statistic {
-        Statistic::Mean => PLAIN_STATISTICS[0],
-        Statistic::StandardDeviation => PLAIN_STATISTICS[1],
-        Statistic::Quantile(_) => STATISTICS[0],
-        Statistic::ProbabilityAbove(_) => STATISTICS[1],
-        Statistic::ProbabilityBelow(_) => STATISTICS[2],
-        Statistic::ProbabilityBeyond(_) => STATISTICS[3],
-        Statistic::Cdf => return None,
-    })
-}
-
-/// All of these names.
-fn names() -> Vec<String> {
-    PLAIN_STATISTICS[..2].iter().chain(&STATISTICS).map(|name| (*name).to_owned()).collect()
-}
-
 /// A bound that an accuracy can be of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Askable {
@@ -206,7 +188,10 @@ fn askable(asks: &[Ask], dimension_of: impl Fn(usize) -> Dimension) -> Vec<Askab
         let counted = ask.statistics.iter().filter(|asked| ask.rare.iter().all(|(rare, _)| rare != *asked));
         let known = counted.filter_map(|&statistic| {
             let name = statistic_name(statistic)?;
-            let is_probability = STATISTICS[1..].contains(&name);
+            let is_probability = matches!(
+                statistic,
+                Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) | Statistic::ProbabilityBeyond(_)
+            );
             let dimension = if is_probability { Dimension::NUMBER } else { dimension_of(ask.output) };
             Some(Askable { ask: place, output: ask.output, statistic: name, dimension })
         });
@@ -332,10 +317,9 @@ impl Study {
 }
 
 fn asked_statistic(name: &str) -> Result<&'static str, AccuracyProblem> {
-    let all = || PLAIN_STATISTICS[..2].iter().chain(&STATISTICS).copied();
-    all().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
+    NUMBERS.into_iter().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
         name: name.to_owned(),
-        nearest: nearest_name(name, all()).map(str::to_owned),
+        nearest: nearest_name(name, NUMBERS).map(str::to_owned),
     })
 }
 

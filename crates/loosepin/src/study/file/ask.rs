@@ -2,34 +2,20 @@
 
 use super::StudyReader;
 use super::accuracy::AccuracyTarget;
-use super::description::{Ask, Deviation, Limit, RareMethod, Reduction, Requirement, Where};
-use super::keys::{
-    ASK_KEYS, DEVIATIONS, LIMITS, METHODS, PLAIN_STATISTICS, REDUCTIONS, REQUIRE_KEYS, STATISTIC_KEYS, STATISTICS,
-};
+use super::description::{Ask, Deviation, Limit, RareMethod, Requirement, Where};
+use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
+use super::words::{
+    DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
+    SIMULTANEOUS_BAND, STATISTICS,
+};
 use crate::bounds::{Reading, Statistic};
 use crate::diagnostics::nearest_name;
 use crate::document::{Entry, Table};
 use crate::model::OutputKind;
+use crate::study::columns::named_angle_rad;
 use crate::uncertainty::EpistemicVariable;
 use crate::units::{Dimension, Rule, format_value};
-
-const DEVIATION_MEANINGS: [Deviation; 4] =
-    [Deviation::Value, Deviation::Dimensional, Deviation::Clearance, Deviation::Total];
-const REDUCTION_MEANINGS: [Reduction; 6] = [
-    Reduction::Maximum,
-    Reduction::Minimum,
-    Reduction::MaximumAbsolute,
-    Reduction::RootMeanSquare,
-    Reduction::Mean,
-    Reduction::Range,
-];
-const STATISTIC_MEANINGS: [Asked; 4] = [
-    Asked::Statistic(Statistic::Mean),
-    Asked::Statistic(Statistic::StandardDeviation),
-    Asked::Statistic(Statistic::Cdf),
-    Asked::Contributors,
-];
 
 /// An entry of the list of statistics.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,9 +27,11 @@ enum Asked {
     SimultaneousBand(f64),
 }
 
-/// Words with what they mean.
-fn choices<T: Copy, const N: usize>(words: [&'static str; N], meanings: [T; N]) -> Vec<(&'static str, T)> {
-    words.into_iter().zip(meanings).collect()
+/// An angle at which a number is asked for or required.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownPose {
+    of: Option<(usize, Deviation)>,
+    angle_rad: f64,
 }
 
 impl StudyReader {
@@ -75,7 +63,7 @@ impl StudyReader {
     fn ask(&mut self, table: &Table<'_>) -> Option<Ask> {
         let output = self.output(table);
         let deviation = self.deviation(table);
-        let location = self.location(table, "at", Some("reduce"));
+        let location = self.location(table, "at", Some("reduce"), output.zip(deviation));
         // Without the output the dimension of limits is not known.
         let output = output?;
         let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
@@ -128,7 +116,7 @@ impl StudyReader {
     fn requirement(&mut self, table: &Table<'_>) -> Option<Requirement> {
         let output = self.output(table);
         let deviation = self.deviation(table);
-        let location = self.location(table, "over", None);
+        let location = self.location(table, "over", None, output.zip(deviation));
         let probability_at_least = self.reader.number(table, "probability_at_least");
         let output = output?;
         let limit = LIMITS.into_iter().find_map(|key| {
@@ -170,22 +158,29 @@ impl StudyReader {
 
     fn deviation(&mut self, table: &Table<'_>) -> Option<Deviation> {
         let entry = table.get("of")?;
-        self.reader.choice(&entry, &choices(DEVIATIONS, DEVIATION_MEANINGS))
+        self.reader.choice(&entry, &DEVIATIONS)
     }
 
-    /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it.
-    fn location(&mut self, table: &Table<'_>, everywhere: &str, reduction: Option<&str>) -> Option<Where> {
+    /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it, which is
+    /// `of` an output and a deviation.
+    fn location(
+        &mut self,
+        table: &Table<'_>,
+        everywhere: &str,
+        reduction: Option<&str>,
+        of: Option<(usize, Deviation)>,
+    ) -> Option<Where> {
         if let Some(entry) = table.get(everywhere) {
             return self.reader.choice(&entry, &[("cycle", ())]).map(|()| Where::Cycle);
         }
         if let Some(entry) = table.get("poses") {
-            return self.poses(&entry);
+            return self.poses(&entry, of);
         }
         let entry = table.get(reduction?)?;
-        self.reader.choice(&entry, &choices(REDUCTIONS, REDUCTION_MEANINGS)).map(Where::Reduced)
+        self.reader.choice(&entry, &REDUCTIONS).map(Where::Reduced)
     }
 
-    fn poses(&mut self, entry: &Entry<'_>) -> Option<Where> {
+    fn poses(&mut self, entry: &Entry<'_>, of: Option<(usize, Deviation)>) -> Option<Where> {
         if !entry.is_table() {
             return self.reader.wrong_type(entry, "a table such as { crank = [\"60 deg\"] }");
         }
@@ -202,7 +197,9 @@ impl StudyReader {
                 return None;
             }
             for angle in self.reader.list(&entry)? {
-                angles_rad.extend(self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite));
+                let Some(angle_rad) = self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite) else { continue };
+                self.check_apart(&angle, KnownPose { of, angle_rad });
+                angles_rad.push(angle_rad);
             }
         }
         if angles_rad.is_empty() {
@@ -212,6 +209,24 @@ impl StudyReader {
             return None;
         }
         Some(Where::Poses { angles_rad })
+    }
+
+    /// Two angles of which the results could not tell which is which, since both have the same name there.
+    fn check_apart(&mut self, entry: &Entry<'_>, pose: KnownPose) {
+        let is_beside = |known: &&KnownPose| {
+            known.of == pose.of
+                && known.angle_rad != pose.angle_rad
+                && named_angle_rad(known.angle_rad) == named_angle_rad(pose.angle_rad)
+        };
+        if let Some(beside) = self.poses.iter().find(is_beside).filter(|_| pose.of.is_some()) {
+            let problem = StudyProblem::PosesTooNear {
+                entry: entry.path.describe(),
+                pose: format_value(pose.angle_rad, Dimension::ANGLE),
+                apart: format!("{:.1e} rad", (pose.angle_rad - beside.angle_rad).abs()),
+            };
+            self.complain(&problem, entry);
+        }
+        self.poses.push(pose);
     }
 
     fn statistics(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<Asked>> {
@@ -227,7 +242,8 @@ impl StudyReader {
 
     fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {
         if entry.is_text() {
-            return self.reader.choice(entry, &choices(PLAIN_STATISTICS, STATISTIC_MEANINGS));
+            let statistic = self.reader.choice(entry, &PLAIN_STATISTICS)?;
+            return Some(statistic.map_or(Asked::Contributors, Asked::Statistic));
         }
         if !entry.is_table() {
             return self.reader.wrong_type(entry, "the name of a statistic or a table such as { quantile = 0.975 }");
@@ -235,17 +251,17 @@ impl StudyReader {
         let table = self.reader.table(entry, &STATISTIC_KEYS)?;
         let key = STATISTICS.into_iter().find(|key| table.has(key))?;
         let method = self.method(&table, key)?;
-        if key == "quantile" {
+        if key == QUANTILE {
             return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
         }
-        if key == "simultaneous_band" {
+        if key == SIMULTANEOUS_BAND {
             return self.reader.number(&table, key).map(Asked::SimultaneousBand);
         }
         let entry = table.get(key)?;
         let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
         let statistic = match key {
-            "probability_above" => Some(Statistic::ProbabilityAbove(limit)),
-            "probability_below" => Some(Statistic::ProbabilityBelow(limit)),
+            PROBABILITY_ABOVE => Some(Statistic::ProbabilityAbove(limit)),
+            PROBABILITY_BELOW => Some(Statistic::ProbabilityBelow(limit)),
             _ => self.limit(&entry, limit, dimension, Rule::NonNegative).map(Statistic::ProbabilityBeyond),
         };
         statistic.map(|statistic| match method {
@@ -257,13 +273,12 @@ impl StudyReader {
     /// How a probability is estimated; inside, nothing where it is only counted.
     fn method(&mut self, table: &Table<'_>, key: &str) -> Option<Option<RareMethod>> {
         let Some(entry) = table.get("method") else { return Some(None) };
-        if key == "quantile" || key == "simultaneous_band" {
-            let of = if key == "quantile" { "a quantile" } else { "a simultaneous band" };
+        if key == QUANTILE || key == SIMULTANEOUS_BAND {
+            let of = if key == QUANTILE { "a quantile" } else { "a simultaneous band" };
             self.complain(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, &entry);
             return None;
         }
-        let meanings = [None, Some(RareMethod::Importance), Some(RareMethod::Subset), Some(RareMethod::Automatic)];
-        let method = self.reader.choice(&entry, &choices(METHODS, meanings))?;
+        let method = self.reader.choice(&entry, &METHODS)?;
         if method.is_some() && self.random.is_empty() {
             self.complain(&StudyProblem::NothingRandom { entry: table.path.describe() }, &entry);
             return None;

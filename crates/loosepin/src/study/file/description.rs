@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::accuracy::{AccuracyTarget, Budget};
 use crate::bounds::{Reading, Statistic};
 use crate::contact::NormalDescription;
@@ -106,17 +108,24 @@ impl RandomInput {
 /// How many runs, and how accurate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
-    /// Points in the box of the epistemic inputs (default: 64).
+    /// Points in the box of the epistemic inputs.
     pub outer: usize,
-    /// Samples of the random inputs at each of them (default: 256).
+    /// Samples of the random inputs at each of them.
     pub inner: usize,
-    /// Independent randomisations of the inner samples, for the sampling error (default: 4).
+    /// Independent randomisations of the inner samples, for the sampling error.
     pub replicates: usize,
-    /// Accuracy of positions in a run, m (default: 1e-8).
+    /// Accuracy of positions in a run, m.
     pub tolerance_m: f64,
     /// The share of the runs of the double loop that may fail, in (0, 1]; where more do, the study ends after their round
     /// (default: 0.1). Results do not depend on it.
     pub most_failed: f64,
+}
+
+/// What holds where the file does not say.
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1 }
+    }
 }
 
 /// A surrogate, and the runs that it is given.
@@ -292,7 +301,8 @@ pub enum Deviation {
 }
 
 /// How a curve over the recorded turns becomes one number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Reduction {
     /// The largest value, located between the samples.
     Maximum,
@@ -301,11 +311,30 @@ pub enum Reduction {
     /// The largest magnitude, located between the samples.
     MaximumAbsolute,
     /// The root of the mean square.
+    #[serde(rename = "rms")]
     RootMeanSquare,
     /// The mean over time.
     Mean,
     /// Maximum minus minimum.
     Range,
+}
+
+impl Reduction {
+    /// Every reduction, in the order in which study files name them.
+    pub const ALL: [Self; 6] =
+        [Self::Maximum, Self::Minimum, Self::MaximumAbsolute, Self::RootMeanSquare, Self::Mean, Self::Range];
+
+    /// The word used in study files and in results.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Maximum => "maximum",
+            Self::Minimum => "minimum",
+            Self::MaximumAbsolute => "maximum_absolute",
+            Self::RootMeanSquare => "rms",
+            Self::Mean => "mean",
+            Self::Range => "range",
+        }
+    }
 }
 
 /// Where in the cycle.

@@ -54,12 +54,7 @@ impl StudyReader {
         quantity: QuantityId,
         path: &str,
     ) -> Option<(FitLimits, String)> {
-        let is_play = self
-            .model
-            .joints
-            .iter()
-            .filter_map(|joint| joint.kind.play())
-            .any(|(clearance, _)| clearance == quantity || self.model.roots(clearance).contains(&quantity));
+        let is_play = self.model.play_from(quantity).next().is_some();
         if !is_play || self.model.quantities[quantity].dimension != Dimension::LENGTH {
             self.reader.complain(&RandomProblem::FitElsewhere { path: path.to_owned() }, entry.key_span);
         }

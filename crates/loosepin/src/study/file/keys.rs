@@ -5,6 +5,9 @@ use crate::model::CYCLE_NUMBERS;
 use crate::units::Rule;
 
 use super::parameter_keys::{PARAMETER_KEYS, ends, moments};
+use super::words::{
+    self, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, QUANTILE, SIMULTANEOUS_BAND, STATISTICS, words,
+};
 
 /// What a double holds exactly, so that a seed survives every file format.
 const LARGEST_SEED: u64 = (1 << 53) - 1;
@@ -65,10 +68,8 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
 
-/// Kinds of surrogates.
-const SURROGATES: [&str; 5] = ["auto", "chaos", "kriging", "network", "none"];
-/// Direct runs beside a surrogate.
-const DIRECT_RUNS: [&str; 2] = ["double-loop", "confirming"];
+const SURROGATES: [&str; 5] = words(&words::SURROGATES);
+const DIRECT_RUNS: [&str; 2] = words(&words::DIRECT_RUNS);
 /// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
 const MOST_TRAINING: u64 = 2000;
 
@@ -404,30 +405,26 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "periodic", "fuzzy", "quantiles", "mean"]]);
 
-pub(super) const READINGS: [&str; 3] = ["fixed", "unknown-distribution", "random-set"];
-pub(super) const DEVIATIONS: [&str; 4] = ["value", "dimensional", "clearance", "total"];
-pub(super) const REDUCTIONS: [&str; 6] = ["maximum", "minimum", "maximum_absolute", "rms", "mean", "range"];
-pub(super) const PLAIN_STATISTICS: [&str; 4] = ["mean", "standard_deviation", "cdf", "contributors"];
-pub(super) const STATISTICS: [&str; 5] =
-    ["quantile", "probability_above", "probability_below", "probability_beyond", "simultaneous_band"];
-
-/// Ways to estimate a probability.
-pub(super) const METHODS: [&str; 4] = ["count", "importance", "subset", "automatic"];
+const READINGS: [&str; 3] = words(&words::READINGS);
+const DEVIATIONS: [&str; 4] = words(&words::DEVIATIONS);
+const REDUCTIONS: [&str; 6] = words(&words::REDUCTIONS);
+const PLAIN_STATISTICS: [&str; 4] = words(&words::PLAIN_STATISTICS);
+const METHODS: [&str; 4] = words(&words::METHODS);
 
 pub(super) static STATISTIC_KEYS: Keys = Keys::new(
     "a statistic with a number",
     &[
         optional(
-            STATISTICS[0],
+            QUANTILE,
             Kind::Number { rule: Rule::Probability },
             "0.975",
             "the value that is not exceeded with this probability",
         ),
-        optional(STATISTICS[1], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
-        optional(STATISTICS[2], Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
-        optional(STATISTICS[3], Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
+        optional(PROBABILITY_ABOVE, Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
+        optional(PROBABILITY_BELOW, Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
+        optional(PROBABILITY_BEYOND, Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
         optional(
-            STATISTICS[4],
+            SIMULTANEOUS_BAND,
             Kind::Number { rule: Rule::Probability },
             "0.95",
             "of a curve: the band in which this share of mechanisms stays for the whole cycle, whatever the unknown values",

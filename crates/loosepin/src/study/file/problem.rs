@@ -247,6 +247,18 @@ pub enum StudyProblem {
         /// The drive of the cycle.
         due: String,
     },
+    /// Two poses whose numbers would have the same name.
+    #[error(
+        "{entry}: {pose} is {apart} beside an angle asked of the same output before; must be the same, or more than 1e-9 rad away"
+    )]
+    PosesTooNear {
+        /// The entry.
+        entry: String,
+        /// The angle.
+        pose: String,
+        /// How far apart they are.
+        apart: String,
+    },
     /// A method for what is no probability.
     #[error("{entry}: {of} has no method")]
     MethodOfQuantile {
@@ -393,6 +405,7 @@ impl Problem for StudyProblem {
             Self::UnknownOutput { .. } => Code::UnknownReference,
             Self::PathOutput { .. }
             | Self::WrongDrive { .. }
+            | Self::PosesTooNear { .. }
             | Self::Empty { .. }
             | Self::Limit { .. }
             | Self::MethodOfQuantile { .. }
@@ -460,6 +473,7 @@ impl Problem for StudyProblem {
             Self::BandOfPoint { .. } => {
                 Some("write at = \"cycle\", or ask for two quantiles of a single number".to_owned())
             }
+            Self::PosesTooNear { .. } => Some("write the angle in the same way wherever it is asked for".to_owned()),
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
             Self::NeedsDirectRuns { .. } => Some("write direct = \"double-loop\", or do not ask for them".to_owned()),

@@ -4,19 +4,10 @@ use super::StudyReader;
 use super::description::{Ask, StudySurrogate};
 use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
+use super::words::{DIRECT_RUNS, SURROGATES};
 use crate::document::Table;
-use crate::surrogate::{Choice, Kind};
+use crate::surrogate::Choice;
 
-/// Words for kinds; nothing stands for no surrogate.
-const KINDS: [(&str, Option<Choice>); 5] = [
-    ("auto", Some(Choice::Auto)),
-    ("chaos", Some(Choice::Only(Kind::Chaos))),
-    ("kriging", Some(Choice::Only(Kind::Kriging))),
-    ("network", Some(Choice::Only(Kind::Network))),
-    ("none", None),
-];
-/// Which direct runs are made, and whether the surrogate is then alone.
-const DIRECT: [(&str, bool); 2] = [("double-loop", false), ("confirming", true)];
 /// Training runs for each uncertain input, and at least, where the file does not say.
 const TRAINING_PER_INPUT: usize = 25;
 const LEAST_TRAINING: usize = 100;
@@ -40,12 +31,12 @@ impl StudyReader {
             is_alone: false,
         };
         if entry.is_text() {
-            surrogate.choice = self.reader.choice(&entry, &KINDS)??;
+            surrogate.choice = self.reader.choice(&entry, &SURROGATES)??;
             return Some(surrogate);
         }
         let table = self.reader.table(&entry, &SURROGATE_KEYS)?;
         if let Some(kind) = table.get("kind") {
-            surrogate.choice = self.reader.choice(&kind, &KINDS)??;
+            surrogate.choice = self.reader.choice(&kind, &SURROGATES)??;
         }
         for (key, count) in
             [("training_runs", &mut surrogate.training_runs), ("confirming_runs", &mut surrogate.confirming_runs)]
@@ -53,7 +44,7 @@ impl StudyReader {
             *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
         }
         if let Some(entry) = table.get("direct") {
-            surrogate.is_alone = self.reader.choice(&entry, &DIRECT)?;
+            surrogate.is_alone = self.reader.choice(&entry, &DIRECT_RUNS)?;
             let has_own_runs = |ask: &Ask| ask.contributors || !ask.rare.is_empty();
             if surrogate.is_alone && asks.iter().any(has_own_runs) {
                 self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe() }, &entry);

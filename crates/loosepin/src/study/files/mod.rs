@@ -7,8 +7,9 @@ mod runs_table;
 mod timing;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use serde::Deserialize;
 use thiserror::Error;
 
 pub use bounds_table::{BOUNDS_COLUMNS, bounds_csv};
@@ -16,7 +17,7 @@ pub use json::{read_json, to_json};
 pub use runs_table::{read_runs_parquet, runs_parquet};
 pub use timing::Timing;
 
-use super::result::StudyResult;
+use super::result::{FORMAT, StudyResult};
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
 pub use crate::results::SUMMARY_FILE;
@@ -44,6 +45,16 @@ pub enum FilesError {
         what: String,
         /// What does not fit, with line and column.
         source: serde_json::Error,
+    },
+    /// Another version of the layout.
+    #[error("{} has format {found}; this version reads format {known}", path.display())]
+    OtherFormat {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        found: u32,
+        /// The one that is known.
+        known: u32,
     },
     /// A value has no form in JSON.
     #[error("the result cannot be written as JSON: {source}")]
@@ -118,12 +129,23 @@ pub fn surrogates_json(surrogates: &SavedSurrogates) -> Result<String, FilesErro
     surrogates.to_json().map_err(|source| FilesError::Json { source })
 }
 
+/// What every format of `summary.json` has.
+#[derive(Deserialize)]
+struct Header {
+    format: u32,
+}
+
 /// Reads the `summary.json` of a folder.
 ///
 /// # Errors
 /// A file that is not there, or that another version wrote.
 pub fn read_summary(folder: &Path) -> Result<StudyResult, FilesError> {
     let path = folder.join(SUMMARY_FILE);
-    let text = fs::read_to_string(&path).map_err(|source| ResultsError::Read { path, source })?;
+    let text = fs::read_to_string(&path).map_err(|source| ResultsError::Read { path: path.clone(), source })?;
+    // Looked at before the rest, which another format may not have.
+    let Header { format } = read_json(&text, SUMMARY_FILE)?;
+    if format != FORMAT {
+        return Err(FilesError::OtherFormat { path, found: format, known: FORMAT });
+    }
     read_json(&text, SUMMARY_FILE)
 }

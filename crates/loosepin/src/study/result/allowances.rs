@@ -68,14 +68,28 @@ pub struct AllocationRecord {
     pub cost: f64,
     /// Combinations of offers.
     pub combinations: u64,
-    /// Direct studies that were run.
+    /// Why no more of them were run.
+    pub stop: AllocationStop,
+    /// Direct studies that were run: one for each combination that was tried, a second one where the first met the requirements.
     pub studies: u64,
     /// Cheaper combinations that were run and do not meet the requirements, or are looser than such a one.
     pub excluded: u64,
-    /// Whether every cheaper combination is excluded.
-    pub is_cheapest: bool,
     /// Runs of all studies.
     pub runs: u64,
+}
+
+/// Why a search for the cheapest combination ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AllocationStop {
+    /// One meets the requirements, and every cheaper one is excluded.
+    Found,
+    /// All are excluded.
+    AllExcluded,
+    /// As many were run as may be; others are not excluded.
+    TriedEnough,
+    /// There are more than are searched.
+    TooManyCombinations,
 }
 
 /// An input and the offer that is chosen for it.

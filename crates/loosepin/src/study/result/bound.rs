@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::study::file::Reduction;
 use crate::units::{SiUnit, extended};
 
 /// Lower and upper bound of one statistic over the epistemic inputs.
@@ -143,38 +144,6 @@ impl ResponsePoint {
         match self {
             ResponsePoint::Reduced { reduction } => Some(*reduction),
             _ => None,
-        }
-    }
-}
-
-/// Reductions of a history over the recorded cycle to one number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Reduction {
-    /// Largest value, located on dense output.
-    Maximum,
-    /// Smallest value, located on dense output.
-    Minimum,
-    /// Largest absolute value, located on dense output.
-    MaximumMagnitude,
-    /// Largest minus smallest value.
-    PeakToPeak,
-    /// Root of the mean square over the cycle.
-    Rms,
-    /// Mean over the cycle.
-    Mean,
-}
-
-impl Reduction {
-    /// The word used in files and tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Reduction::Maximum => "maximum",
-            Reduction::Minimum => "minimum",
-            Reduction::MaximumMagnitude => "maximum_magnitude",
-            Reduction::PeakToPeak => "peak_to_peak",
-            Reduction::Rms => "rms",
-            Reduction::Mean => "mean",
         }
     }
 }

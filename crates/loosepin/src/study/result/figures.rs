@@ -36,10 +36,6 @@ pub struct DeviationCurve {
     /// The band widened by the epistemic inputs: lowest lower quantile to highest upper quantile, numerical error
     /// included.
     pub mixed: CurveRange,
-    /// Bounds of the mean.
-    pub mean: CurveRange,
-    /// Quasi-static worst case; empty where it was not computed.
-    pub worst_case: CurveRange,
     /// Bands in which a share of mechanisms stays for the whole cycle, where they were asked for.
     #[serde(default)]
     pub simultaneous: Vec<SimultaneousCurve>,

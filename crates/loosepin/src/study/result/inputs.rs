@@ -132,12 +132,14 @@ pub struct OutputDescription {
 }
 
 /// How many runs of which kind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RunCounts {
     /// All runs.
     pub runs: u64,
     /// Those that failed.
     pub failed: u64,
+    /// The runs by what they were for, purposes without runs left out.
+    pub by_purpose: Vec<PurposeRuns>,
     /// Values of the epistemic inputs.
     pub outer: u64,
     /// Random samples at each of them.
@@ -146,6 +148,61 @@ pub struct RunCounts {
     pub replicates: u64,
     /// Rounds of an adaptive study; 1 otherwise.
     pub rounds: u64,
+}
+
+/// Runs for one purpose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PurposeRuns {
+    /// The purpose.
+    pub purpose: RunPurpose,
+    /// How many.
+    pub runs: u64,
+}
+
+/// What a run is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RunPurpose {
+    /// The direct double loop.
+    Mixed,
+    /// The probability-only treatment.
+    ProbabilityOnly,
+    /// The interval-only treatment.
+    IntervalOnly,
+    /// Shares of the variance.
+    Contributors,
+    /// A small probability.
+    Rare,
+    /// Something for a surrogate to learn from.
+    Training,
+    /// A surrogate held against the response.
+    Confirming,
+}
+
+impl RunPurpose {
+    /// Every purpose, in the order in which runs are told.
+    pub const ALL: [Self; 7] = [
+        Self::Mixed,
+        Self::ProbabilityOnly,
+        Self::IntervalOnly,
+        Self::Contributors,
+        Self::Rare,
+        Self::Training,
+        Self::Confirming,
+    ];
+
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Mixed => "mixed",
+            Self::ProbabilityOnly => "probability_only",
+            Self::IntervalOnly => "interval_only",
+            Self::Contributors => "contributors",
+            Self::Rare => "rare",
+            Self::Training => "training",
+            Self::Confirming => "confirming",
+        }
+    }
 }
 
 /// Runs that failed for the same reason.

@@ -12,10 +12,10 @@ mod surrogate;
 use serde::{Deserialize, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
-pub use allowances::{AllocatedInput, AllocationRecord, AllowanceCheck, AllowanceRecord, Loosened};
+pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
 pub use bound::{
-    BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, Reduction, ResponsePoint,
-    StatisticKind, TreatmentKind, Witness, WitnessValue,
+    BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, ResponsePoint, StatisticKind,
+    TreatmentKind, Witness, WitnessValue,
 };
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use figures::{
@@ -24,7 +24,7 @@ pub use figures::{
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
-    InputDescription, InputKind, OutputDescription, RunCounts,
+    InputDescription, InputKind, OutputDescription, PurposeRuns, RunCounts, RunPurpose,
 };
 
 /// What held-out errors say about a response.
@@ -32,6 +32,7 @@ pub use crate::surrogate::Verdict as SurrogateVerdict;
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 
+pub use super::file::Reduction;
 use crate::simulate::record::{Drawing, JournalOrbit};
 use crate::units::{DisplayUnits, extended};
 
@@ -130,7 +131,7 @@ pub struct StudyResult {
 }
 
 /// The layout that this version of the program writes.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
