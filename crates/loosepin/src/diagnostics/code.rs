@@ -438,6 +438,10 @@ Nothing of it is used. Restore the file from a copy, or begin anew with --force.
 "The folder holds runs of this very study, which an earlier command has finished before it was stopped. Whether to go on with them is \
 for you to say: --resume takes them over, --force drops them."
 
+    NoSurrogateAnswer "E0920" "saved surrogates give no answer"
+"A surrogates.json answers for its own inputs, all of them, and within the ranges that were learned: beyond them nothing is known, and \
+nothing is extrapolated. A file of another version, or that is not whole, is refused."
+
     MeasuredTable "E1001" "a table of measured values cannot be used"
 "A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
 the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \

@@ -12,6 +12,7 @@ mod file;
 pub mod files;
 mod ideal_curve;
 mod input_file;
+mod inputs;
 mod iso_286;
 mod keep;
 mod lanes;
@@ -32,5 +33,6 @@ pub use file::{
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
 pub use input_file::{InputFile, InputFileProblem};
+pub use inputs::{add_model, add_study};
 pub use iso_286::FitError;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};

@@ -1,0 +1,123 @@
+//! A study: what is uncertain in a model, and what is asked.
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use loosepin::diagnostics::{Complaints, Place};
+use loosepin::study::{self, InputFile, InputFileProblem, Means};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
+use pyo3::prelude::*;
+
+use crate::error::{Complaint, raise};
+use crate::model::Model;
+use crate::result::StudyResult;
+use crate::results_folder::{Ended, Meeting, Settings, conduct_in_folder, conduct_in_memory, inputs};
+use crate::waiting::{Told, wait_for};
+
+/// A checked study.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Study(pub study::Study);
+
+#[pymethods]
+impl Study {
+    /// Reads a study file and the model that it names.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        match InputFile::from_path(&path).map_err(raise)? {
+            InputFile::Study(study) => Ok(Self(*study)),
+            InputFile::Model(model) => {
+                let place = Some(Place::new(model.source(), 0..0));
+                Err(raise(Complaints::one(&InputFileProblem::ModelForStudy, place)))
+            }
+        }
+    }
+
+    /// Reads a study from text that is reported as `name`; the model that it names is opened unless one is given.
+    #[staticmethod]
+    #[pyo3(signature = (text, name, model))]
+    fn from_text(text: &str, name: &str, model: Option<&Model>) -> PyResult<Self> {
+        let study = match model {
+            Some(model) => study::Study::from_text(name, text, model.0.as_ref().clone()),
+            None => study::Study::from_text_at(name, text),
+        };
+        study.map(Self).map_err(raise)
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The text that it was read from.
+    #[getter]
+    fn text(&self) -> &str {
+        self.0.source().text()
+    }
+
+    /// The model, as its file has it.
+    #[getter]
+    fn model(&self) -> Model {
+        Model(self.0.model.clone().into())
+    }
+
+    /// What looks like an oversight in it or in its model.
+    #[getter]
+    fn warnings(&self) -> Vec<Complaint> {
+        self.0.warnings.iter().map(Complaint::new).collect()
+    }
+
+    /// How many runs it comes to at most.
+    fn most_runs(&self, py: Python<'_>) -> PyResult<usize> {
+        let planned = py.detach(|| study::plan_runs(&self.0));
+        planned.map_err(|error| raise(error.complaint(&self.0)))
+    }
+
+    /// Conducts it.
+    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        folder: Option<PathBuf>,
+        resume: bool,
+        force: bool,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+        accuracy: Vec<String>,
+        budget: Option<String>,
+    ) -> PyResult<StudyResult> {
+        let threads = match threads {
+            Some(0) => return Err(PyValueError::new_err("threads 0; must be at least 1")),
+            Some(threads) => threads,
+            None => std::thread::available_parallelism().map_or(1, usize::from),
+        };
+        let mut study = self.0.clone();
+        for text in &accuracy {
+            study.add_accuracy(text).map_err(raise)?;
+        }
+        if let Some(text) = &budget {
+            study.set_budget(text).map_err(raise)?;
+        }
+        let inputs = inputs(&study, &Settings { accuracy, budget });
+        let (stop, told) = (AtomicBool::new(false), Told::default());
+        let means = Means { threads, progress: &told, stop: &stop, store: None };
+        let meeting = Meeting { with_resume: resume, with_force: force };
+        let work = || match folder {
+            Some(folder) => conduct_in_folder(&study, inputs, folder, meeting, &means),
+            None => conduct_in_memory(&study, &inputs, &means),
+        };
+        let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress.as_ref()), work);
+        match (outcome, raised) {
+            (Ok(Ended::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
+                Err(PyKeyboardInterrupt::new_err(words))
+            }
+            (_, Some(error)) => Err(error),
+            (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
+            (Err(complaints), None) => Err(raise(complaints)),
+            (Ok(Ended::Finished(conducted)), None) => {
+                told.tell(py, progress.as_ref())?;
+                StudyResult::new(py, conducted)
+            }
+        }
+    }
+}
