@@ -164,7 +164,11 @@ fn distribution(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Distribution> 
         "Gumbel" => Distribution::Gumbel { mode: n("mode")?, scale: n("scale")? },
         "Exponential" => Distribution::Exponential { mean: n("mean")?, lower: n("lower")? },
         "Discrete" => Distribution::Discrete { values: list("values")?, probabilities: list("probabilities")? },
-        "Empirical" => Distribution::Empirical { values: list("values")?.into() },
+        "Empirical" => {
+            let mut values = list("values")?;
+            values.sort_by(f64::total_cmp);
+            Distribution::Empirical { values: values.into() }
+        }
         other => {
             return Err(PyTypeError::new_err(format!(
                 "input '{name}' is a {other}; must be a distribution such as loosepin.Normal, or an epistemic input such as \

@@ -12,11 +12,15 @@ use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, columns, simulate};
 use loosepin::study::{InputFile, InputFileProblem};
 use loosepin::units::Dimension;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::{Complaint, raise};
 use crate::simulation::Simulation;
 use crate::waiting::wait_for;
+
+/// Rows for each turn, at most; as for the command.
+const MOST_SAMPLES: i64 = 1_000_000;
 
 /// A checked model.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -75,16 +79,24 @@ impl Model {
         py: Python<'_>,
         turns: Option<f64>,
         transient: Option<f64>,
-        samples: Option<usize>,
+        samples: Option<i64>,
         tolerance: &str,
         states: bool,
         set: Vec<String>,
     ) -> PyResult<Simulation> {
+        for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
+            if let Some(turns) = given.filter(|&turns| !rule.allows(turns)) {
+                return Err(PyValueError::new_err(format!("{name} {turns:?}; must be a number {}", rule.words())));
+            }
+        }
+        if let Some(samples) = samples.filter(|samples| !(1..=MOST_SAMPLES).contains(samples)) {
+            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MOST_SAMPLES}")));
+        }
         let set_values = self.0.set_values(&set).map_err(raise)?;
         let mut cycle = self.0.cycle.clone();
         cycle.recorded_turns = turns.unwrap_or(cycle.recorded_turns);
         cycle.transient_turns = transient.unwrap_or(cycle.transient_turns);
-        cycle.samples_per_turn = samples.unwrap_or(cycle.samples_per_turn);
+        cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
         let tolerance_m =
             measured_argument("tolerance", tolerance, Dimension::LENGTH, Rule::Positive).map_err(raise)?;
         let plan = Plan {

@@ -78,9 +78,6 @@ def _curves(axis: Any, curve: Curve, units: dict[str, Any]) -> None:
             axis.plot(angle, values * factor, color=INK, lw=0.8, ls=":", label=label)
     axis.fill_between(angle, *(end * factor for end in curve.mixed), color=UNKNOWN, alpha=0.35, lw=0, label=f"{share:.3g} % for every unknown value")
     axis.fill_between(angle, *(end * factor for end in curve.random), color=RANDOM, alpha=0.6, lw=0, label=f"{share:.3g} %, unknown values in the middle")
-    if len(curve.mean[0]):
-        for label, values in zip(("bounds of the mean", None), curve.mean):
-            axis.plot(angle, values * factor, color=UNKNOWN, lw=0.9, label=label)
     axis.plot(angle, curve.nominal * factor, color=INK, lw=0.9, label="nominal")
     axis.set(xlabel="angle of the drive [deg]", ylabel=f"{curve.output}, {curve.of}{_in(unit)}")
     axis.legend(frameon=False, fontsize="small")

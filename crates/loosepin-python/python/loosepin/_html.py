@@ -19,7 +19,7 @@ _STYLE = """<style>
 .loosepin { max-width: 60em; } .loosepin table { border-collapse: collapse; margin: 0.6em 0; }
 .loosepin th, .loosepin td { text-align: left; padding: 0.15em 0.7em; border-bottom: 1px solid #8884; vertical-align: top; }
 .loosepin .number { text-align: right; font-variant-numeric: tabular-nums; } .loosepin figcaption { font-size: 0.9em; }
-.loosepin svg { max-width: 100%; height: auto; }
+.loosepin .quiet { display: block; opacity: 0.75; font-size: 0.9em; } .loosepin svg { max-width: 100%; height: auto; }
 </style>"""
 
 
@@ -78,8 +78,8 @@ def _curve_figure(curve: Curve, unit: str, factor: float) -> str:
         height = float(y(np.array([value]))[0])
         lines += f'<line x1="{_LEFT}" x2="{_WIDTH - 8}" y1="{height:.1f}" y2="{height:.1f}" stroke="#8886" stroke-width="0.7"/>'
         lines += f'<text x="{_LEFT - 6}" y="{height + 4:.1f}" text-anchor="end">{value:.3g}</text>'
-    for value in (angle.min(), angle.max()):
-        lines += f'<text x="{float(x(np.array([value]))[0]):.1f}" y="{_HEIGHT - 14}" text-anchor="middle">{value:.4g}°</text>'
+    for value, at, anchor in ((angle[0], _LEFT, "start"), (angle[-1], _WIDTH - 8, "end")):
+        lines += f'<text x="{at}" y="{_HEIGHT - 14}" text-anchor="{anchor}">{value:.4g}°</text>'
     share = f"{100 * (curve.probabilities[1] - curve.probabilities[0]):.3g} %"
     words = f"{curve.output}, {curve.of} deviation over the angle of the drive{'' if unit == '1' else ', ' + unit}"
     caption = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import io
 import json
 import os
@@ -25,6 +26,12 @@ if TYPE_CHECKING:
     from ._surrogates import Surrogates
 
 Array = NDArray[np.float64]
+
+_WORDS = {
+    *("output", "of", "at", "reduction", "statistic", "treatment", "reading", "unit", "guarantee"),
+    *("lower_witness", "upper_witness"),
+}
+"""Columns of `bounds.csv` that hold no numbers."""
 
 
 @dataclass(frozen=True)
@@ -115,8 +122,6 @@ class Curve:
     """The band of the random scatter alone, with what is not known in the middle."""
     mixed: tuple[Array, Array]
     """The band for every value of what is not known, numerical error included."""
-    mean: tuple[Array, Array]
-    """Bounds of the mean; empty where it was not asked for."""
     worst_case: tuple[Array, Array]
     """The quasi-static worst case; empty where it was not computed."""
 
@@ -215,26 +220,49 @@ class StudyResult:
     def to_pandas(self) -> pandas.DataFrame:
         """Every bound as a row of a DataFrame, with the columns of `bounds.csv`."""
         pandas_ = need("pandas", "to_pandas()")
-        text = io.BytesIO(self._native.bounds_csv())
-        frame: pandas.DataFrame = pandas_.read_csv(text, float_precision="round_trip")
+        names, *rows = csv.reader(io.StringIO(self._native.bounds_csv().decode(), newline=""))
+        frame: pandas.DataFrame = pandas_.DataFrame(rows, columns=names)
+        for name in names:
+            if name not in _WORDS:
+                # Python reads every number to the last bit, which pandas does not promise.
+                frame[name] = [float(cell or "nan") for cell in frame[name]]
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """The curves as a Dataset over `pose_rad`: `slider_total_mixed` has the dimensions (pose_rad, end), and so on."""
+        """The curves as a Dataset over `pose_rad`, SI.
+
+        `slider_total_nominal` is the nominal deviation; with the dimensions (pose_rad, end) `slider_total_random` and
+        `slider_total_mixed` are bands (see `Curve`), and `slider_total_mean`, `slider_total_quantile_0.975` and so on the bounds of each
+        statistic that was asked for, numerical error included.
+        """
         xarray_ = need("xarray", "to_xarray()")
         variables: dict[str, Any] = {}
         for curve in self.curves:
             name = f"{curve.output}_{curve.of}".replace(" ", "_")
             unit = {"units": curve.unit}
             variables[f"{name}_nominal"] = ("pose_rad", curve.nominal, unit)
-            for band, ends in (("random", curve.random), ("mixed", curve.mixed), ("mean", curve.mean), ("worst_case", curve.worst_case)):
+            for band, ends in (("random", curve.random), ("mixed", curve.mixed), ("worst_case", curve.worst_case)):
                 if len(ends[0]):
                     variables[f"{name}_{band}"] = (("pose_rad", "end"), np.stack(ends, axis=1), unit)
+        for name, unit_symbol, ends_of_poses in self._bounds_over_poses():
+            variables[name] = (("pose_rad", "end"), ends_of_poses, {"units": unit_symbol})
         coordinates: dict[str, Any] = {"end": ["lower", "upper"]}
         if self.curves:
             coordinates["pose_rad"] = ("pose_rad", self.curves[0].pose_rad, {"units": "rad"})
         dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"study": self.name})
         return dataset
+
+    def _bounds_over_poses(self) -> Iterator[tuple[str, str, Array]]:
+        """Name, unit and bounds of each statistic of each curve."""
+        statistics: dict[str, list[Bound]] = {}
+        first = self.bounds[0].reading if self.bounds else ""
+        for bound in self.select(at="curve", treatment="mixed"):
+            parameter = "" if bound.parameter is None else f"_{bound.parameter:.6g}"
+            reading = "" if bound.reading == first else f"_{bound.reading}"
+            name = f"{bound.output}_{bound.of}_{bound.statistic}{parameter}{reading}".replace(" ", "_")
+            statistics.setdefault(name, []).append(bound)
+        for name, bounds in statistics.items():
+            yield name, bounds[0].unit, np.array([bound.widened for bound in bounds])
 
     def plot(self, kind: str | None = None, *, output: str | None = None, of: str | None = None) -> matplotlib.figure.Figure:
         """Draws a standard figure with matplotlib.
@@ -316,6 +344,5 @@ def _curve(record: dict[str, Any]) -> Curve:
         probabilities=(float(lower), float(upper)),
         random=band(record["random"]),
         mixed=band(record["mixed"]),
-        mean=band(record["mean"]),
         worst_case=band(record["worst_case"]),
     )
