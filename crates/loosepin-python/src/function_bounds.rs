@@ -38,6 +38,7 @@ pub struct Runs {
 /// Bounds of the statistics of the columns of `function`, which is given a list of arrays, one for each input, random ones first,
 /// and gives an array with a row for each run. Returns the answers and the runs as plain values for `_uncertainty.py`.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
 #[pyo3(signature = (function, inputs, columns, requests, ranks, reading, runs))]
 pub fn evaluate<'py>(
     py: Python<'py>,

@@ -73,6 +73,7 @@ impl Model {
     }
 
     /// Runs it once. `set` holds texts `path=value`; what is left out is as the file has it.
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
     #[pyo3(signature = (turns, transient, samples, tolerance, states, set))]
     fn simulate(
         &self,

@@ -34,7 +34,7 @@ pub struct Meeting {
 /// How a study ended.
 pub enum Ended {
     /// It is finished.
-    Finished(Conducted),
+    Finished(Box<Conducted>),
     /// It was interrupted; the words say what is kept.
     Interrupted(String),
 }
@@ -56,7 +56,7 @@ pub fn inputs(study: &Study, settings: &Settings) -> InputsHash {
 /// Conducts `study` without leaving anything on disk.
 pub fn conduct_in_memory(study: &Study, inputs: &InputsHash, means: &Means<'_>) -> Result<Ended, Complaints> {
     match conduct(study, &inputs.to_string(), means) {
-        Ok(conducted) => Ok(Ended::Finished(conducted)),
+        Ok(conducted) => Ok(Ended::Finished(conducted.into())),
         Err(StudyError::Interrupted { finished, most_runs }) => {
             let words = interrupted(&finished, most_runs);
             Ok(Ended::Interrupted(format!("{words}; nothing is kept without a folder")))
@@ -85,7 +85,7 @@ pub fn conduct_in_folder(
     let mut folder = claim.take().map_err(complain)?;
     if folder.is_finished() {
         remove_store(&folder.path().join(STORE_FILE)).map_err(complain)?;
-        return read(&folder).map(Ended::Finished);
+        return Ok(Ended::Finished(read(&folder)?.into()));
     }
     let identity = StoreIdentity { version: loosepin::VERSION.to_owned(), inputs: claim.inputs.to_string() };
     let beginning = match (meeting.with_force, meeting.with_resume) {
@@ -100,7 +100,7 @@ pub fn conduct_in_folder(
             let count = conducted.runs.columns.first().map_or(0, |column| column.data.len());
             write(&mut folder, &conducted, &Timing::since(started, count, means.threads))?;
             store.remove().map_err(complain)?;
-            Ok(Ended::Finished(conducted))
+            Ok(Ended::Finished(conducted.into()))
         }
         Err(StudyError::Interrupted { finished, most_runs }) => {
             folder.write(RUNS_FILE, &runs_parquet(&finished).map_err(complain)?).map_err(complain)?;

@@ -74,6 +74,7 @@ impl Study {
     }
 
     /// Conducts it.
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
     #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget))]
     fn run(
         &self,
@@ -116,7 +117,7 @@ impl Study {
             (Err(complaints), None) => Err(raise(complaints)),
             (Ok(Ended::Finished(conducted)), None) => {
                 told.tell(py, progress.as_ref())?;
-                StudyResult::new(py, conducted)
+                StudyResult::new(py, *conducted)
             }
         }
     }

@@ -67,7 +67,7 @@ impl Surrogates {
         output: usize,
         paths: Vec<String>,
         values: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>)> {
+    ) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
         let Some(places) = self.0.outputs.get(output).map(|output| output.at.len()) else {
             let count = self.0.outputs.len();
             return Err(PyIndexError::new_err(format!("output {output}; there are {count}, counted from 0")));
@@ -83,6 +83,6 @@ impl Surrogates {
                 deviations[[row, place]] = prediction.deviations[place];
             }
         }
-        Ok((predicted.into_pyarray(py), deviations.into_pyarray(py)))
+        Ok([predicted.into_pyarray(py), deviations.into_pyarray(py)])
     }
 }
