@@ -52,9 +52,6 @@ pub fn evaluate<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let inputs = Inputs::read(inputs)?;
     let copula = inputs.copula(&ranks)?;
-    let requests = requests
-        .iter()
-        .map(|(column, name, parameter)| Ok(Request { column: *column, statistic: statistic(name, *parameter)? }));
     let problem = Problem {
         random: inputs.random.clone(),
         copula,
@@ -63,7 +60,7 @@ pub fn evaluate<'py>(
         reading: reading_of(reading)?,
         readings_beside: Vec::new(),
         columns: columns.len(),
-        requests: requests.collect::<PyResult<Vec<Request>>>()?,
+        requests: self::requests(&requests)?,
         compared_columns: (0..columns.len()).collect(),
         band_probability: BAND,
         cut_standard_deviations: CUT_STANDARD_DEVIATIONS,
@@ -96,7 +93,26 @@ pub fn evaluate<'py>(
         }
     }
     let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
-    answer(py, &answers, &inputs, &table, &columns)
+    let names = Names { random: &inputs.random_names, epistemic: &inputs.epistemic_names, columns: &columns };
+    answer(py, &answers, &names, &table)
+}
+
+/// What inputs and columns are called.
+pub struct Names<'n> {
+    /// The random inputs.
+    pub random: &'n [String],
+    /// The epistemic inputs.
+    pub epistemic: &'n [String],
+    /// The columns.
+    pub columns: &'n [String],
+}
+
+/// Requests for statistics of columns, as Python states them.
+pub fn requests(stated: &[(usize, String, Option<f64>)]) -> PyResult<Vec<Request>> {
+    let request = |(column, name, parameter): &(usize, String, Option<f64>)| {
+        Ok(Request { column: *column, statistic: statistic(name, *parameter)? })
+    };
+    stated.iter().map(request).collect()
 }
 
 /// Names of the inputs in the order of the arrays of [`evaluate`]: the random ones; then the others, and uncertain parameters of
@@ -108,7 +124,7 @@ pub fn input_names(inputs: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<(Vec<Str
 }
 
 /// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
-fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
     raised.map_or(Ok(result), Err)
 }
@@ -143,16 +159,15 @@ fn reading_of(word: &str) -> PyResult<Reading> {
 }
 
 /// Everything as plain values of Python.
-fn answer<'py>(
+pub fn answer<'py>(
     py: Python<'py>,
     answers: &bounds::Bounds,
-    inputs: &Inputs,
+    names: &Names<'_>,
     table: &SampleTable,
-    columns: &[String],
 ) -> PyResult<Bound<'py, PyDict>> {
     let given = PyDict::new(py);
-    given.set_item("bounds", pairs(py, &answers.pairs, inputs)?)?;
-    let levels = answers.levels.iter().map(|level| Ok((level.alpha, pairs(py, &level.pairs, inputs)?)));
+    given.set_item("bounds", pairs(py, &answers.pairs, names)?)?;
+    let levels = answers.levels.iter().map(|level| Ok((level.alpha, pairs(py, &level.pairs, names)?)));
     given.set_item("cuts", levels.collect::<PyResult<Vec<_>>>()?)?;
     let boxes = answers.boxes.iter().map(|each| {
         let ends = |of: &[bounds::Bound]| of.iter().map(|bound| bound.widened).collect::<Vec<f64>>().into_pyarray(py);
@@ -177,8 +192,8 @@ fn answer<'py>(
     let of_inputs = |k: usize| rows().map(|run| table.inputs()[run].random[k]).collect();
     let of_unknown = |k: usize| rows().map(|run| table.inputs()[run].epistemic[k]).collect();
     let of_outputs = |k: usize| rows().map(|run| table.values(run)[k]).collect();
-    let named = |names: &[String], values: &dyn Fn(usize) -> Vec<f64>| -> Vec<Column> {
-        names.iter().enumerate().map(|(k, name)| Column::of_numbers(py, name, "1", values(k))).collect()
+    let named = |called: &[String], values: &dyn Fn(usize) -> Vec<f64>| -> Vec<Column> {
+        called.iter().enumerate().map(|(k, name)| Column::of_numbers(py, name, "1", values(k))).collect()
     };
     let purposes = rows().map(|run| match table.inputs()[run].purpose {
         bounds::Purpose::DoubleLoop => "mixed",
@@ -186,14 +201,14 @@ fn answer<'py>(
         _ => "interval_only",
     });
     given.set_item("purpose", purposes.collect::<Vec<_>>())?;
-    let mut samples = named(&inputs.random_names, &of_inputs);
-    samples.extend(named(&inputs.epistemic_names, &of_unknown));
+    let mut samples = named(names.random, &of_inputs);
+    samples.extend(named(names.epistemic, &of_unknown));
     given.set_item("inputs", samples)?;
-    given.set_item("outputs", named(columns, &of_outputs))?;
+    given.set_item("outputs", named(names.columns, &of_outputs))?;
     Ok(given)
 }
 
-fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], inputs: &Inputs) -> PyResult<Bound<'py, PyList>> {
+fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], names: &Names<'_>) -> PyResult<Bound<'py, PyList>> {
     let records = pairs.iter().map(|pair| {
         let record = PyDict::new(py);
         record.set_item("column", pair.column)?;
@@ -208,8 +223,8 @@ fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], inputs: &Inputs) -> PyResult
         };
         record.set_item("statistic", name)?;
         record.set_item("parameter", parameter)?;
-        record.set_item("lower", end(py, &pair.lower, inputs)?)?;
-        record.set_item("upper", end(py, &pair.upper, inputs)?)?;
+        record.set_item("lower", end(py, &pair.lower, names)?)?;
+        record.set_item("upper", end(py, &pair.upper, names)?)?;
         let (guarantee, confidence) = match pair.lower.guarantee.weaker(pair.upper.guarantee) {
             bounds::Guarantee::Enclosure => ("enclosure", None),
             bounds::Guarantee::Optimised => ("optimised", None),
@@ -225,13 +240,13 @@ fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], inputs: &Inputs) -> PyResult
     PyList::new(py, records.collect::<PyResult<Vec<_>>>()?)
 }
 
-fn end<'py>(py: Python<'py>, bound: &bounds::Bound, inputs: &Inputs) -> PyResult<Bound<'py, PyDict>> {
+fn end<'py>(py: Python<'py>, bound: &bounds::Bound, names: &Names<'_>) -> PyResult<Bound<'py, PyDict>> {
     let witness = PyDict::new(py);
     if let Some(found) = &bound.witness {
-        for (name, value) in inputs.epistemic_names.iter().zip(&found.epistemic) {
+        for (name, value) in names.epistemic.iter().zip(&found.epistemic) {
             witness.set_item(name, value)?;
         }
-        for (name, value) in inputs.random_names.iter().zip(&found.random) {
+        for (name, value) in names.random.iter().zip(&found.random) {
             witness.set_item(name, value)?;
         }
     }

@@ -4,6 +4,7 @@
 mod column;
 mod error;
 mod function_bounds;
+mod further_outputs;
 mod inputs;
 mod model;
 mod result;

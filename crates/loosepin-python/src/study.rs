@@ -4,11 +4,13 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::diagnostics::{Complaints, Place};
-use loosepin::study::{self, InputFile, InputFileProblem, Means};
+use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::error::{Complaint, raise};
+use crate::further_outputs;
 use crate::model::Model;
 use crate::result::StudyResult;
 use crate::results_folder::{Ended, Meeting, Settings, conduct_in_folder, conduct_in_memory, inputs};
@@ -87,11 +89,7 @@ impl Study {
         accuracy: Vec<String>,
         budget: Option<String>,
     ) -> PyResult<StudyResult> {
-        let threads = match threads {
-            Some(0) => return Err(PyValueError::new_err("threads 0; must be at least 1")),
-            Some(threads) => threads,
-            None => std::thread::available_parallelism().map_or(1, usize::from),
-        };
+        let threads = count_threads(threads)?;
         let mut study = self.0.clone();
         for text in &accuracy {
             study.add_accuracy(text).map_err(raise)?;
@@ -120,5 +118,35 @@ impl Study {
                 StudyResult::new(py, *conducted)
             }
         }
+    }
+    /// What every run records: name, SI unit, and for a curve the angles of the drive.
+    fn recorded(&self, py: Python<'_>) -> PyResult<Vec<(String, String, Option<Vec<f64>>)>> {
+        let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
+        let recorded = recorded.map_err(|error| raise(error.complaint(&self.0)))?.into_iter();
+        Ok(recorded.map(|output| (output.name, output.unit.symbol().to_owned(), output.pose_rad)).collect())
+    }
+
+    /// Bounds of a function of what its runs record.
+    #[pyo3(signature = (function, columns, requests, threads, progress))]
+    fn bounds<'py>(
+        &self,
+        py: Python<'py>,
+        function: Bound<'py, PyAny>,
+        columns: Vec<String>,
+        requests: Vec<(usize, String, Option<f64>)>,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let threads = count_threads(threads)?;
+        further_outputs::bounds(py, &self.0, &function, &columns, &requests, threads, progress.as_ref())
+    }
+}
+
+/// As many threads as asked for, otherwise as many as the machine has.
+fn count_threads(asked: Option<usize>) -> PyResult<usize> {
+    match asked {
+        Some(0) => Err(PyValueError::new_err("threads 0; must be at least 1")),
+        Some(threads) => Ok(threads),
+        None => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
     }
 }

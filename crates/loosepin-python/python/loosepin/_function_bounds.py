@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 Statistic = str | Mapping[str, float]
 """A statistic as study files write it: "mean", "standard_deviation", "cdf", {"quantile": 0.975}, {"probability_above": 0.4}."""
-Values = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -134,23 +133,14 @@ def bounds(
     most. replicates: independent parts of the samples, which must divide `inner` and `mixture`. confidence: of sampling errors.
     """
     names = list(outputs)
-    requests = [(column, *_request(statistic)) for column in range(len(names)) for statistic in statistics]
+    asked = requests(statistics, len(names))
     ordered = sorted(inputs.items(), key=lambda item: _is_unknown(item[1]))
     keywords = [name for name, _ in ordered]
 
     def evaluate(columns: list[Array]) -> Array:
         # Those beyond the keywords are uncertain parameters of distributions, which the function does not see.
         given = dict(zip(random_names + unknown_names, columns))
-        values = np.asarray(function(**{name: given[name] for name in keywords}), dtype=np.float64)
-        rows = len(columns[0]) if columns else 0
-        if values.ndim == 1:
-            values = values[:, np.newaxis]
-        if values.shape != (rows, len(names)):
-            raise ValueError(
-                f"the function returned an array of shape {values.shape} for {rows} runs; must be ({rows}, {len(names)}), one "
-                f"column for each of outputs={names}"
-            )
-        return np.ascontiguousarray(values)
+        return table(function(**{name: given[name] for name in keywords}), len(columns[0]) if columns else 0, names)
 
     random_names, unknown_names = _loosepin.input_names(ordered)
     ranks = [(first, second, rank) for (first, second), rank in (correlation or {}).items()]
@@ -163,7 +153,7 @@ def bounds(
         "seed": seed,
         "confidence": confidence,
     }
-    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, requests, ranks, reading, runs), names)
+    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs), names)
 
 
 def _is_unknown(known: Input) -> bool:
@@ -172,13 +162,30 @@ def _is_unknown(known: Input) -> bool:
     return isinstance(known, (Interval, Periodic, OneOf, Evidence, Fuzzy))
 
 
-def _request(statistic: Statistic) -> tuple[str, float | None]:
-    if isinstance(statistic, str):
-        return statistic, None
-    if len(statistic) != 1:
-        raise ValueError(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}")
-    [(name, parameter)] = statistic.items()
-    return name, float(parameter)
+def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, str, float | None]]:
+    """Each statistic of each output: number of the output, name, and the number that goes with it."""
+    asked: list[tuple[str, float | None]] = []
+    for statistic in statistics:
+        if isinstance(statistic, str):
+            asked.append((statistic, None))
+        elif len(statistic) == 1:
+            asked.extend((name, float(parameter)) for name, parameter in statistic.items())
+        else:
+            raise ValueError(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}")
+    return [(column, *request) for column in range(outputs) for request in asked]
+
+
+def table(returned: Any, rows: int, outputs: list[str]) -> Array:
+    """What a function returned, as one row for each run and one column for each output."""
+    values = np.asarray(returned, dtype=np.float64)
+    if values.ndim == 1:
+        values = values[:, np.newaxis]
+    if values.shape != (rows, len(outputs)):
+        raise ValueError(
+            f"the function returned an array of shape {values.shape} for {rows} runs; must be ({rows}, {len(outputs)}), one "
+            f"column for each of outputs={outputs}"
+        )
+    return np.ascontiguousarray(values)
 
 
 def _bounds(records: list[dict[str, Any]], outputs: Sequence[str]) -> tuple[Bound, ...]:

@@ -115,6 +115,15 @@ class Study:
         accuracy: list[str],
         budget: str | None,
     ) -> StudyResult: ...
+    def recorded(self) -> list[tuple[str, str, list[float] | None]]: ...
+    def bounds(
+        self,
+        function: Callable[[dict[str, NDArray[np.float64]], int], NDArray[np.float64]],
+        columns: list[str],
+        requests: list[tuple[int, str, float | None]],
+        threads: int | None,
+        progress: Callable[[int, int], object] | None,
+    ) -> dict[str, Any]: ...
 
 @final
 class StudyResult:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 from . import _loosepin
+from ._function_bounds import FunctionBounds, Statistic, requests, table
 from ._model import Model
 from ._progress import Listener, listener
-from ._result import StudyResult
+from ._result import Array, StudyResult
 from ._toml import to_toml
 from ._warning import warn
 
@@ -99,6 +101,42 @@ class Study:
             if told is not None:
                 told.close()
         return StudyResult(native)
+
+    @cached_property
+    def recorded(self) -> dict[str, str]:
+        """SI unit of everything that each run records, by the name under which `bounds` hands it to a function."""
+        return {name: unit for name, unit, _ in self._native.recorded()}
+
+    def bounds(
+        self,
+        function: Callable[[dict[str, Array]], Any],
+        statistics: Sequence[Statistic] = ("mean", "standard_deviation"),
+        *,
+        outputs: Sequence[str] = ("y",),
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> FunctionBounds:
+        """Bounds of a further output: any function of what the runs of the study record, over the same inputs.
+
+            study.bounds(lambda run: np.ptp(run["slider total"], axis=1), ["mean", {"quantile": 0.975}])
+
+        function: is called with a dict that holds a NumPy array for each uncertain input under its path, and for each name of
+        `recorded`: of a number one entry for each run, of a curve a row for each run and a column for each pose; SI, and not-a-number
+        for runs that failed. It returns an array with an entry for each run, or a row, with a column for each of `outputs`;
+        not-a-number is a run that failed. statistics: as for `loosepin.bounds`. The numbers of samples are those that the study states;
+        runs are made anew and not kept.
+        """
+        names, told = list(outputs), listener(progress)
+
+        def evaluate(run: dict[str, Array], rows: int) -> Array:
+            return table(function(run), rows, names)
+
+        try:
+            record = self._native.bounds(evaluate, names, requests(statistics, len(names)), threads, told)
+        finally:
+            if told is not None:
+                told.close()
+        return FunctionBounds(record, names)
 
     def __repr__(self) -> str:
         return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"

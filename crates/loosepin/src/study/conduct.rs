@@ -451,7 +451,7 @@ fn evaluate(
     rows
 }
 
-fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
+pub(super) fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
     let first = &table.inputs()[0];
     let mut row = vec![f64::NAN; response.row_length()];
     match response.run(&first.random, &first.epistemic, &mut row) {

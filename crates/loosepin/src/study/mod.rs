@@ -10,6 +10,7 @@ mod contributors;
 mod distribution_words;
 mod file;
 pub mod files;
+mod further_outputs;
 mod ideal_curve;
 mod input_file;
 mod inputs;
@@ -32,6 +33,7 @@ pub use file::{
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
+pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study};
 pub use iso_286::FitError;
