@@ -1,6 +1,7 @@
 //! One run, recorded.
 
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
+use loosepin::simulate::record::OutputHistory;
 use loosepin::simulate::{self, history_csv, history_names, impacts_csv};
 use loosepin::study::files::to_json;
 use pyo3::prelude::*;
@@ -44,17 +45,20 @@ impl Simulation {
         named.map(|(name, (unit, values))| Column::of_numbers(py, name, unit, values)).collect()
     }
 
-    /// The values of each output, then those of the ideal mechanism, then the differences; empty where there is no ideal.
-    fn outputs(&self, py: Python<'_>) -> [Vec<Column>; 3] {
-        let outputs = &self.0.record.outputs;
-        let columns = |of: fn(&simulate::record::OutputHistory) -> &Vec<f64>| {
-            let column = |output| (output, of(output).clone());
-            let of_each = outputs.iter().map(column).filter(|(_, values)| !values.is_empty());
-            of_each
-                .map(|(output, values)| Column::of_numbers(py, &output.name, output.unit.symbol(), values))
-                .collect::<Vec<_>>()
+    /// Name and SI unit of each output; their values follow time and angle in the history.
+    fn outputs(&self) -> Vec<(&str, &str)> {
+        self.0.record.outputs.iter().map(|output| (output.name.as_str(), output.unit.symbol())).collect()
+    }
+
+    /// The outputs of the ideal mechanism, then the differences from them; none for an output that has no ideal.
+    fn ideal_and_deviation(&self, py: Python<'_>) -> [Vec<Column>; 2] {
+        let columns = |of: fn(&OutputHistory) -> &Vec<f64>| {
+            let outputs = self.0.record.outputs.iter().filter(|output| !of(output).is_empty());
+            let column =
+                |output: &OutputHistory| Column::of_numbers(py, &output.name, output.unit.symbol(), of(output).clone());
+            outputs.map(column).collect()
         };
-        [columns(|output| &output.value_si), columns(|output| &output.ideal_si), columns(|output| &output.deviation_si)]
+        [columns(|output| &output.ideal_si), columns(|output| &output.deviation_si)]
     }
 
     /// The text of `summary.json`.

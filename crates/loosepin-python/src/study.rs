@@ -16,6 +16,9 @@ use crate::result::StudyResult;
 use crate::results_folder::{Ended, Meeting, Settings, conduct_in_folder, conduct_in_memory, inputs};
 use crate::waiting::{Told, wait_for};
 
+/// Threads, at most; as for the command.
+const MOST_THREADS: i64 = 1024;
+
 /// A checked study.
 #[pyclass(frozen, module = "loosepin._loosepin")]
 pub struct Study(pub study::Study);
@@ -84,7 +87,7 @@ impl Study {
         folder: Option<PathBuf>,
         resume: bool,
         force: bool,
-        threads: Option<usize>,
+        threads: Option<i64>,
         progress: Option<Py<PyAny>>,
         accuracy: Vec<String>,
         budget: Option<String>,
@@ -134,7 +137,7 @@ impl Study {
         function: Bound<'py, PyAny>,
         columns: Vec<String>,
         requests: Vec<(usize, String, Option<f64>)>,
-        threads: Option<usize>,
+        threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let threads = count_threads(threads)?;
@@ -143,10 +146,10 @@ impl Study {
 }
 
 /// As many threads as asked for, otherwise as many as the machine has.
-fn count_threads(asked: Option<usize>) -> PyResult<usize> {
+fn count_threads(asked: Option<i64>) -> PyResult<usize> {
     match asked {
-        Some(0) => Err(PyValueError::new_err("threads 0; must be at least 1")),
-        Some(threads) => Ok(threads),
+        Some(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(threads as usize),
+        Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MOST_THREADS}"))),
         None => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
     }
 }

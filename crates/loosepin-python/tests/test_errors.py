@@ -57,6 +57,13 @@ def test_what_is_no_toml_is_refused_by_name():
         lp.Model.from_dict({"gravity": float("nan")})
 
 
+def test_oversights_are_warnings():
+    text = MODEL.read_text(encoding="utf-8").replace("[parameter]", '[parameter]\nspare = "3 mm"', 1)
+    with pytest.warns(lp.LoosepinWarning, match="parameter 'spare' is used by nothing") as warned:
+        lp.Model.from_text(text)
+    assert warned[0].filename == __file__
+
+
 def test_a_folder_with_other_things_is_refused(tmp_path):
     study = lp.Study.load(write_study(tmp_path))
     with pytest.raises(lp.LoosepinError) as refused:

@@ -142,6 +142,8 @@ def test_wrong_shapes_inputs_and_statistics_are_refused():
     assert refused.value.code == "E0611"
     with pytest.raises(ValueError, match="correlation of 'z'"):
         lp.bounds(shift, INPUTS, correlation={("x", "z"): 0.5})
+    with pytest.raises(ValueError, match="seed -1; must be >= 0"):
+        lp.bounds(shift, INPUTS, seed=-1)
     with pytest.raises(ValueError, match="reading 'mixed'"):
         lp.bounds(shift, INPUTS, reading="mixed")
 

@@ -153,6 +153,9 @@ def bounds(
         "seed": seed,
         "confidence": confidence,
     }
+    for name, number in runs.items():
+        if number < 0:
+            raise ValueError(f"{name} {number}; must be >= 0")
     return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs), names)
 
 

@@ -121,20 +121,22 @@ class Simulation(Mapping[str, NDArray[np.float64]]):
         """Use `Model.simulate`."""
         self._native = native
         history = native.history()
-        self._names = [column.name for column in history]
         self.history: dict[str, NDArray[np.float64]] = {column.name: column.values for column in history}
         """The columns of `history.csv` by name, units in the names: `time_s`, the angle of the drive, outputs, states."""
         self.time_s: NDArray[np.float64] = history[0].values
         """Times of the rows since the start of the run, s."""
         self.drive_angle_rad: NDArray[np.float64] = history[1].values
         """Angle of the drive, continuous over turns, rad."""
-        values, ideal, deviation = native.outputs()
-        self._values: dict[str, NDArray[np.float64]] = {column.name: column.values for column in values}
+        outputs = native.outputs()
+        self._values: dict[str, NDArray[np.float64]] = {
+            name: column.values for (name, _), column in zip(outputs, history[2:])
+        }
+        ideal, deviation = native.ideal_and_deviation()
         self.ideal: dict[str, NDArray[np.float64]] = {column.name: column.values for column in ideal}
         """What each output would be without play, in its SI unit."""
         self.deviation: dict[str, NDArray[np.float64]] = {column.name: column.values for column in deviation}
         """Each output minus what it would be without play, in its SI unit."""
-        self.units: dict[str, str] = {column.name: column.unit for column in values}
+        self.units: dict[str, str] = dict(outputs)
         """SI unit of each output."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
