@@ -16,6 +16,9 @@ use crate::result::StudyResult;
 use crate::results_folder::{Ended, Meeting, Settings, conduct_in_folder, conduct_in_memory, inputs};
 use crate::waiting::{Told, wait_for};
 
+/// Name, SI unit, and angles of the drive in rad where it is a curve.
+type Recorded = (String, String, Option<Vec<f64>>);
+
 /// Threads, at most; as for the command.
 const MOST_THREADS: i64 = 1024;
 
@@ -123,7 +126,7 @@ impl Study {
         }
     }
     /// What every run records: name, SI unit, and for a curve the angles of the drive.
-    fn recorded(&self, py: Python<'_>) -> PyResult<Vec<(String, String, Option<Vec<f64>>)>> {
+    fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
         let recorded = recorded.map_err(|error| raise(error.complaint(&self.0)))?.into_iter();
         Ok(recorded.map(|output| (output.name, output.unit.symbol().to_owned(), output.pose_rad)).collect())
