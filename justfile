@@ -50,6 +50,8 @@ rust-tests:
 # Builds the wheel, installs it into .venv, runs the Python tests.
 python-tests: (tool "maturin")
     rm -rf target/wheels
+    # The command whose numbers the package must have.
+    cargo build --locked --package loosepin-cli
     cd crates/loosepin-python && "{{ python }}" -m maturin build --locked --profile dev --quiet \
         --interpreter "{{ python }}" --out "{{ justfile_directory() }}/target/wheels"
     "{{ python }}" -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall target/wheels/*.whl

@@ -1,9 +1,33 @@
-//! The Python module `loosepin`: wrappers of the library's public API, no logic of its own.
+//! The native part of the Python package `loosepin`: wrappers of the library's public API, no logic of its own. What people
+//! use is `python/loosepin`; `_loosepin.pyi` describes what is here.
+
+mod column;
+mod error;
+mod function_bounds;
+mod further_outputs;
+mod inputs;
+mod model;
+mod result;
+mod results_folder;
+mod simulation;
+mod study;
+mod surrogates;
+mod waiting;
 
 use pyo3::prelude::*;
 
-/// How accurately a planar mechanism moves when its parts scatter and its joints have play.
-#[pymodule(name = "loosepin")]
+/// The compiled part of loosepin.
+#[pymodule(name = "_loosepin")]
 fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("__version__", loosepin::VERSION)
+    module.add("__version__", loosepin::VERSION)?;
+    module.add("LoosepinError", module.py().get_type::<error::LoosepinError>())?;
+    module.add_class::<error::Complaint>()?;
+    module.add_class::<column::Column>()?;
+    module.add_class::<model::Model>()?;
+    module.add_class::<simulation::Simulation>()?;
+    module.add_class::<study::Study>()?;
+    module.add_class::<result::StudyResult>()?;
+    module.add_class::<surrogates::Surrogates>()?;
+    module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
+    module.add_function(wrap_pyfunction!(function_bounds::evaluate, module)?)
 }

@@ -4,28 +4,12 @@ use std::path::Path;
 
 use loosepin::diagnostics::{Complaint, Complaints, Place, Problem};
 use loosepin::model::Model;
-use loosepin::results::InputsHasher;
 use loosepin::simulate::record::Override;
 use loosepin::study::{InputFile, InputFileProblem, Study};
+pub use loosepin::study::{add_model, add_study};
 
 use crate::console;
 use crate::ending::Failure;
-
-/// Adds a model file, and the tables that it names, to what a result is computed from.
-pub fn add_model(hasher: &mut InputsHasher, model: &Model) {
-    hasher.add("model", model.source().text());
-    for table in model.tables() {
-        hasher.add("table", table.text());
-    }
-}
-
-/// Adds a study file, and the tables that it names, to what a result is computed from; its model is added by itself.
-pub fn add_study(hasher: &mut InputsHasher, study: &Study) {
-    hasher.add("study", study.source().text());
-    for table in study.tables() {
-        hasher.add("table", table.text());
-    }
-}
 
 /// Reads a model file, and says what looks like an oversight in it.
 ///

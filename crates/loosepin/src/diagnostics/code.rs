@@ -453,6 +453,10 @@ shards that are missing."
 "A study asks for its runs in rounds, and each round depends on the results of those before. Every shard makes its part of a round; \
 `loosepin merge` joins the parts and opens the next round, or writes the results after the last one."
 
+    NoSurrogateAnswer "E0920" "saved surrogates give no answer"
+"A surrogates.json answers for its own inputs, all of them, and within the ranges that were learned: beyond them nothing is known, and \
+nothing is extrapolated. A file of another version, or that is not whole, is refused."
+
     MeasuredTable "E1001" "a table of measured values cannot be used"
 "A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
 the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \

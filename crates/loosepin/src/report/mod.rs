@@ -32,6 +32,6 @@ pub use cases_page::{cases_page, cases_text};
 pub use mechanism_figure::mechanism_picture;
 pub use motion_page::motion_page;
 pub use simulation_page::simulation_page;
-pub use study_page::study_page;
+pub use study_page::{study_excerpt, study_page};
 pub use sweep_page::sweep_page;
 pub use terminal::{TERMINAL_COLUMNS, motion_text, simulation_text, study_text, sweep_text};

@@ -49,5 +49,5 @@ pub use report::{Counters, EnergyAccount, PlaySummary, RunReport};
 pub use resume::MotionState;
 pub use search::{Peak, maximum_within};
 pub use settings::{STEP_SHARE, Settings, Window};
-pub use tables::{history_csv, impacts_csv};
+pub use tables::{history_csv, history_names, impacts_csv};
 pub use turns::Turns;

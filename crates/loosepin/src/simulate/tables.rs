@@ -4,30 +4,34 @@ use super::history::Simulation;
 use super::record::SimulationRecord;
 use std::fmt::Write;
 
-/// `history.csv`: `time_s`, the angle of the drive, the outputs in file order, then the states of all bodies where they were
-/// recorded. One row a sample.
-pub fn history_csv(simulation: &Simulation) -> String {
+/// Names of the columns of `history.csv`, units in the names: `time_s`, the angle of the drive, the outputs in file order, then
+/// the states of all bodies where they were recorded.
+pub fn history_names(simulation: &Simulation) -> Vec<String> {
     let record = &simulation.record;
-    let mut text = String::from("time_s,");
-    text.push_str(&record.settings.drive);
-    text.push_str("_rad");
+    let drive = format!("{}_rad", record.settings.drive);
+    let mut names = vec!["time_s".to_owned(), drive.clone()];
     for output in &record.outputs {
         let name = format!("{}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()));
         // An angle output may bear the name of the drive, whose column comes first.
-        let is_taken = name == format!("{}_rad", record.settings.drive);
-        let _ = write!(text, ",{name}{}", if is_taken { "_output" } else { "" });
+        let is_taken = name == drive;
+        names.push(format!("{name}{}", if is_taken { "_output" } else { "" }));
     }
     if let Some(states) = &simulation.states {
         for quantities in
             [["x_m", "y_m", "angle_rad"], ["vx_m_s", "vy_m_s", "omega_rad_s"], ["ax_m_s2", "ay_m_s2", "alpha_rad_s2"]]
         {
             for body in &states.bodies {
-                for quantity in quantities {
-                    let _ = write!(text, ",{body}.{quantity}");
-                }
+                names.extend(quantities.iter().map(|quantity| format!("{body}.{quantity}")));
             }
         }
     }
+    names
+}
+
+/// `history.csv`: the columns of [`history_names`], one row a sample.
+pub fn history_csv(simulation: &Simulation) -> String {
+    let record = &simulation.record;
+    let mut text = history_names(simulation).join(",");
     text.push('\n');
     for row in 0..record.time_s.len() {
         let _ = write!(text, "{:?},{:?}", record.time_s[row], record.drive_angle_rad[row]);

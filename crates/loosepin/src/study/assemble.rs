@@ -9,7 +9,7 @@ mod summary;
 
 pub(super) use describe::unit;
 pub(super) use failures::failures;
-pub use runs_table::runs_table;
+pub use runs_table::{curve_name, runs_table, scalar_name};
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};

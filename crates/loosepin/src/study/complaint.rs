@@ -4,6 +4,8 @@ use super::conduct::StudyError;
 use super::file::Study;
 use super::files::FilesError;
 use super::response::PrepareError;
+use super::saved_surrogates::SavedSurrogateError;
+use crate::bounds::EvaluateError;
 use crate::diagnostics::{Code, Complaint, Place, Problem};
 use crate::document::parse_toml;
 
@@ -150,6 +152,21 @@ impl Problem for FilesError {
             | Self::RepeatedColumn { .. }
             | Self::Parquet { .. }
             | Self::Arrow { .. } => None,
+        }
+    }
+}
+
+impl Problem for SavedSurrogateError {
+    fn code(&self) -> Code {
+        Code::NoSurrogateAnswer
+    }
+}
+
+impl Problem for EvaluateError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Plan(_) => Code::SamplingNotPossible,
+            Self::Table(_) => Code::AllRunsFailed,
         }
     }
 }

@@ -378,7 +378,7 @@ fn made_rounds(table: &SampleTable) -> u32 {
     table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
 }
 
-fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
+pub(super) fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {
     let first = &table.inputs()[0];
     let mut row = vec![f64::NAN; response.row_length()];
     match response.run(&first.random, &first.epistemic, &mut row) {

@@ -61,9 +61,21 @@ impl Study {
     /// # Errors
     /// Everything that is wrong with either file, each with its place.
     pub fn from_path(path: &Path) -> Result<Study, Complaints> {
-        let source = read_source(path)?;
+        Study::from_source(&read_source(path)?, path)
+    }
+
+    /// Reads a study from text as if it stood in the file `name`: the model that it names is opened, its path taken from the
+    /// folder of `name`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text or the model file, each with its place.
+    pub fn from_text_at(name: &str, text: &str) -> Result<Study, Complaints> {
+        Study::from_source(&Source::new(name, text), Path::new(name))
+    }
+
+    fn from_source(source: &Arc<Source>, path: &Path) -> Result<Study, Complaints> {
         let folder = path.parent().unwrap_or(Path::new(""));
-        read(&source, |written| {
+        read(source, |written| {
             let model_path = folder.join(written);
             Ok((Model::from_path(&model_path)?, model_path))
         })

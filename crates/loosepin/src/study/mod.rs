@@ -10,8 +10,10 @@ mod contributors;
 mod distribution_words;
 mod file;
 pub mod files;
+mod further_outputs;
 mod ideal_curve;
 mod input_file;
+mod inputs;
 mod iso_286;
 mod keep;
 mod lanes;
@@ -36,7 +38,9 @@ pub use file::{
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
+pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
+pub use inputs::{add_model, add_study};
 pub use iso_286::FitError;
 pub use part::{OpenRound, Part, plan_shards};
 pub use plans::plan_runs;

@@ -108,6 +108,19 @@ pub fn study_page(result: &StudyResult) -> String {
     .into_html()
 }
 
+/// The answer and the key table of [`study_page`] as HTML to stand inside another page, such as a notebook; without styles.
+/// Text from files is escaped.
+pub fn study_excerpt(result: &StudyResult) -> String {
+    let writer = NumberWriter::for_page(&result.display_units);
+    let answer = answer_markup(&answer(result, &writer));
+    let table = if result.bounds.is_empty() {
+        html! {}
+    } else {
+        bounds_table::bounds_table(result, &writer)
+    };
+    html! { (answer) (table) }.into_string()
+}
+
 fn short_hash(hash: &str) -> String {
     hash.chars().take(8).collect()
 }

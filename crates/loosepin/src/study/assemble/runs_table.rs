@@ -4,11 +4,27 @@ use super::describe::unit;
 use super::summary::purpose;
 use crate::bounds::SampleTable;
 use crate::simulate::RunFailure;
-use crate::study::columns::{Spot, named_angle_rad};
+use crate::study::columns::{ColumnPlan, Spot, named_angle_rad};
 use crate::study::file::{EpistemicSubject, Study, Where};
 use crate::study::response::StudyResponse;
 use crate::study::runs::{RunColumn, RunData, RunsTable};
 use crate::units::SiUnit;
+
+/// What a column is called that is one number a run.
+pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
+    let column = &plan.columns[index];
+    let at = match column.spot {
+        Spot::Pose { angle_rad, .. } => format!("at {} rad", named_angle_rad(angle_rad)),
+        Spot::Reduced(reduction) => reduction.word().to_owned(),
+    };
+    format!("{} {at}", curve_name(plan, index))
+}
+
+/// What the curve is called that a column is a point of: output and deviation.
+pub fn curve_name(plan: &ColumnPlan, index: usize) -> String {
+    let column = &plan.columns[index];
+    format!("{} {}", plan.outputs[column.output].name, super::deviation_kind(column.deviation).word())
+}
 
 /// The table for `runs.parquet`. Curves are left out: they would be most of it.
 pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) -> RunsTable {
@@ -46,15 +62,8 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
         if !is_scalar {
             continue;
         }
-        let output = &plan.outputs[column.output];
-        let of = super::deviation_kind(column.deviation).word();
-        let at = match column.spot {
-            Spot::Pose { angle_rad, .. } => {
-                format!("at {} rad", named_angle_rad(angle_rad))
-            }
-            Spot::Reduced(reduction) => reduction.word().to_owned(),
-        };
-        push(format!("{} {of} {at}", output.name), output.unit.clone(), number(&|run| table.values(run)[index]));
+        let unit = plan.outputs[column.output].unit.clone();
+        push(scalar_name(plan, index), unit, number(&|run| table.values(run)[index]));
     }
     let status = |run: usize| if table.failure(run).is_some() { "failed" } else { "finished" };
     push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).to_owned()));

@@ -1,0 +1,76 @@
+"""How accurately a planar mechanism moves when its parts scatter and its joints have play.
+
+    import loosepin as lp
+
+    result = lp.Study.load("study.toml").run()
+    print(result)
+    result.report("report.html")
+
+Numbers are SI unless a name says otherwise. Files and their keys are those of the command `loosepin`.
+"""
+
+from ._function_bounds import Band, Box, FunctionBounds, bounds
+from ._inputs import (
+    Beta,
+    Discrete,
+    Empirical,
+    Evidence,
+    Exponential,
+    Fuzzy,
+    Gamma,
+    Gumbel,
+    Interval,
+    Lognormal,
+    Normal,
+    OneOf,
+    Periodic,
+    Triangular,
+    TruncatedNormal,
+    Uniform,
+    Weibull,
+)
+from ._loosepin import Complaint, LoosepinError, __version__
+from ._model import Model, Output, Simulation
+from ._result import Bound, BoundEnd, Curve, Samples, StudyResult
+from ._study import Study
+from ._surrogates import SurrogateOutput, Surrogates
+from ._warning import LoosepinWarning
+
+__all__ = [
+    "__version__",
+    "Band",
+    "Beta",
+    "Bound",
+    "BoundEnd",
+    "bounds",
+    "Box",
+    "Complaint",
+    "Curve",
+    "Discrete",
+    "Empirical",
+    "Evidence",
+    "Exponential",
+    "FunctionBounds",
+    "Fuzzy",
+    "Gamma",
+    "Gumbel",
+    "Interval",
+    "Lognormal",
+    "LoosepinError",
+    "LoosepinWarning",
+    "Model",
+    "Normal",
+    "OneOf",
+    "Output",
+    "Periodic",
+    "Samples",
+    "Simulation",
+    "Study",
+    "StudyResult",
+    "SurrogateOutput",
+    "Surrogates",
+    "Triangular",
+    "TruncatedNormal",
+    "Uniform",
+    "Weibull",
+]

@@ -1,0 +1,123 @@
+"""The standard figures, drawn with matplotlib."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._extras import need
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+
+    from ._model import Simulation
+    from ._result import Curve, StudyResult
+
+RANDOM = "#1f6f8b"
+"""Colour of what scatters."""
+UNKNOWN = "#d98324"
+"""Colour of what is not known."""
+INK = "#333333"
+
+
+def shown(unit: str, display_units: dict[str, Any]) -> tuple[str, float]:
+    """The unit that people read instead of an SI unit, and how many of it make one of that."""
+    display = display_units.get(unit)
+    return (unit, 1.0) if display is None else (display["symbol"], float(display["per_si"]))
+
+
+def simulation_figure(simulation: Simulation, names: Sequence[str], deviation: bool) -> matplotlib.figure.Figure:
+    """Outputs, or their deviations, over the angle of the drive."""
+    units = simulation.summary["display_units"]
+    columns = simulation.deviation if deviation else simulation
+    names = [name for name in names if name in columns] if deviation else list(names)
+    figure, axes = _panels(len(names))
+    for axis, name in zip(axes, names):
+        unit, factor = shown(simulation.units[name], units)
+        if not deviation and name in simulation.ideal:
+            axis.plot(np.degrees(simulation.drive_angle_rad), simulation.ideal[name] * factor, color=INK, lw=0.8, ls="--", label="ideal")
+        axis.plot(np.degrees(simulation.drive_angle_rad), columns[name] * factor, color=RANDOM, lw=1.2, label=name)
+        axis.set_ylabel(f"{name}{', deviation' if deviation else ''}{_in(unit)}")
+        if not deviation:
+            axis.legend(frameon=False)
+    if names:
+        axes[-1].set_xlabel("angle of the drive [deg]")
+    return figure
+
+
+def study_figure(result: StudyResult, kind: str | None, output: str | None, of: str | None) -> matplotlib.figure.Figure:
+    """One of the standard figures of a study; the first kind that there is, where none is named."""
+    drawn: dict[str, Callable[[Any, Any, dict[str, Any]], None]] = {"curves": _curves, "box": _boxes, "contributors": _contributors}
+    holds = {"curves": "curves", "box": "boxes", "contributors": "contributors"}
+    if kind is None:
+        kind = next((kind for kind in drawn if result.summary[holds[kind]]), "curves")
+    if kind not in drawn:
+        raise ValueError(f"kind {kind!r}; must be 'curves', 'box' or 'contributors'")
+
+    def is_wanted(item: Any) -> bool:
+        own = (item["output"], item["of"]) if isinstance(item, dict) else (item.output, item.of)
+        return all(wanted is None or wanted == found for wanted, found in zip((output, of), own))
+
+    items = [item for item in (result.curves if kind == "curves" else result.summary[holds[kind]]) if is_wanted(item)]
+    if not items:
+        raise ValueError(f"the study {result.name!r} has no {kind} of output={output!r}, of={of!r}\nhint: an [[ask]] of the study makes them")
+    figure, axes = _panels(len(items))
+    for axis, item in zip(axes, items):
+        drawn[kind](axis, item, result.summary["display_units"])
+    return figure
+
+
+def _curves(axis: Any, curve: Curve, units: dict[str, Any]) -> None:
+    unit, factor = shown(curve.unit, units)
+    angle = np.degrees(curve.pose_rad)
+    share = 100 * (curve.probabilities[1] - curve.probabilities[0])
+    if len(curve.worst_case[0]):
+        for label, values in zip(("worst case without dynamics", None), curve.worst_case):
+            axis.plot(angle, values * factor, color=INK, lw=0.8, ls=":", label=label)
+    axis.fill_between(angle, *(end * factor for end in curve.mixed), color=UNKNOWN, alpha=0.35, lw=0, label=f"{share:.3g} % for every unknown value")
+    axis.fill_between(angle, *(end * factor for end in curve.random), color=RANDOM, alpha=0.6, lw=0, label=f"{share:.3g} %, unknown values in the middle")
+    axis.plot(angle, curve.nominal * factor, color=INK, lw=0.9, label="nominal")
+    axis.set(xlabel="angle of the drive [deg]", ylabel=f"{curve.output}, {curve.of}{_in(unit)}")
+    axis.legend(frameon=False, fontsize="small")
+
+
+def _boxes(axis: Any, box: dict[str, Any], units: dict[str, Any]) -> None:
+    unit, factor = shown(box["unit"], units)
+    values = np.array(box["value_si"], dtype=float) * factor
+    lower, upper, only = (np.array(box[key], dtype=float) for key in ("lower", "upper", "probability_only"))
+    axis.fill_between(values, lower, upper, color=UNKNOWN, alpha=0.35, lw=0, label="for every unknown value")
+    axis.plot(values, only, color=RANDOM, lw=1.2, label="unknown values taken as random")
+    if box["limit_si"] is not None:
+        axis.axvline(float(box["limit_si"]) * factor, color=INK, lw=0.8, ls=":")
+    at = box["at"].get("reduction", "").replace("_", " ")
+    axis.set(xlabel=f"{box['output']}, {box['of']} {at}{_in(unit)}", ylabel="probability to stay below", ylim=(0, 1))
+    axis.legend(frameon=False, fontsize="small")
+
+
+def _contributors(axis: Any, record: dict[str, Any], _units: dict[str, Any]) -> None:
+    bars = [(" + ".join(each["paths"]), each["band_share"], each["band_share"], RANDOM) for each in record["random"]]
+    bars += [(each["path"], *each["band_share"], UNKNOWN) for each in record["epistemic"]]
+    bars.sort(key=lambda bar: float(bar[2]))
+    for row, (_, low, high, colour) in enumerate(bars):
+        axis.barh(row, 100 * float(high), color=colour, alpha=0.55)
+        axis.barh(row, 100 * float(low), color=colour)
+    axis.set_yticks(range(len(bars)), [bar[0] for bar in bars])
+    axis.set_xlabel("% of the band that would go")
+    at = record["at"].get("reduction", record["at"]["kind"]).replace("_", " ")
+    axis.set_title(f"{record['output']}, {record['of']} {at}: held fixed (blue), known (orange)", fontsize="medium")
+
+
+def _panels(count: int) -> tuple[matplotlib.figure.Figure, list[Any]]:
+    if count == 0:
+        raise ValueError("there is nothing to draw")
+    pyplot = need("matplotlib.pyplot", "plot()")
+    figure, axes = pyplot.subplots(count, 1, figsize=(8, 1 + 3 * count), squeeze=False, layout="constrained")
+    # A notebook shows the figure that is returned; one that stays open would be shown twice.
+    pyplot.close(figure)
+    return figure, list(axes[:, 0])
+
+
+def _in(unit: str) -> str:
+    return "" if unit == "1" else f" [{unit}]"

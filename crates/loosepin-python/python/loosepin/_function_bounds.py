@@ -1,0 +1,213 @@
+"""Bounds of statistics of any vectorised function, without a mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _loosepin
+from ._extras import need
+from ._inputs import Input
+from ._result import Array, Bound, BoundEnd
+
+if TYPE_CHECKING:
+    import pandas
+
+Statistic = str | Mapping[str, float]
+"""A statistic as study files write it: "mean", "standard_deviation", "cdf", {"quantile": 0.975}, {"probability_above": 0.4}."""
+
+
+@dataclass(frozen=True)
+class Band:
+    """The central 95 % band of an output by one treatment, and the share of it that really stays inside."""
+
+    output: str
+    """Name of the output."""
+    treatment: str
+    """"mixed", "probability_only" (everything taken as random) or "interval_only" (everything taken as unknown)."""
+    lower: float
+    """Lower end."""
+    upper: float
+    """Upper end."""
+    coverage: tuple[float, float]
+    """The least and the largest probability of staying inside, over what is not known."""
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """Bounds of a distribution function."""
+
+    output: str
+    """Name of the output."""
+    values: Array
+    """Values of the output, increasing."""
+    lower: Array
+    """The least probability of staying below each value, numerical error included."""
+    upper: Array
+    """The largest one."""
+
+
+class FunctionBounds:
+    """What `bounds` found: `result.bounds` holds one `Bound` for each statistic of each output."""
+
+    def __init__(self, record: dict[str, Any], outputs: Sequence[str]) -> None:
+        """Use `bounds`."""
+        self.bounds: tuple[Bound, ...] = _bounds(record["bounds"], outputs)
+        """Bounds of each statistic over everything that is not known."""
+        self.cuts: tuple[tuple[float, tuple[Bound, ...]], ...] = tuple(
+            (alpha, _bounds(each, outputs)) for alpha, each in record["cuts"]
+        )
+        """The same by degree of possibility, where an input is fuzzy."""
+        self.boxes: tuple[Box, ...] = tuple(Box(outputs[each[0]], *each[1:]) for each in record["boxes"])
+        """One for each "cdf" that was asked for."""
+        self.bands: tuple[Band, ...] = tuple(
+            Band(outputs[column], treatment, lower, upper, (least, most))
+            for column, treatment, lower, upper, least, most in record["bands"]
+        )
+        """The 95 % band of each output by three treatments."""
+        self.runs, self.failed_runs, self.rounds = record["runs"]
+        self.inputs: dict[str, Array] = {column.name: column.values for column in record["inputs"]}
+        """Every value of each input that the function was given."""
+        self.outputs: dict[str, Array] = {column.name: column.values for column in record["outputs"]}
+        """Every value that it returned."""
+        self.purpose: NDArray[np.str_] = np.array(record["purpose"])
+        """What each run was for: "mixed", "probability_only" or "interval_only"."""
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One bound a row."""
+        pandas_ = need("pandas", "to_pandas()")
+        rows = [
+            {
+                "output": bound.output,
+                "statistic": bound.statistic,
+                "parameter": bound.parameter,
+                "lower": bound.lower.value,
+                "lower_widened": bound.lower.widened,
+                "upper": bound.upper.value,
+                "upper_widened": bound.upper.widened,
+                "guarantee": bound.guarantee,
+            }
+            for bound in self.bounds
+        ]
+        frame: pandas.DataFrame = pandas_.DataFrame(rows)
+        return frame
+
+    def __str__(self) -> str:
+        return "\n".join(str(bound) for bound in self.bounds)
+
+    def __repr__(self) -> str:
+        return f"<loosepin.FunctionBounds: {len(self.bounds)} bounds from {self.runs} runs>\n{self}"
+
+
+def bounds(
+    function: Callable[..., Any],
+    inputs: Mapping[str, Input],
+    statistics: Sequence[Statistic] = ("mean", "standard_deviation"),
+    *,
+    outputs: Sequence[str] = ("y",),
+    correlation: Mapping[tuple[str, str], float] | None = None,
+    reading: str = "fixed",
+    outer: int = 64,
+    inner: int = 256,
+    replicates: int = 8,
+    mixture: int = 1024,
+    extreme: int = 128,
+    seed: int = 1,
+    confidence: float = 0.99,
+) -> FunctionBounds:
+    """Bounds of statistics of a function's values, over everything about its inputs that is not known.
+
+        lp.bounds(lambda x, u: x + u, {"x": lp.Normal(0, 1), "u": lp.Interval(-1, 1)}, ["mean", {"quantile": 0.975}])
+
+    function: is called with one NumPy array for each input, by its name as a keyword, each with one entry for each run; it returns
+    an array with one entry for each run, or one row for each run and one column for each of `outputs`. Not-a-number is a run
+    that failed: it widens the bounds. What the function raises comes out unchanged.
+    inputs: what is known of each, a distribution such as `Normal` or a kind of ignorance such as `Interval`.
+    correlation: rank correlations of random inputs, {("x", "y"): 0.6}.
+    reading: how an interval is read: "fixed" (one value, unknown), "unknown-distribution" or "random-set".
+    outer, inner: values of what is not known, and samples of the random inputs for each; `outer * inner + mixture + extreme` runs at
+    most. replicates: independent parts of the samples, which must divide `inner` and `mixture`. confidence: of sampling errors.
+    """
+    names = list(outputs)
+    asked = requests(statistics, len(names))
+    ordered = sorted(inputs.items(), key=lambda item: _is_unknown(item[1]))
+    keywords = [name for name, _ in ordered]
+
+    def evaluate(columns: list[Array]) -> Array:
+        # Those beyond the keywords are uncertain parameters of distributions, which the function does not see.
+        given = dict(zip(random_names + unknown_names, columns))
+        return table(function(**{name: given[name] for name in keywords}), len(columns[0]) if columns else 0, names)
+
+    random_names, unknown_names = _loosepin.input_names(ordered)
+    ranks = [(first, second, rank) for (first, second), rank in (correlation or {}).items()]
+    runs = {
+        "outer": outer,
+        "inner": inner,
+        "replicates": replicates,
+        "mixture": mixture,
+        "extreme": extreme,
+        "seed": seed,
+        "confidence": confidence,
+    }
+    for name, number in runs.items():
+        if number < 0:
+            raise ValueError(f"{name} {number}; must be >= 0")
+    return FunctionBounds(_loosepin.evaluate(evaluate, ordered, names, asked, ranks, reading, runs), names)
+
+
+def _is_unknown(known: Input) -> bool:
+    from ._inputs import Evidence, Fuzzy, Interval, OneOf, Periodic
+
+    return isinstance(known, (Interval, Periodic, OneOf, Evidence, Fuzzy))
+
+
+def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, str, float | None]]:
+    """Each statistic of each output: number of the output, name, and the number that goes with it."""
+    asked: list[tuple[str, float | None]] = []
+    for statistic in statistics:
+        if isinstance(statistic, str):
+            asked.append((statistic, None))
+        elif len(statistic) == 1:
+            asked.extend((name, float(parameter)) for name, parameter in statistic.items())
+        else:
+            raise ValueError(f"statistic {dict(statistic)!r}; must be one name with one number, such as {{'quantile': 0.975}}")
+    return [(column, *request) for column in range(outputs) for request in asked]
+
+
+def table(returned: Any, rows: int, outputs: list[str]) -> Array:
+    """What a function returned, as one row for each run and one column for each output."""
+    values = np.asarray(returned, dtype=np.float64)
+    if values.ndim == 1:
+        values = values[:, np.newaxis]
+    if values.shape != (rows, len(outputs)):
+        raise ValueError(
+            f"the function returned an array of shape {values.shape} for {rows} runs; must be ({rows}, {len(outputs)}), one "
+            f"column for each of outputs={outputs}"
+        )
+    return np.ascontiguousarray(values)
+
+
+def _bounds(records: list[dict[str, Any]], outputs: Sequence[str]) -> tuple[Bound, ...]:
+    return tuple(
+        Bound(
+            output=outputs[record["column"]],
+            of="value",
+            at="whole",
+            pose_rad=None,
+            reduction=None,
+            statistic=record["statistic"],
+            parameter=record["parameter"],
+            treatment="mixed",
+            reading="",
+            unit="1",
+            lower=BoundEnd(**record["lower"]),
+            upper=BoundEnd(**record["upper"]),
+            guarantee=record["guarantee"],
+            confidence=record["confidence"],
+        )
+        for record in records
+    )

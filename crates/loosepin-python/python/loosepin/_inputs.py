@@ -1,0 +1,173 @@
+"""What is known of an uncertain number: a distribution, or only what it may be.
+
+A parameter of a distribution may itself be an `Interval` (or another kind of ignorance): that is a probability box.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A number between two ends, nobody knows which."""
+
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class Periodic:
+    """A number between two ends that are the same place, for example an angle from 0 to 2 pi."""
+
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class OneOf:
+    """One of a few numbers, nobody knows which."""
+
+    values: Sequence[float]
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Intervals with masses that sum to 1 (Dempster-Shafer): elements = [(lower, upper, mass), ...]."""
+
+    elements: Sequence[tuple[float, float, float]]
+
+
+@dataclass(frozen=True)
+class Fuzzy:
+    """A trapezoidal fuzzy number: possible between the outer corners, entirely so between the inner ones."""
+
+    corners: tuple[float, float, float, float]
+
+
+Unknown = Interval | Periodic | OneOf | Evidence | Fuzzy
+"""What is not random."""
+Parameter = float | Unknown
+"""A parameter of a distribution."""
+
+
+@dataclass(frozen=True)
+class Normal:
+    """Normal distribution."""
+
+    mean: Parameter
+    standard_deviation: Parameter
+
+
+@dataclass(frozen=True)
+class TruncatedNormal:
+    """Normal distribution, mean and standard deviation before it was cut at both ends."""
+
+    mean: Parameter
+    standard_deviation: Parameter
+    lower: Parameter
+    upper: Parameter
+
+
+@dataclass(frozen=True)
+class Uniform:
+    """Every value between the ends as likely as any other."""
+
+    lower: Parameter
+    upper: Parameter
+
+
+@dataclass(frozen=True)
+class Lognormal:
+    """Lognormal distribution; mean and standard deviation are those of the variable itself, not of its logarithm."""
+
+    mean: Parameter
+    standard_deviation: Parameter
+
+
+@dataclass(frozen=True)
+class Triangular:
+    """Density that rises from the lower end to the mode and falls to the upper end."""
+
+    lower: Parameter
+    mode: Parameter
+    upper: Parameter
+
+
+@dataclass(frozen=True)
+class Beta:
+    """Beta distribution between two ends."""
+
+    alpha: Parameter
+    beta: Parameter
+    lower: Parameter = 0.0
+    upper: Parameter = 1.0
+
+
+@dataclass(frozen=True)
+class Weibull:
+    """Weibull distribution above a lower end."""
+
+    shape: Parameter
+    scale: Parameter
+    lower: Parameter = 0.0
+
+
+@dataclass(frozen=True)
+class Gamma:
+    """Gamma distribution above a lower end."""
+
+    shape: Parameter
+    scale: Parameter
+    lower: Parameter = 0.0
+
+
+@dataclass(frozen=True)
+class Gumbel:
+    """Gumbel distribution of largest values."""
+
+    mode: Parameter
+    scale: Parameter
+
+
+@dataclass(frozen=True)
+class Exponential:
+    """Exponential distribution above a lower end; the mean is that of the variable itself."""
+
+    mean: Parameter
+    lower: Parameter = 0.0
+
+
+@dataclass(frozen=True)
+class Discrete:
+    """One of a few values, with known probabilities."""
+
+    values: Sequence[float]
+    probabilities: Sequence[float]
+
+
+@dataclass(frozen=True)
+class Empirical:
+    """A measured sample, with straight lines between its values."""
+
+    values: Sequence[float]
+
+
+Distribution = (
+    Normal
+    | TruncatedNormal
+    | Uniform
+    | Lognormal
+    | Triangular
+    | Beta
+    | Weibull
+    | Gamma
+    | Gumbel
+    | Exponential
+    | Discrete
+    | Empirical
+)
+"""What is random."""
+Input = Distribution | Unknown
+"""An uncertain number."""

@@ -1,0 +1,204 @@
+"""A mechanism with its nominal values, and one run of it."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _loosepin
+from ._extras import need
+from ._toml import to_toml
+from ._warning import warn
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+    import pandas
+    import xarray
+
+
+@dataclass(frozen=True)
+class Output:
+    """An output of a model: a number that every run gives at each time."""
+
+    name: str
+    """Its name in the model."""
+    words: str
+    """What it is, for example "x of slider.pin"."""
+    unit: str
+    """SI unit of its values."""
+
+
+class Model:
+    """A checked mechanism with its nominal values; `Model.load("model.toml")` reads one."""
+
+    def __init__(self, native: _loosepin.Model) -> None:
+        """Use `load`, `from_text` or `from_dict`."""
+        self._native = native
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Model:
+        """Reads a model file. Raises LoosepinError with everything that is wrong with it."""
+        native = _loosepin.Model.load(os.fspath(path))
+        warn(native.warnings)
+        return cls(native)
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "model") -> Model:
+        """Reads a model from the text of a model file; messages call it `name`, and tables that it names are looked for beside it."""
+        native = _loosepin.Model.from_text(text, name)
+        warn(native.warnings)
+        return cls(native)
+
+    @classmethod
+    def from_dict(cls, mapping: Mapping[str, Any], name: str = "model") -> Model:
+        """Reads a model from a dict with the keys of a model file: values with units are texts, as in the file."""
+        native = _loosepin.Model.from_text(to_toml(mapping), name)
+        warn(native.warnings)
+        return cls(native)
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._native.name
+
+    @property
+    def text(self) -> str:
+        """The text that it was read from."""
+        return self._native.text
+
+    @cached_property
+    def outputs(self) -> tuple[Output, ...]:
+        """Its outputs in file order; a path is two of them."""
+        return tuple(Output(*output) for output in self._native.outputs())
+
+    def simulate(
+        self,
+        *,
+        turns: float | None = None,
+        transient: float | None = None,
+        samples: int | None = None,
+        tolerance: str = "1e-9 m",
+        states: bool = False,
+        set: Mapping[str, str | float] | None = None,
+    ) -> Simulation:
+        """Runs the model once.
+
+        turns, transient: turns that are recorded, and turns that are run before them; samples: rows for each turn; by default
+        as the model file says. tolerance: what the positions keep over the first half turn. states: whether the motion of every
+        body is recorded. set: values by their path in the model, {"joint.gudgeon.radial_clearance": "0.3 mm"}; a law by its name.
+        """
+        texts = [f"{path}={value if isinstance(value, str) else repr(float(value))}" for path, value in (set or {}).items()]
+        return Simulation(self._native.simulate(turns, transient, samples, tolerance, states, texts))
+
+    def __repr__(self) -> str:
+        return f"<loosepin.Model {self.name!r}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td><code>{escape(each.name)}</code></td><td>{escape(each.words)}</td><td>{escape(each.unit)}</td></tr>"
+            for each in self.outputs
+        )
+        head = "<tr><th>output</th><th>what</th><th>SI unit</th></tr>"
+        return f"<p><b>{escape(self.name)}</b>, a mechanism</p><table>{head}{rows}</table>"
+
+
+class Simulation(Mapping[str, NDArray[np.float64]]):
+    """One run: `simulation["slider"]` holds the values of an output at `simulation.time_s`, SI.
+
+    All arrays have one entry for each row of `history.csv`.
+    """
+
+    def __init__(self, native: _loosepin.Simulation) -> None:
+        """Use `Model.simulate`."""
+        self._native = native
+        history = native.history()
+        self.history: dict[str, NDArray[np.float64]] = {column.name: column.values for column in history}
+        """The columns of `history.csv` by name, units in the names: `time_s`, the angle of the drive, outputs, states."""
+        self.time_s: NDArray[np.float64] = history[0].values
+        """Times of the rows since the start of the run, s."""
+        self.drive_angle_rad: NDArray[np.float64] = history[1].values
+        """Angle of the drive, continuous over turns, rad."""
+        outputs = native.outputs()
+        self._values: dict[str, NDArray[np.float64]] = {
+            name: column.values for (name, _), column in zip(outputs, history[2:])
+        }
+        ideal, deviation = native.ideal_and_deviation()
+        self.ideal: dict[str, NDArray[np.float64]] = {column.name: column.values for column in ideal}
+        """What each output would be without play, in its SI unit."""
+        self.deviation: dict[str, NDArray[np.float64]] = {column.name: column.values for column in deviation}
+        """Each output minus what it would be without play, in its SI unit."""
+        self.units: dict[str, str] = dict(outputs)
+        """SI unit of each output."""
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        return self._values[name]
+
+    def __iter__(self) -> Any:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The run as `summary.json` has it: settings, extremes, joints, impacts, energy, counters; SI."""
+        summary: dict[str, Any] = json.loads(self._native.summary_json())
+        return summary
+
+    @property
+    def impacts(self) -> list[dict[str, Any]]:
+        """Every impact in the order of time: `time_s`, `joint`, `speed_m_s`, `duration_s`, `peak_force_n`, ..."""
+        impacts: list[dict[str, Any]] = self.summary["impacts"]
+        return impacts
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The history as a DataFrame with the columns of `history.csv`."""
+        pandas_ = need("pandas", "to_pandas()")
+        frame: pandas.DataFrame = pandas_.DataFrame(self.history, copy=False)
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The outputs over `time_s` as a Dataset: `slider`, `slider_ideal`, `slider_deviation`; units in the attributes."""
+        xarray_ = need("xarray", "to_xarray()")
+        variables = {}
+        for suffix, columns in (("", self._values), ("_ideal", self.ideal), ("_deviation", self.deviation)):
+            for name, values in columns.items():
+                variables[name + suffix] = ("time_s", values, {"units": self.units[name]})
+        coordinates = {
+            "time_s": ("time_s", self.time_s, {"units": "s"}),
+            "drive_angle_rad": ("time_s", self.drive_angle_rad, {"units": "rad"}),
+        }
+        dataset: xarray.Dataset = xarray_.Dataset(variables, coordinates, {"model": self._native.model})
+        return dataset
+
+    def plot(self, *outputs: str, deviation: bool = False) -> matplotlib.figure.Figure:
+        """Draws outputs over the angle of the drive (all of them where none is named), or their deviations from the ideal motion."""
+        from ._figures import simulation_figure
+
+        return simulation_figure(self, outputs or tuple(self), deviation)
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the page that the command `loosepin simulate` writes: one file, readable without a network."""
+        path = Path(path)
+        path.write_text(self._native.page(), encoding="utf-8", newline="\n")
+        return path
+
+    def __str__(self) -> str:
+        return self._native.text()
+
+    def __repr__(self) -> str:
+        return f"<loosepin.Simulation of {self._native.model!r}, {len(self.time_s)} rows, outputs {', '.join(self)}>"
+
+    def _repr_html_(self) -> str:
+        from ._html import simulation_html
+
+        return simulation_html(self)

@@ -1,0 +1,142 @@
+"""A study: what is uncertain in a model, and what is asked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+from . import _loosepin
+from ._function_bounds import FunctionBounds, Statistic, requests, table
+from ._model import Model
+from ._progress import Listener, listener
+from ._result import Array, StudyResult
+from ._toml import to_toml
+from ._warning import warn
+
+
+class Study:
+    """A checked study; `Study.load("study.toml")` reads one with its model."""
+
+    def __init__(self, native: _loosepin.Study) -> None:
+        """Use `load`, `from_text` or `from_dict`."""
+        self._native = native
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Study:
+        """Reads a study file and the model that it names. Raises LoosepinError with everything that is wrong with either."""
+        native = _loosepin.Study.load(os.fspath(path))
+        warn(native.warnings)
+        return cls(native)
+
+    @classmethod
+    def from_text(cls, text: str, model: Model | None = None, name: str = "study") -> Study:
+        """Reads a study from the text of a study file, of `model` or else of the model file that its key `model` names.
+
+        Messages call the text `name`; files that it names are looked for beside it.
+        """
+        native = _loosepin.Study.from_text(text, name, None if model is None else model._native)
+        warn(native.warnings)
+        return cls(native)
+
+    @classmethod
+    def from_dict(cls, mapping: Mapping[str, Any], model: Model | None = None, name: str = "study") -> Study:
+        """Reads a study from a dict with the keys of a study file. Its key `model` may hold a `Model` instead of a path."""
+        mapping = dict(mapping)
+        if isinstance(mapping.get("model"), Model):
+            model = mapping["model"]
+        if model is not None:
+            mapping["model"] = model.name
+        native = _loosepin.Study.from_text(to_toml(mapping), name, None if model is None else model._native)
+        warn(native.warnings)
+        return cls(native)
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._native.name
+
+    @property
+    def text(self) -> str:
+        """The text that it was read from."""
+        return self._native.text
+
+    @property
+    def model(self) -> Model:
+        """Its model, with the values of the model file."""
+        return Model(self._native.model)
+
+    @property
+    def most_runs(self) -> int:
+        """How many runs it comes to at most."""
+        return self._native.most_runs()
+
+    def run(
+        self,
+        folder: str | os.PathLike[str] | None = None,
+        *,
+        resume: bool = False,
+        force: bool = False,
+        threads: int | None = None,
+        progress: bool | Listener = True,
+        accuracy: Sequence[str] = (),
+        budget: str | None = None,
+    ) -> StudyResult:
+        """Runs the study on all cores, without the lock of the interpreter. The numbers are the same for any number of threads.
+
+        folder: where the files of `loosepin study --out` go, and where finished runs are kept within a second, so that nothing is
+        lost; nothing is written where it is left out. A folder that holds the finished result already gives it at once.
+        resume: goes on with the runs that an interrupted call left in the folder; force: replaces what is there.
+        progress: True shows a line in a terminal or a notebook; a callable is told (finished, at most) runs.
+        accuracy, budget: as `--accuracy` and `--budget`, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
+
+        Ctrl-C ends it after the runs under way. Raises LoosepinError where the study cannot be run.
+        """
+        told = listener(progress)
+        place = None if folder is None else os.fspath(folder)
+        try:
+            native = self._native.run(place, resume, force, threads, told, list(accuracy), budget)
+        finally:
+            if told is not None:
+                told.close()
+        return StudyResult(native)
+
+    @cached_property
+    def recorded(self) -> dict[str, str]:
+        """SI unit of everything that each run records, by the name under which `bounds` hands it to a function."""
+        return {name: unit for name, unit, _ in self._native.recorded()}
+
+    def bounds(
+        self,
+        function: Callable[[dict[str, Array]], Any],
+        statistics: Sequence[Statistic] = ("mean", "standard_deviation"),
+        *,
+        outputs: Sequence[str] = ("y",),
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> FunctionBounds:
+        """Bounds of a further output: any function of what the runs of the study record, over the same inputs.
+
+            study.bounds(lambda run: np.ptp(run["slider total"], axis=1), ["mean", {"quantile": 0.975}])
+
+        function: is called with a dict that holds a NumPy array for each uncertain input under its path, and for each name of
+        `recorded`: of a number one entry for each run, of a curve a row for each run and a column for each pose; SI, and not-a-number
+        for runs that failed. It returns an array with an entry for each run, or a row, with a column for each of `outputs`;
+        not-a-number is a run that failed. statistics: as for `loosepin.bounds`. The numbers of samples are those that the study states;
+        runs are made anew and not kept.
+        """
+        names, told = list(outputs), listener(progress)
+
+        def evaluate(run: dict[str, Array], rows: int) -> Array:
+            return table(function(run), rows, names)
+
+        try:
+            record = self._native.bounds(evaluate, names, requests(statistics, len(names)), threads, told)
+        finally:
+            if told is not None:
+                told.close()
+        return FunctionBounds(record, names)
+
+    def __repr__(self) -> str:
+        return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"

@@ -1,0 +1,83 @@
+"""Surrogates that a study has saved."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from . import _loosepin
+from ._result import Array
+
+
+@dataclass(frozen=True)
+class SurrogateOutput:
+    """A number or curve that surrogates predict."""
+
+    output: str
+    """Name of the output."""
+    of: str
+    """Which deviation."""
+    unit: str
+    """SI unit of its values."""
+    places: tuple[str, ...]
+    """Where in the cycle; one place for a number."""
+    pose_rad: Array
+    """Angle of the drive at each place, not-a-number where the cycle is reduced to one number."""
+    members: dict[str, float | str]
+    """The members of lists that it holds for, by path."""
+
+
+class Surrogates:
+    """Everything that a study has learned; `Surrogates.load("surrogates.json")` reads it."""
+
+    def __init__(self, native: _loosepin.Surrogates) -> None:
+        """Use `load` or `from_text`."""
+        self._native = native
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Surrogates:
+        """Reads `surrogates.json`. Raises LoosepinError for a file that is not whole or of another version."""
+        return cls.from_text(Path(path).read_text(encoding="utf-8"))
+
+    @classmethod
+    def from_text(cls, text: str) -> Surrogates:
+        """Reads the text of `surrogates.json`."""
+        return cls(_loosepin.Surrogates(text))
+
+    @property
+    def study(self) -> str:
+        """Name of the study."""
+        return self._native.study
+
+    @property
+    def inputs(self) -> dict[str, str]:
+        """SI unit of each input, by path."""
+        return dict(self._native.inputs())
+
+    @property
+    def outputs(self) -> tuple[SurrogateOutput, ...]:
+        """What can be predicted, in the order in which `predict` counts."""
+        return tuple(
+            SurrogateOutput(output, of, unit, tuple(places), np.array(poses), members)
+            for output, of, unit, places, poses, members in self._native.outputs()
+        )
+
+    def predict(self, output: int, values: Mapping[str, float | Array]) -> tuple[Array, Array]:
+        """Values and standard deviations of their errors, SI, of output number `output` at these values of the inputs, by path, SI.
+
+        With numbers, both have one entry for each place; with arrays of the same length, a row for each of their entries. Raises
+        LoosepinError outside the ranges that were learned: nothing is extrapolated.
+        """
+        paths = list(values)
+        given = np.broadcast_arrays(*(np.asarray(values[path], dtype=np.float64) for path in paths)) if paths else []
+        shape = given[0].shape if given else ()
+        table = np.stack([column.ravel() for column in given], axis=1) if given else np.empty((1, 0))
+        predicted, deviations = self._native.predict(output, paths, np.ascontiguousarray(table))
+        return predicted.reshape(*shape, -1), deviations.reshape(*shape, -1)
+
+    def __repr__(self) -> str:
+        return f"<loosepin.Surrogates of {self.study!r}: {len(self.outputs)} outputs of {', '.join(self.inputs)}>"

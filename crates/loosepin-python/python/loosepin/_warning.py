@@ -1,0 +1,18 @@
+"""What looks like an oversight in a file, as a Python warning."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable
+
+from ._loosepin import Complaint
+
+
+class LoosepinWarning(UserWarning):
+    """Something in a model or study that is allowed and looks like an oversight; the text is that of the command line."""
+
+
+def warn(complaints: Iterable[Complaint], stacklevel: int = 3) -> None:
+    """Shows each complaint at the line that called the function which calls this one."""
+    for complaint in complaints:
+        warnings.warn(str(complaint), LoosepinWarning, stacklevel=stacklevel)

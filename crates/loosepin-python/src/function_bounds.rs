@@ -1,0 +1,261 @@
+//! Bounds of any vectorised function of Python: the uncertainty wing without a mechanism.
+
+use std::sync::atomic::AtomicBool;
+
+use loosepin::bounds::{
+    self, BoundPair, DoubleLoop, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic,
+};
+use numpy::{IntoPyArray, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+use crate::column::Column;
+use crate::error::raise_problem;
+use crate::inputs::Inputs;
+use crate::waiting::wait_for;
+
+/// Share of the central band that the three treatments are compared by.
+const BAND: f64 = 0.95;
+/// Each random input is cut at this many standard deviations where it is taken as an interval.
+const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
+/// Percentiles of statistics that are themselves random.
+const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// How many runs are spent, as Python states it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Runs {
+    outer: usize,
+    inner: usize,
+    replicates: usize,
+    mixture: usize,
+    extreme: usize,
+    seed: u64,
+    confidence: f64,
+}
+
+/// Bounds of the statistics of the columns of `function`, which is given a list of arrays, one for each input, random ones first,
+/// and gives an array with a row for each run. Returns the answers and the runs as plain values for `_uncertainty.py`.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
+#[pyo3(signature = (function, inputs, columns, requests, ranks, reading, runs))]
+pub fn evaluate<'py>(
+    py: Python<'py>,
+    function: Bound<'py, PyAny>,
+    inputs: Vec<(String, Bound<'py, PyAny>)>,
+    columns: Vec<String>,
+    requests: Vec<(usize, String, Option<f64>)>,
+    ranks: Vec<(String, String, f64)>,
+    reading: &str,
+    runs: Runs,
+) -> PyResult<Bound<'py, PyDict>> {
+    let inputs = Inputs::read(inputs)?;
+    let copula = inputs.copula(&ranks)?;
+    let problem = Problem {
+        random: inputs.random.clone(),
+        copula,
+        epistemic: inputs.epistemic.clone(),
+        parameters: inputs.parameters.clone(),
+        reading: reading_of(reading)?,
+        readings_beside: Vec::new(),
+        columns: columns.len(),
+        requests: self::requests(&requests)?,
+        compared_columns: (0..columns.len()).collect(),
+        band_probability: BAND,
+        cut_standard_deviations: CUT_STANDARD_DEVIATIONS,
+        percentiles: PERCENTILES.to_vec(),
+        sampling: Sampling {
+            outer: runs.outer,
+            inner: runs.inner,
+            replicates: runs.replicates,
+            mixture: runs.mixture,
+            extreme: runs.extreme,
+            seed: runs.seed,
+            confidence: runs.confidence,
+        },
+    };
+    let fail = |error: EvaluateError| raise_problem(&error);
+    let plan = DoubleLoop::try_new(problem).map_err(|error| fail(error.into()))?;
+    let mut table = SampleTable::new(columns.len());
+    loop {
+        let round = unlocked(py, || plan.next_round(&table))?.map_err(|error| fail(error.into()))?;
+        if round.is_empty() {
+            break;
+        }
+        let random = (0..inputs.random.len()).map(|k| round.iter().map(|run| run.random[k]).collect());
+        let epistemic = (0..inputs.epistemic.len()).map(|k| round.iter().map(|run| run.epistemic[k]).collect());
+        let arrays = random.chain(epistemic).map(|values: Vec<f64>| values.into_pyarray(py));
+        let given = function.call1((PyList::new(py, arrays.collect::<Vec<_>>())?,))?;
+        let given: PyReadonlyArray2<'_, f64> = given.extract()?;
+        for (inputs, row) in round.into_iter().zip(given.as_array().rows()) {
+            table.push(inputs, Ok(&row.to_vec())).map_err(|error| fail(error.into()))?;
+        }
+    }
+    let answers = unlocked(py, || plan.results(&table))?.map_err(|error| fail(error.into()))?;
+    let names = Names { random: &inputs.random_names, epistemic: &inputs.epistemic_names, columns: &columns };
+    answer(py, &answers, &names, &table)
+}
+
+/// What inputs and columns are called.
+pub struct Names<'n> {
+    /// The random inputs.
+    pub random: &'n [String],
+    /// The epistemic inputs.
+    pub epistemic: &'n [String],
+    /// The columns.
+    pub columns: &'n [String],
+}
+
+/// Requests for statistics of columns, as Python states them.
+pub fn requests(stated: &[(usize, String, Option<f64>)]) -> PyResult<Vec<Request>> {
+    let request = |(column, name, parameter): &(usize, String, Option<f64>)| {
+        Ok(Request { column: *column, statistic: statistic(name, *parameter)? })
+    };
+    stated.iter().map(request).collect()
+}
+
+/// Names of the inputs in the order of the arrays of [`evaluate`]: the random ones; then the others, and uncertain parameters of
+/// distributions.
+#[pyfunction]
+pub fn input_names(inputs: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<(Vec<String>, Vec<String>)> {
+    let inputs = Inputs::read(inputs)?;
+    Ok((inputs.random_names, inputs.epistemic_names))
+}
+
+/// `work` without the lock of the interpreter; what a signal raises comes when it has ended.
+pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let (result, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
+    raised.map_or(Ok(result), Err)
+}
+
+fn statistic(name: &str, parameter: Option<f64>) -> PyResult<Statistic> {
+    Ok(match (name, parameter) {
+        ("mean", None) => Statistic::Mean,
+        ("standard_deviation", None) => Statistic::StandardDeviation,
+        ("cdf", None) => Statistic::Cdf,
+        ("quantile", Some(probability)) => Statistic::Quantile(probability),
+        ("probability_above", Some(limit)) => Statistic::ProbabilityAbove(limit),
+        ("probability_below", Some(limit)) => Statistic::ProbabilityBelow(limit),
+        ("probability_beyond", Some(limit)) => Statistic::ProbabilityBeyond(limit),
+        _ => {
+            return Err(PyValueError::new_err(format!(
+                "statistic '{name}'; must be 'mean', 'standard_deviation', 'cdf', or {{name: number}} with 'quantile', \
+                 'probability_above', 'probability_below' or 'probability_beyond'"
+            )));
+        }
+    })
+}
+
+fn reading_of(word: &str) -> PyResult<Reading> {
+    match word {
+        "fixed" => Ok(Reading::FixedButUnknown),
+        "unknown-distribution" => Ok(Reading::UnknownDistribution),
+        "random-set" => Ok(Reading::RandomSet),
+        _ => Err(PyValueError::new_err(format!(
+            "reading '{word}'; must be 'fixed', 'unknown-distribution' or 'random-set'"
+        ))),
+    }
+}
+
+/// Everything as plain values of Python.
+pub fn answer<'py>(
+    py: Python<'py>,
+    answers: &bounds::Bounds,
+    names: &Names<'_>,
+    table: &SampleTable,
+) -> PyResult<Bound<'py, PyDict>> {
+    let given = PyDict::new(py);
+    given.set_item("bounds", pairs(py, &answers.pairs, names)?)?;
+    let levels = answers.levels.iter().map(|level| Ok((level.alpha, pairs(py, &level.pairs, names)?)));
+    given.set_item("cuts", levels.collect::<PyResult<Vec<_>>>()?)?;
+    let boxes = answers.boxes.iter().map(|each| {
+        let ends = |of: &[bounds::Bound]| of.iter().map(|bound| bound.widened).collect::<Vec<f64>>().into_pyarray(py);
+        (each.column, each.values.clone().into_pyarray(py), ends(&each.lower), ends(&each.upper))
+    });
+    given.set_item("boxes", boxes.collect::<Vec<_>>())?;
+    let mut bands = Vec::new();
+    for each in &answers.comparisons {
+        let treatments = [
+            ("probability_only", &each.probability_only),
+            ("interval_only", &each.interval_only),
+            ("mixed", &each.mixed),
+        ];
+        for (treatment, band) in treatments {
+            let coverage = (band.coverage.minimum, band.coverage.maximum);
+            bands.push((each.column, treatment, band.lower.value, band.upper.value, coverage.0, coverage.1));
+        }
+    }
+    given.set_item("bands", bands)?;
+    given.set_item("runs", (answers.runs, answers.failed_runs, answers.rounds))?;
+    let rows = || 0..table.len();
+    let of_inputs = |k: usize| rows().map(|run| table.inputs()[run].random[k]).collect();
+    let of_unknown = |k: usize| rows().map(|run| table.inputs()[run].epistemic[k]).collect();
+    let of_outputs = |k: usize| rows().map(|run| table.values(run)[k]).collect();
+    let named = |called: &[String], values: &dyn Fn(usize) -> Vec<f64>| -> Vec<Column> {
+        called.iter().enumerate().map(|(k, name)| Column::of_numbers(py, name, "1", values(k))).collect()
+    };
+    let purposes = rows().map(|run| match table.inputs()[run].purpose {
+        bounds::Purpose::DoubleLoop => "mixed",
+        bounds::Purpose::Mixture => "probability_only",
+        _ => "interval_only",
+    });
+    given.set_item("purpose", purposes.collect::<Vec<_>>())?;
+    let mut samples = named(names.random, &of_inputs);
+    samples.extend(named(names.epistemic, &of_unknown));
+    given.set_item("inputs", samples)?;
+    given.set_item("outputs", named(names.columns, &of_outputs))?;
+    Ok(given)
+}
+
+fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], names: &Names<'_>) -> PyResult<Bound<'py, PyList>> {
+    let records = pairs.iter().map(|pair| {
+        let record = PyDict::new(py);
+        record.set_item("column", pair.column)?;
+        let (name, parameter) = match pair.statistic {
+            Statistic::Mean => ("mean", None),
+            Statistic::StandardDeviation => ("standard_deviation", None),
+            Statistic::Cdf => ("cdf", None),
+            Statistic::Quantile(probability) => ("quantile", Some(probability)),
+            Statistic::ProbabilityAbove(limit) => ("probability_above", Some(limit)),
+            Statistic::ProbabilityBelow(limit) => ("probability_below", Some(limit)),
+            Statistic::ProbabilityBeyond(limit) => ("probability_beyond", Some(limit)),
+        };
+        record.set_item("statistic", name)?;
+        record.set_item("parameter", parameter)?;
+        record.set_item("lower", end(py, &pair.lower, names)?)?;
+        record.set_item("upper", end(py, &pair.upper, names)?)?;
+        let (guarantee, confidence) = match pair.lower.guarantee.weaker(pair.upper.guarantee) {
+            bounds::Guarantee::Enclosure => ("enclosure", None),
+            bounds::Guarantee::Optimised => ("optimised", None),
+            bounds::Guarantee::Sampled { confidence } => ("sampled", Some(confidence)),
+            bounds::Guarantee::Inner => ("inner", None),
+        };
+        record.set_item("guarantee", guarantee)?;
+        record.set_item("confidence", confidence)?;
+        record.set_item("failed_runs", pair.failed_runs)?;
+        record.set_item("unbounded_by_failures", pair.unbounded_by_failures)?;
+        Ok(record)
+    });
+    PyList::new(py, records.collect::<PyResult<Vec<_>>>()?)
+}
+
+fn end<'py>(py: Python<'py>, bound: &bounds::Bound, names: &Names<'_>) -> PyResult<Bound<'py, PyDict>> {
+    let witness = PyDict::new(py);
+    if let Some(found) = &bound.witness {
+        for (name, value) in names.epistemic.iter().zip(&found.epistemic) {
+            witness.set_item(name, value)?;
+        }
+        for (name, value) in names.random.iter().zip(&found.random) {
+            witness.set_item(name, value)?;
+        }
+    }
+    let record = PyDict::new(py);
+    record.set_item("value", bound.value)?;
+    record.set_item("widened", bound.widened)?;
+    record.set_item("error_sampling", bound.error.sampling)?;
+    record.set_item("error_optimisation", bound.error.optimisation)?;
+    record.set_item("error_surrogate", bound.error.surrogate)?;
+    record.set_item("witness", witness)?;
+    Ok(record)
+}

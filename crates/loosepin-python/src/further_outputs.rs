@@ -1,0 +1,80 @@
+//! Bounds of any function of Python of what the runs of a study record.
+
+use std::sync::atomic::AtomicBool;
+
+use loosepin::bounds::{Failure, SampleTable};
+use loosepin::study::{FurtherOutputs, Means, Study, StudyError};
+use numpy::ndarray::Array2;
+use numpy::{IntoPyArray, PyReadonlyArray2};
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::raise;
+use crate::function_bounds::{Names, answer, requests, unlocked};
+use crate::waiting::{Told, wait_for};
+
+/// Bounds of the statistics of the columns of `function`, which is given a dict with an array for each input and each recorded
+/// output of a study, and the number of runs, and gives an array with a row for each run.
+pub fn bounds<'py>(
+    py: Python<'py>,
+    study: &Study,
+    function: &Bound<'py, PyAny>,
+    columns: &[String],
+    stated: &[(usize, String, Option<f64>)],
+    threads: usize,
+    progress: Option<&Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let fail = |error: StudyError| match error {
+        StudyError::Interrupted { .. } => PyKeyboardInterrupt::new_err("interrupted; nothing is kept"),
+        error => raise(error.complaint(study)),
+    };
+    let asked = requests(stated)?;
+    let further = unlocked(py, || FurtherOutputs::new(study, columns.len(), asked))?.map_err(fail)?;
+    let recorded = further.recorded();
+    let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
+    let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
+    let (stop, told) = (AtomicBool::new(false), Told::default());
+    let means = Means { threads, progress: &told, stop: &stop, store: None };
+    let mut table = SampleTable::new(columns.len());
+    loop {
+        let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
+        if round.is_empty() {
+            break;
+        }
+        let work = || further.run(&round, table.len(), &means);
+        let (runs, raised) = wait_for(py, &stop, |py| told.tell(py, progress), work);
+        if let Some(error) = raised {
+            return Err(error);
+        }
+        let runs = runs.map_err(fail)?;
+        let given = PyDict::new(py);
+        for (k, path) in random.iter().enumerate() {
+            given.set_item(path, round.iter().map(|run| run.random[k]).collect::<Vec<f64>>().into_pyarray(py))?;
+        }
+        for (k, path) in epistemic.iter().enumerate() {
+            given.set_item(path, round.iter().map(|run| run.epistemic[k]).collect::<Vec<f64>>().into_pyarray(py))?;
+        }
+        for output in &recorded {
+            let value = |run: usize, place: usize| runs.values(run)[output.columns[place]];
+            let shape = (runs.len(), output.columns.len());
+            if output.pose_rad.is_some() {
+                let curves = Array2::from_shape_fn(shape, |(run, place)| value(run, place));
+                given.set_item(&output.name, curves.into_pyarray(py))?;
+            } else {
+                let numbers: Vec<f64> = (0..runs.len()).map(|run| value(run, 0)).collect();
+                given.set_item(&output.name, numbers.into_pyarray(py))?;
+            }
+        }
+        let made: PyReadonlyArray2<'_, f64> = function.call1((given, round.len()))?.extract()?;
+        for ((run, inputs), row) in round.into_iter().enumerate().zip(made.as_array().rows()) {
+            let row = row.to_vec();
+            // What a function makes of a run that failed is nothing.
+            let outcome: Result<&[f64], Failure> = runs.failure(run).map_or(Ok(&row), Err);
+            table.push(inputs, outcome).map_err(|error| fail(error.into()))?;
+        }
+    }
+    let answers = unlocked(py, || further.plan().results(&table))?.map_err(|error| fail(error.into()))?;
+    told.tell(py, progress)?;
+    answer(py, &answers, &Names { random: &random, epistemic: &epistemic, columns }, &table)
+}

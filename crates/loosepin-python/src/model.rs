@@ -1,0 +1,134 @@
+//! A mechanism with its nominal values.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use loosepin::accuracy::check_quasi_static;
+use loosepin::diagnostics::{Complaints, Place};
+use loosepin::mechanism::Mechanism;
+use loosepin::model::{self, Rule, measured_argument};
+use loosepin::simulate::record::Override;
+use loosepin::simulate::{Plan, Settings, columns, simulate};
+use loosepin::study::{InputFile, InputFileProblem};
+use loosepin::units::Dimension;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::error::{Complaint, raise};
+use crate::simulation::Simulation;
+use crate::waiting::wait_for;
+
+/// Rows for each turn, at most; as for the command.
+const MOST_SAMPLES: i64 = 1_000_000;
+
+/// A checked model.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Model(pub Arc<model::Model>);
+
+#[pymethods]
+impl Model {
+    /// Reads a model file.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        match InputFile::from_path(&path).map_err(raise)? {
+            InputFile::Model(model) => Ok(Self(Arc::new(*model))),
+            InputFile::Study(study) => {
+                let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
+                Err(raise(Complaints::one(&problem, Some(Place::new(study.source(), 0..0)))))
+            }
+        }
+    }
+
+    /// Reads a model from text that is reported as `name`.
+    #[staticmethod]
+    fn from_text(text: &str, name: &str) -> PyResult<Self> {
+        Ok(Self(Arc::new(model::Model::from_text(name, text).map_err(raise)?)))
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The text that it was read from.
+    #[getter]
+    fn text(&self) -> &str {
+        self.0.source().text()
+    }
+
+    /// What looks like an oversight in it.
+    #[getter]
+    fn warnings(&self) -> Vec<Complaint> {
+        self.0.warnings.iter().map(Complaint::new).collect()
+    }
+
+    /// Name, words and SI unit of each output.
+    fn outputs(&self) -> PyResult<Vec<(String, String, String)>> {
+        let values = self.0.set_values(&[]).map_err(raise)?.values;
+        let mechanism = Mechanism::new(&self.0, &values).map_err(|error| raise(error.complaint(&self.0)))?;
+        let outputs = columns(&mechanism).into_iter();
+        Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
+    }
+
+    /// Runs it once. `set` holds texts `path=value`; what is left out is as the file has it.
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
+    #[pyo3(signature = (turns, transient, samples, tolerance, states, set))]
+    fn simulate(
+        &self,
+        py: Python<'_>,
+        turns: Option<f64>,
+        transient: Option<f64>,
+        samples: Option<i64>,
+        tolerance: &str,
+        states: bool,
+        set: Vec<String>,
+    ) -> PyResult<Simulation> {
+        for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
+            if let Some(turns) = given.filter(|&turns| !rule.allows(turns)) {
+                return Err(PyValueError::new_err(format!("{name} {turns:?}; must be a number {}", rule.words())));
+            }
+        }
+        if let Some(samples) = samples.filter(|samples| !(1..=MOST_SAMPLES).contains(samples)) {
+            return Err(PyValueError::new_err(format!("samples {samples}; must be between 1 and {MOST_SAMPLES}")));
+        }
+        let set_values = self.0.set_values(&set).map_err(raise)?;
+        let mut cycle = self.0.cycle.clone();
+        cycle.recorded_turns = turns.unwrap_or(cycle.recorded_turns);
+        cycle.transient_turns = transient.unwrap_or(cycle.transient_turns);
+        cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
+        let tolerance_m =
+            measured_argument("tolerance", tolerance, Dimension::LENGTH, Rule::Positive).map_err(raise)?;
+        let plan = Plan {
+            cycle,
+            settings: Settings { tolerance_m, ..Settings::for_simulation() },
+            with_states: states,
+            lyapunov_turns: None,
+            overrides: overrides(&set),
+        };
+        let work = || {
+            let mechanism = Mechanism::new(&set_values.model, &set_values.values)
+                .map_err(|error| Complaints::from(error.complaint(&set_values.model)))?;
+            let mut simulation = simulate(&mechanism, &set_values.values, &plan)
+                .map_err(|failure| Complaints::from(failure.complaint(&mechanism.model)))?;
+            check_quasi_static(&mechanism, &set_values.values, &mut simulation.record)
+                .map_err(|error| Complaints::from(error.complaint(&mechanism.model)))?;
+            Ok(simulation)
+        };
+        // One run cannot be stopped in the middle: Ctrl-C is heard when it has ended.
+        let (outcome, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
+        match raised {
+            Some(error) => Err(error),
+            None => Ok(Simulation::new(outcome.map_err(|complaints: Complaints| raise(complaints))?)),
+        }
+    }
+}
+
+/// Settings as they stand in a record.
+fn overrides(set: &[String]) -> Vec<Override> {
+    set.iter()
+        .filter_map(|text| text.split_once('='))
+        .map(|(path, written)| Override { path: path.trim().to_owned(), written: written.trim().to_owned() })
+        .collect()
+}

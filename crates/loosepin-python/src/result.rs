@@ -1,0 +1,90 @@
+//! A finished study.
+
+use std::path::PathBuf;
+
+use loosepin::diagnostics::Complaints;
+use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text};
+use loosepin::results::write_whole;
+use loosepin::study::files::{bounds_csv, surrogates_json, to_json};
+use loosepin::study::{self, Conducted, SavedSurrogates};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::column::Column;
+use crate::error::{raise, raise_problem};
+
+/// What a study leaves behind.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct StudyResult {
+    result: study::result::StudyResult,
+    surrogates: Option<SavedSurrogates>,
+    samples: Vec<Py<Column>>,
+}
+
+impl StudyResult {
+    /// The result as Python sees it; the runs are handed over, not copied.
+    pub fn new(py: Python<'_>, conducted: Conducted) -> PyResult<Self> {
+        let columns = conducted.runs.columns.into_iter();
+        let samples = columns.map(|column| Py::new(py, Column::of_run_column(py, column)?));
+        Ok(Self {
+            result: conducted.result,
+            surrogates: conducted.surrogates,
+            samples: samples.collect::<PyResult<Vec<_>>>()?,
+        })
+    }
+}
+
+#[pymethods]
+impl StudyResult {
+    /// Name of the study.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.result.name
+    }
+
+    /// The columns of `runs.parquet`.
+    fn samples(&self, py: Python<'_>) -> Vec<Py<Column>> {
+        self.samples.iter().map(|column| column.clone_ref(py)).collect()
+    }
+
+    /// The text of `summary.json`.
+    fn summary_json(&self) -> PyResult<String> {
+        to_json(&self.result).map_err(|error| raise_problem(&error))
+    }
+
+    /// The bytes of `bounds.csv`.
+    fn bounds_csv<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        Ok(PyBytes::new(py, &bounds_csv(&self.result).map_err(|error| raise_problem(&error))?))
+    }
+
+    /// The text of `surrogates.json`, where the study asked for surrogates.
+    fn surrogates_json(&self) -> PyResult<Option<String>> {
+        let text = self.surrogates.as_ref().map(surrogates_json).transpose();
+        text.map_err(|error| raise_problem(&error))
+    }
+
+    /// The answer and the tables of the terminal.
+    fn text(&self) -> String {
+        study_text(&self.result)
+    }
+
+    /// The text of `report.html`.
+    fn page(&self) -> String {
+        study_page(&self.result)
+    }
+
+    /// The answer and the key table as HTML without styles.
+    fn excerpt(&self) -> String {
+        study_excerpt(&self.result)
+    }
+
+    /// Writes `report.html`, whole or not at all.
+    fn write_page(&self, path: PathBuf) -> PyResult<()> {
+        write_whole(&path, study_page(&self.result).as_bytes()).map_err(|error| raise(Complaints::one(&error, None)))
+    }
+
+    /// The mechanism in one pose, as SVG.
+    fn picture(&self) -> String {
+        mechanism_picture(&self.result.drawing, &self.result.model)
+    }
+}

@@ -1,0 +1,93 @@
+//! One run, recorded.
+
+use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
+use loosepin::simulate::record::OutputHistory;
+use loosepin::simulate::{self, history_csv, history_names, impacts_csv};
+use loosepin::study::files::to_json;
+use pyo3::prelude::*;
+
+use crate::column::Column;
+use crate::error::raise_problem;
+
+/// A finished run.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Simulation(simulate::Simulation);
+
+impl Simulation {
+    /// The run as Python sees it.
+    pub fn new(simulation: simulate::Simulation) -> Self {
+        Self(simulation)
+    }
+}
+
+#[pymethods]
+impl Simulation {
+    /// Name of the model.
+    #[getter]
+    fn model(&self) -> &str {
+        &self.0.record.model
+    }
+
+    /// The columns of `history.csv`, with its names.
+    fn history(&self, py: Python<'_>) -> Vec<Column> {
+        let record = &self.0.record;
+        let names = history_names(&self.0);
+        let mut columns: Vec<(&str, Vec<f64>)> =
+            vec![("s", record.time_s.clone()), ("rad", record.drive_angle_rad.clone())];
+        columns.extend(record.outputs.iter().map(|output| (output.unit.symbol(), output.value_si.clone())));
+        if let Some(states) = &self.0.states {
+            let units = [["m", "m", "rad"], ["m/s", "m/s", "rad/s"], ["m/s^2", "m/s^2", "rad/s^2"]];
+            let units = units.iter().flat_map(|units| states.bodies.iter().flat_map(|_| *units));
+            let of_index = |index: usize| states.rows.iter().map(|row| row[index]).collect();
+            columns.extend(units.enumerate().map(|(index, unit)| (unit, of_index(index))));
+        }
+        let named = names.iter().zip(columns);
+        named.map(|(name, (unit, values))| Column::of_numbers(py, name, unit, values)).collect()
+    }
+
+    /// Name and SI unit of each output; their values follow time and angle in the history.
+    fn outputs(&self) -> Vec<(&str, &str)> {
+        self.0.record.outputs.iter().map(|output| (output.name.as_str(), output.unit.symbol())).collect()
+    }
+
+    /// The outputs of the ideal mechanism, then the differences from them; none for an output that has no ideal.
+    fn ideal_and_deviation(&self, py: Python<'_>) -> [Vec<Column>; 2] {
+        let columns = |of: fn(&OutputHistory) -> &Vec<f64>| {
+            let outputs = self.0.record.outputs.iter().filter(|output| !of(output).is_empty());
+            let column =
+                |output: &OutputHistory| Column::of_numbers(py, &output.name, output.unit.symbol(), of(output).clone());
+            outputs.map(column).collect()
+        };
+        [columns(|output| &output.ideal_si), columns(|output| &output.deviation_si)]
+    }
+
+    /// The text of `summary.json`.
+    fn summary_json(&self) -> PyResult<String> {
+        to_json(&self.0.record).map_err(|error| raise_problem(&error))
+    }
+
+    /// The text of `history.csv`.
+    fn history_csv(&self) -> String {
+        history_csv(&self.0)
+    }
+
+    /// The text of `impacts.csv`.
+    fn impacts_csv(&self) -> String {
+        impacts_csv(&self.0.record)
+    }
+
+    /// The tables of the terminal.
+    fn text(&self) -> String {
+        simulation_text(&self.0.record)
+    }
+
+    /// The text of `report.html`.
+    fn page(&self) -> String {
+        simulation_page(&self.0.record)
+    }
+
+    /// The mechanism in one pose, as SVG.
+    fn picture(&self) -> String {
+        mechanism_picture(&self.0.record.drawing, &self.0.record.model)
+    }
+}

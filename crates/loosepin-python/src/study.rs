@@ -1,0 +1,158 @@
+//! A study: what is uncertain in a model, and what is asked.
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use loosepin::diagnostics::{Complaints, Place};
+use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::{Complaint, raise};
+use crate::further_outputs;
+use crate::model::Model;
+use crate::result::StudyResult;
+use crate::results_folder::{Ended, Meeting, Settings, conduct_in_folder, conduct_in_memory, inputs};
+use crate::waiting::{Told, wait_for};
+
+/// Name, SI unit, and angles of the drive in rad where it is a curve.
+type Recorded = (String, String, Option<Vec<f64>>);
+
+/// Threads, at most; as for the command.
+const MOST_THREADS: i64 = 1024;
+
+/// A checked study.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Study(pub study::Study);
+
+#[pymethods]
+impl Study {
+    /// Reads a study file and the model that it names.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        match InputFile::from_path(&path).map_err(raise)? {
+            InputFile::Study(study) => Ok(Self(*study)),
+            InputFile::Model(model) => {
+                let place = Some(Place::new(model.source(), 0..0));
+                Err(raise(Complaints::one(&InputFileProblem::ModelForStudy, place)))
+            }
+        }
+    }
+
+    /// Reads a study from text that is reported as `name`; the model that it names is opened unless one is given.
+    #[staticmethod]
+    #[pyo3(signature = (text, name, model))]
+    fn from_text(text: &str, name: &str, model: Option<&Model>) -> PyResult<Self> {
+        let study = match model {
+            Some(model) => study::Study::from_text(name, text, model.0.as_ref().clone()),
+            None => study::Study::from_text_at(name, text),
+        };
+        study.map(Self).map_err(raise)
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The text that it was read from.
+    #[getter]
+    fn text(&self) -> &str {
+        self.0.source().text()
+    }
+
+    /// The model, as its file has it.
+    #[getter]
+    fn model(&self) -> Model {
+        Model(self.0.model.clone().into())
+    }
+
+    /// What looks like an oversight in it or in its model.
+    #[getter]
+    fn warnings(&self) -> Vec<Complaint> {
+        self.0.warnings.iter().map(Complaint::new).collect()
+    }
+
+    /// How many runs it comes to at most.
+    fn most_runs(&self, py: Python<'_>) -> PyResult<usize> {
+        let planned = py.detach(|| study::plan_runs(&self.0));
+        planned.map_err(|error| raise(error.complaint(&self.0)))
+    }
+
+    /// Conducts it.
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
+    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        folder: Option<PathBuf>,
+        resume: bool,
+        force: bool,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+        accuracy: Vec<String>,
+        budget: Option<String>,
+    ) -> PyResult<StudyResult> {
+        let threads = count_threads(threads)?;
+        let mut study = self.0.clone();
+        for text in &accuracy {
+            study.add_accuracy(text).map_err(raise)?;
+        }
+        if let Some(text) = &budget {
+            study.set_budget(text).map_err(raise)?;
+        }
+        let inputs = inputs(&study, &Settings { accuracy, budget });
+        let (stop, told) = (AtomicBool::new(false), Told::default());
+        let means = Means { threads, progress: &told, stop: &stop, store: None };
+        let meeting = Meeting { with_resume: resume, with_force: force };
+        let work = || match folder {
+            Some(folder) => conduct_in_folder(&study, inputs, folder, meeting, &means),
+            None => conduct_in_memory(&study, &inputs, &means),
+        };
+        let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress.as_ref()), work);
+        match (outcome, raised) {
+            (Ok(Ended::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
+                Err(PyKeyboardInterrupt::new_err(words))
+            }
+            (_, Some(error)) => Err(error),
+            (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
+            (Err(complaints), None) => Err(raise(complaints)),
+            (Ok(Ended::Finished(conducted)), None) => {
+                told.tell(py, progress.as_ref())?;
+                StudyResult::new(py, *conducted)
+            }
+        }
+    }
+    /// What every run records: name, SI unit, and for a curve the angles of the drive.
+    fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
+        let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
+        let recorded = recorded.map_err(|error| raise(error.complaint(&self.0)))?.into_iter();
+        Ok(recorded.map(|output| (output.name, output.unit.symbol().to_owned(), output.pose_rad)).collect())
+    }
+
+    /// Bounds of a function of what its runs record.
+    #[pyo3(signature = (function, columns, requests, threads, progress))]
+    fn bounds<'py>(
+        &self,
+        py: Python<'py>,
+        function: Bound<'py, PyAny>,
+        columns: Vec<String>,
+        requests: Vec<(usize, String, Option<f64>)>,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let threads = count_threads(threads)?;
+        further_outputs::bounds(py, &self.0, &function, &columns, &requests, threads, progress.as_ref())
+    }
+}
+
+/// As many threads as asked for, otherwise as many as the machine has.
+fn count_threads(asked: Option<i64>) -> PyResult<usize> {
+    match asked {
+        Some(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(threads as usize),
+        Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MOST_THREADS}"))),
+        None => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
+    }
+}

@@ -1,0 +1,68 @@
+//! Long work on a thread of its own, while the thread of Python listens to Ctrl-C.
+
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use loosepin::study::Progress;
+use pyo3::prelude::*;
+
+/// How often Python is asked for signals and told how far the work is.
+const TICK: Duration = Duration::from_millis(100);
+
+/// How far the work is, for a callable of Python.
+#[derive(Default)]
+pub struct Told {
+    finished: AtomicUsize,
+    most: AtomicUsize,
+}
+
+impl Progress for Told {
+    fn runs(&self, finished: usize, most: usize) {
+        self.most.store(most, Ordering::Relaxed);
+        self.finished.fetch_max(finished, Ordering::Relaxed);
+    }
+}
+
+impl Told {
+    /// Tells `listener`, where there is one and runs are known of.
+    pub fn tell(&self, py: Python<'_>, listener: Option<&Py<PyAny>>) -> PyResult<()> {
+        let most = self.most.load(Ordering::Relaxed);
+        match listener.filter(|_| most > 0) {
+            Some(listener) => listener.call1(py, (self.finished.load(Ordering::Relaxed), most)).map(drop),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Does `work` on another thread without the lock of the interpreter. Meanwhile this thread lets Python handle signals and calls
+/// `each_tick`; what either raises sets `stop`, and is given back when the work has ended.
+pub fn wait_for<T: Send>(
+    py: Python<'_>,
+    stop: &AtomicBool,
+    each_tick: impl Fn(Python<'_>) -> PyResult<()> + Send + Sync,
+    work: impl FnOnce() -> T + Send,
+) -> (T, Option<PyErr>) {
+    py.detach(|| {
+        thread::scope(|scope| {
+            let (done, is_done) = channel();
+            let worker = scope.spawn(move || {
+                let result = work();
+                // Nobody listens any more once this thread has been joined.
+                let _ = done.send(());
+                result
+            });
+            let mut raised = None;
+            while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                if raised.is_none() {
+                    raised = Python::attach(|py| py.check_signals().and_then(|()| each_tick(py))).err();
+                    stop.fetch_or(raised.is_some(), Ordering::Relaxed);
+                }
+            }
+            let result = worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+            (result, raised)
+        })
+    })
+}

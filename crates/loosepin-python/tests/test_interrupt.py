@@ -1,0 +1,108 @@
+"""Ctrl-C ends a study soon and loses nothing; other threads go on meanwhile."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import loosepin as lp
+import pytest
+from conftest import REPOSITORY
+
+LONG_STUDY = REPOSITORY / "cases/slider_crank_worn_pin/study.toml"
+
+CHILD = """
+import sys
+import loosepin as lp
+
+def told(finished, most):
+    if finished > 64:
+        print("running", flush=True)
+
+try:
+    lp.Study.load(sys.argv[1]).run(sys.argv[2], threads=2, progress=told)
+except KeyboardInterrupt as interrupt:
+    print(interrupt, flush=True)
+    sys.exit(130)
+"""
+
+# s; the runs under way end first, and what is finished is written. Seconds on an idle machine, more on a busy one.
+SOON_S = 30
+# s; how long the other thread is looked at.
+COUNTED_S = 1.5
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
+def test_ctrl_c_ends_a_long_study_and_keeps_its_runs(tmp_path):
+    child = subprocess.Popen(
+        [sys.executable, "-c", CHILD, str(LONG_STUDY), str(tmp_path / "kept")], stdout=subprocess.PIPE, text=True
+    )
+    assert child.stdout is not None and child.stdout.readline() == "running\n"
+    sent = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    printed, _ = child.communicate(timeout=SOON_S)
+    assert time.monotonic() - sent < SOON_S
+    assert child.returncode == 130
+    last = printed.splitlines()[-1]
+    assert last.startswith("interrupted after ") and last.endswith("the same call with resume=True goes on"), printed
+    assert (tmp_path / "kept/runs.sqlite").exists()
+
+
+def test_identity_an_interrupted_study_goes_on_to_the_same_result(desk, result, tmp_path):
+    study = lp.Study.load(desk / "study.toml")
+    folder = tmp_path / "kept"
+
+    def interrupt(finished, most):
+        if finished > 100:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt, match="interrupted after .* resume=True goes on"):
+        study.run(folder, threads=1, progress=interrupt)
+    with pytest.raises(lp.LoosepinError) as refused:
+        study.run(folder)
+    assert refused.value.code == "E0910"
+    resumed = study.run(folder, resume=True, progress=False)
+    assert resumed._native.summary_json() == result._native.summary_json()
+
+
+def test_what_a_listener_raises_comes_out_unchanged():
+    class Enough(Exception):
+        pass
+
+    def stop(finished, most):
+        raise Enough("of this")
+
+    with pytest.raises(Enough, match="of this"):
+        lp.Study.load(LONG_STUDY).run(progress=stop)
+
+
+def test_other_threads_run_while_a_study_computes():
+    counted, is_over, began = 0, threading.Event(), time.monotonic()
+
+    class Enough(Exception):
+        pass
+
+    def count():
+        nonlocal counted
+        while not is_over.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    def stop(finished, most):
+        if time.monotonic() - began > COUNTED_S:
+            raise Enough
+
+    thread = threading.Thread(target=count)
+    study = lp.Study.load(LONG_STUDY)
+    thread.start()
+    began, before = time.monotonic(), counted
+    with pytest.raises(Enough):
+        study.run(threads=1, progress=stop)
+    elapsed_s, after = time.monotonic() - began, counted
+    is_over.set()
+    thread.join()
+    # Were the lock held, the thread would have counted a few times in the ticks of a tenth of a second; a free one counts
+    # hundreds of times a second, on a busy machine tens.
+    assert after - before > 25 * elapsed_s, (after - before, elapsed_s)

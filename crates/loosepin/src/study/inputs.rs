@@ -1,0 +1,21 @@
+//! What a study or a run of a model is computed from, for its hash.
+
+use super::Study;
+use crate::model::Model;
+use crate::results::InputsHasher;
+
+/// Adds a model file, and the tables that it names, to what a result is computed from.
+pub fn add_model(hasher: &mut InputsHasher, model: &Model) {
+    hasher.add("model", model.source().text());
+    for table in model.tables() {
+        hasher.add("table", table.text());
+    }
+}
+
+/// Adds a study file, and the tables that it names, to what a result is computed from; its model is added by itself.
+pub fn add_study(hasher: &mut InputsHasher, study: &Study) {
+    hasher.add("study", study.source().text());
+    for table in study.tables() {
+        hasher.add("table", table.text());
+    }
+}
