@@ -66,7 +66,7 @@ impl DoubleLoop {
     pub fn pinching(&self, table: &SampleTable, columns: &[usize]) -> Result<Option<Pinching>, PlanError> {
         let pool = Pool::gather(table, Purpose::DoubleLoop, columns.iter().copied());
         self.check_points(&pool)?;
-        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table };
+        let evidence = Evidence::new(self, &pool, table);
         let measures: Option<Vec<[Measure; 2]>> = columns
             .iter()
             .map(|&column| {

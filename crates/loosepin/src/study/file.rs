@@ -15,6 +15,7 @@ mod parameter_keys;
 mod problem;
 mod random;
 mod random_problem;
+mod reweighting;
 mod surrogate;
 mod tolerance;
 
@@ -141,7 +142,7 @@ fn read(
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
-    let (sampling, written_accuracies, budget) = file.sampling(&root);
+    let (mut sampling, written_accuracies, budget) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -157,6 +158,7 @@ fn read(
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
+    sampling.is_reweighted = file.read_reweighting(&root, correlation.is_some(), &asks, surrogate.as_ref());
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -275,7 +277,13 @@ impl StudyReader {
 
     /// How many runs; how near the bounds are to be, and what that may cost.
     fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<Budget>) {
-        let mut sampling = Sampling { outer: OUTER, inner: INNER, replicates: REPLICATES, tolerance_m: TOLERANCE_M };
+        let mut sampling = Sampling {
+            outer: OUTER,
+            inner: INNER,
+            replicates: REPLICATES,
+            tolerance_m: TOLERANCE_M,
+            is_reweighted: false,
+        };
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
             return (sampling, WrittenAccuracies::default(), None);
         };

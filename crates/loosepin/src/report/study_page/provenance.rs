@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::report::answer::{turn_word, turns};
+use crate::report::answer::{reweighting_sentence, turn_word, turns};
 use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
@@ -20,6 +20,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 (count(result.counts.runs, writer)) " runs: " (count(result.counts.outer, writer))
                 " values of the " (unknown_words(&result.inputs)) ", each with " (count(result.counts.inner, writer))
                 " random samples, the same for every one of them. "
+                @if let Some(sentence) = reweighting_sentence(result, writer) { (sentence) " " }
             }
             @if result.counts.failed == 0 { "No run failed. " }
             @else {

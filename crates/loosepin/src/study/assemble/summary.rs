@@ -2,11 +2,13 @@
 
 use super::Material;
 use super::describe::unit;
-use crate::bounds::Purpose;
+use crate::bounds::{Purpose, Reweighted};
 use crate::simulate::RunFailure;
 use crate::study::file::EpistemicSubject;
 use crate::study::response::RunExtras;
-use crate::study::result::{EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, RunCounts};
+use crate::study::result::{
+    EnergyResiduals, ExampleRun, FailureGroup, HistogramBin, JointImpacts, ReweightingRecord, RunCounts,
+};
 use crate::units::SiUnit;
 use std::collections::BTreeMap;
 
@@ -34,6 +36,25 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
         replicates: if material.study.random.is_empty() { 1 } else { material.study.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
     }
+}
+
+/// How runs were weighted for other distributions; nothing where that was not to be done.
+pub fn reweighting(material: &Material<'_>) -> Option<ReweightingRecord> {
+    if !material.study.sampling.is_reweighted {
+        return None;
+    }
+    let used = material.bounds.reweighted;
+    let number = |of: fn(&Reweighted) -> usize| used.as_ref().map_or(0, |used| of(used) as u64);
+    Some(ReweightingRecord {
+        is_used: used.is_some(),
+        points: material.bounds.outer_points.len() as u64,
+        compared: number(|used| used.places),
+        least_effective_runs: used.map_or(f64::NAN, |used| used.least_effective),
+        columns: number(|used| used.columns),
+        polynomials: number(|used| used.polynomials),
+        confirmed: number(|used| used.told),
+        unconfirmed: number(|used| used.untold),
+    })
 }
 
 /// The failed runs by reason, the most frequent first.

@@ -58,6 +58,13 @@ pub struct Study {
 impl Study {
     /// Parameters of distributions that are epistemic inputs.
     pub fn epistemic_parameters(&self) -> Vec<EpistemicParameter> {
+        RandomInput::epistemic_parameters(&self.random)
+    }
+}
+
+impl RandomInput {
+    /// Parameters of the distributions of `random` that are epistemic inputs.
+    pub fn epistemic_parameters(random: &[Self]) -> Vec<EpistemicParameter> {
         let of_input = |(random, input): (usize, &RandomInput)| {
             let own = input.parameters.clone().into_iter();
             own.map(move |UncertainParameter { parameter, epistemic }| EpistemicParameter {
@@ -66,11 +73,9 @@ impl Study {
                 epistemic,
             })
         };
-        self.random.iter().enumerate().flat_map(of_input).collect()
+        random.iter().enumerate().flat_map(of_input).collect()
     }
-}
 
-impl RandomInput {
     /// The largest standard deviation of its distributions, uncertain parameters at the ends.
     pub fn largest_standard_deviation(&self, epistemic: &[EpistemicInput]) -> f64 {
         let deviations = self.variables(epistemic, |known| known.ends().to_vec()).into_iter();
@@ -114,6 +119,9 @@ pub struct Sampling {
     pub replicates: usize,
     /// Accuracy of positions in a run, m (default: 1e-8).
     pub tolerance_m: f64,
+    /// Whether runs at few values of the epistemic inputs are weighted for all others (default: where that is possible and nothing that is
+    /// asked needs a model of the response over these).
+    pub is_reweighted: bool,
 }
 
 /// A surrogate, and the runs that it is given.

@@ -55,9 +55,18 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
             "\"30 min\"",
             "where the study ends although bounds are not yet as near: runs, a time, or \"12 rounds\"",
         ),
+        optional(
+            "reweighting",
+            Kind::Choice(&REWEIGHTING),
+            "\"automatic\"",
+            "runs at few values of uncertain parameters of distributions, weighted for all others; automatic if left out",
+        ),
     ],
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
+
+/// Whether runs are weighted for other distributions.
+const REWEIGHTING: [&str; 3] = ["automatic", "always", "never"];
 
 /// Kinds of surrogates.
 const SURROGATES: [&str; 5] = ["auto", "chaos", "kriging", "network", "none"];

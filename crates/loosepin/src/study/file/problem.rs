@@ -20,6 +20,14 @@ pub enum StudyProblem {
         /// The path, as far as it can be told.
         path: String,
     },
+    /// Runs that cannot be weighted for other distributions.
+    #[error("{entry}: runs cannot be weighted for other distributions: {reason}")]
+    NotReweighted {
+        /// The entry.
+        entry: String,
+        /// What speaks against it.
+        reason: String,
+    },
     /// A quantity both random and epistemic.
     #[error("'{path}' is both random and epistemic")]
     InputTwice {
@@ -405,6 +413,7 @@ impl Problem for StudyProblem {
             | Self::AllowedRange { .. }
             | Self::Costs { .. }
             | Self::NothingRequired => Code::AskNotPossible,
+            Self::NotReweighted { .. } => Code::SamplingNotPossible,
             Self::NothingUncertain => Code::NothingUncertain,
             Self::NothingAsked => Code::NothingAsked,
         }
@@ -469,6 +478,7 @@ impl Problem for StudyProblem {
             Self::NothingUncertain => {
                 Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())
             }
+            Self::NotReweighted { .. } => Some("leave it out: runs are weighted wherever they can be".to_owned()),
             Self::NothingAsked => Some("add [[ask]] or [[require]]".to_owned()),
             _ => None,
         }

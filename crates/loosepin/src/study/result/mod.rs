@@ -7,6 +7,7 @@ mod contributors;
 mod figures;
 mod inputs;
 mod rare;
+mod reweighting;
 mod surrogate;
 
 use serde::{Deserialize, Serialize};
@@ -30,6 +31,7 @@ pub use inputs::{
 /// What held-out errors say about a response.
 pub use crate::surrogate::Verdict as SurrogateVerdict;
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
+pub use reweighting::ReweightingRecord;
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 
 use crate::simulate::record::{Drawing, JournalOrbit};
@@ -105,6 +107,9 @@ pub struct StudyResult {
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,
+    /// How runs were weighted for other distributions; absent where that was not to be done.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reweighting: Option<ReweightingRecord>,
     /// Bounds by surrogates beside the direct ones; absent where none was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surrogate: Option<SurrogateRecord>,
