@@ -20,30 +20,27 @@ const MM: f64 = 1e-3;
 const MEANS_M: [f64; 2] = [49.99 * MM, 50.02 * MM];
 const DEVIATIONS_M: [f64; 2] = [0.004 * MM, 0.011 * MM];
 
-fn conducted(reweighting: &str) -> StudyResult {
-    let text = format!(
-        "name = \"what is known of the crank\"\nmodel = \"model.toml\"
+fn conducted() -> StudyResult {
+    let text = "name = \"what is known of the crank\"\nmodel = \"model.toml\"
         [cycle]
         transient_turns = 0
         recorded_turns = 0.2
         [sampling]
-        outer = 24
-        inner = 128
+        outer = 16
+        inner = 64
         replicates = 8
-        {reweighting}
         [random]
-        \"parameter.crank_length\" = {{ normal = {{ mean = {{ interval = [\"49.99 mm\", \"50.02 mm\"] }}, \
-         standard_deviation = {{ interval = [\"0.004 mm\", \"0.011 mm\"] }} }} }}
+        \"parameter.crank_length\" = { normal = { mean = { interval = [\"49.99 mm\", \"50.02 mm\"] }, \
+         standard_deviation = { interval = [\"0.004 mm\", \"0.011 mm\"] } } }
         [[ask]]
         output = \"slider\"
         of = \"dimensional\"
-        poses = {{ crank = [\"60 deg\"] }}
+        poses = { crank = [\"60 deg\"] }
         statistics = [\"mean\", \"standard_deviation\"]
-        "
-    );
+        ";
     let model = find_template("slider-crank").expect("template").model;
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let stop = AtomicBool::new(false);
     let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
     conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
@@ -58,10 +55,9 @@ fn position(crank_m: f64) -> (f64, f64) {
 
 #[test]
 fn analytic_a_box_of_distributions_by_runs_at_few_of_them() {
-    let [weighted, direct] = ["", "reweighting = \"never\""].map(conducted);
+    let weighted = conducted();
     // The response bends by 6 per metre: over 11 µm of scatter that moves mean and deviation by less than 1 nm.
     const BEND_M: f64 = 1e-9;
-    let nominal = position(0.5 * (MEANS_M[0] + MEANS_M[1])).0;
     // The ideal motion has the nominal crank of the model.
     let ideal = position(50.0 * MM).0;
     let exact = [
@@ -81,8 +77,7 @@ fn analytic_a_box_of_distributions_by_runs_at_few_of_them() {
     }
     let told = weighted.reweighting.as_ref().expect("runs were weighted");
     assert!(told.is_used && told.points == 5 && told.unconfirmed == 0, "{told:?}");
-    assert!(2 * weighted.counts.runs < direct.counts.runs, "{} {}", weighted.counts.runs, direct.counts.runs);
-    assert!(direct.reweighting.is_none());
+    assert_eq!((weighted.counts.outer, weighted.counts.inner), (5, 64));
     let text = study_text(&weighted).split_whitespace().collect::<Vec<&str>>().join(" ");
     assert!(text.contains("Runs were made at 5 values of the"), "{text}");
     assert!(text.contains("polynomials that follow every run stand in between."), "{text}");

@@ -26,14 +26,15 @@ use accuracy::WrittenAccuracies;
 pub(super) use accuracy::statistic_name;
 pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
 pub use description::{
-    Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
-    RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate,
-    UncertainParameter, Where,
+    Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
+    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study,
+    StudySurrogate, UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
+use reweighting::WrittenReweighting;
 
 use crate::accuracy::ScatterCorrelation;
 use crate::bounds::Reading;
@@ -142,7 +143,7 @@ fn read(
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
-    let (mut sampling, written_accuracies, budget) = file.sampling(&root);
+    let (mut sampling, written_accuracies, budget, reweighting) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -158,7 +159,7 @@ fn read(
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
-    sampling.is_reweighted = file.read_reweighting(&root, correlation.is_some(), &asks, surrogate.as_ref());
+    sampling.is_reweighted = file.is_reweighted(reweighting, correlation.is_some(), &asks, surrogate.as_ref());
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -276,7 +277,10 @@ impl StudyReader {
     }
 
     /// How many runs; how near the bounds are to be, and what that may cost.
-    fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<Budget>) {
+    fn sampling(
+        &mut self,
+        root: &Table<'_>,
+    ) -> (Sampling, WrittenAccuracies, Option<Budget>, Option<WrittenReweighting>) {
         let mut sampling = Sampling {
             outer: OUTER,
             inner: INNER,
@@ -285,7 +289,7 @@ impl StudyReader {
             is_reweighted: false,
         };
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
-            return (sampling, WrittenAccuracies::default(), None);
+            return (sampling, WrittenAccuracies::default(), None, None);
         };
         for (key, count) in
             [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
@@ -297,7 +301,8 @@ impl StudyReader {
                 self.reader.measured(&entry, Dimension::LENGTH, Rule::Positive).unwrap_or(sampling.tolerance_m);
         }
         let accuracies = self.accuracies(&table);
-        (sampling, accuracies, self.budget(&table))
+        let budget = self.budget(&table);
+        (sampling, accuracies, budget, self.written_reweighting(&table))
     }
 
     /// Complains about an entry.

@@ -41,6 +41,35 @@ enum Asked {
     SimultaneousBand(f64),
 }
 
+/// A question about a curve without the small probabilities in it, and these: of leaving the limit anywhere in the cycle, which is what
+/// the furthest value over the cycle does.
+fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
+    if ask.location != Where::Cycle || ask.rare.is_empty() {
+        return (Some(ask), Vec::new());
+    }
+    let rare = std::mem::take(&mut ask.rare);
+    let anywhere = rare.iter().map(|&(statistic, method)| {
+        let furthest = match statistic {
+            Statistic::ProbabilityAbove(_) => Reduction::Maximum,
+            Statistic::ProbabilityBelow(_) => Reduction::Minimum,
+            _ => Reduction::MaximumAbsolute,
+        };
+        Ask {
+            output: ask.output,
+            deviation: ask.deviation,
+            location: Where::Reduced(furthest),
+            statistics: vec![statistic],
+            contributors: false,
+            rare: vec![(statistic, method)],
+            simultaneous_bands: Vec::new(),
+        }
+    });
+    let anywhere = anywhere.collect();
+    ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));
+    let is_left = !ask.statistics.is_empty() || ask.contributors || !ask.simultaneous_bands.is_empty();
+    (is_left.then_some(ask), anywhere)
+}
+
 /// Words with what they mean.
 fn choices<T: Copy, const N: usize>(words: [&'static str; N], meanings: [T; N]) -> Vec<(&'static str, T)> {
     words.into_iter().zip(meanings).collect()
@@ -55,8 +84,10 @@ impl StudyReader {
             let Some(table) = self.reader.table(entry, &ASK_KEYS) else { continue };
             let written = self.accuracies(&table);
             if let Some(ask) = self.ask(&table) {
-                asks.push(ask);
-                accuracy.extend(self.targets(written, &asks, Some(asks.len() - 1)));
+                let (ask, anywhere) = anywhere_in_the_cycle(ask);
+                let place = asks.len();
+                asks.extend(ask.into_iter().chain(anywhere));
+                accuracy.extend(self.targets(written, &asks, Some(place)));
             }
         }
         (asks, accuracy)
@@ -89,12 +120,6 @@ impl StudyReader {
                 _ => None,
             })
             .collect();
-        if location == Where::Cycle && !rare.is_empty() {
-            if let Some(entry) = table.get("at") {
-                self.complain(&StudyProblem::RareCurve { entry: table.path.describe() }, &entry);
-            }
-            return None;
-        }
         let bands: Vec<f64> = asked
             .iter()
             .filter_map(|asked| if let Asked::SimultaneousBand(share) = asked { Some(*share) } else { None })

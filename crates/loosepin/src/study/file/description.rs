@@ -9,7 +9,9 @@ use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
 use crate::surrogate::Choice;
-use crate::uncertainty::{EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable};
+use crate::uncertainty::{
+    Distribution, EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable,
+};
 use crate::units::{Dimension, SiUnit, format_value};
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -421,15 +423,32 @@ pub struct Allowance {
     pub input: AllowedInput,
     /// The least value, SI: the lower end of the interval, or 0.
     pub least_si: f64,
-    /// The largest value that is asked about, SI.
+    /// The largest value that is asked about, SI: of fits the greatest clearance of the loosest.
     pub up_to_si: f64,
+    /// Fits that are asked about, the tightest first; empty where something else is loosened.
+    pub fits: Vec<AllowedFit>,
     /// Values that are offered, tightest first, each with its cost; empty where it is not priced.
     pub costs: Vec<[f64; 2]>,
+}
+
+/// A fit that is asked about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AllowedFit {
+    /// As it is written, `H7/g6`.
+    pub name: String,
+    /// Least and greatest radial clearance, m.
+    pub clearance_m: [f64; 2],
+    /// The radial clearance as a random variable, as `fit` under `[random]` takes it.
+    pub scatter: Distribution,
 }
 
 /// What of an input is loosened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AllowedInput {
+    /// Both ends of the interval of this epistemic input, the radial clearance of a fit.
+    FitInterval(usize),
+    /// The distribution of this random input, the radial clearance of a fit.
+    FitScatter(usize),
     /// The upper end of the interval of this epistemic input.
     UpperEnd(usize),
     /// The standard deviation of this random input.

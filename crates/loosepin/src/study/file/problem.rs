@@ -275,14 +275,6 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
-    /// A small probability at every pose of a curve.
-    #[error(
-        "{entry}: small probabilities are estimated at poses or of one number of the curve, not of the whole curve"
-    )]
-    RareCurve {
-        /// The entry.
-        entry: String,
-    },
     /// A question that the surrogate alone does not answer.
     #[error("{entry}: contributors and small probabilities by a method are had from direct runs alone")]
     NeedsDirectRuns {
@@ -315,6 +307,32 @@ pub enum StudyProblem {
         found: String,
         /// The lower end of the interval, or zero.
         least: String,
+    },
+    /// What may be fitted otherwise and is no fit.
+    #[error(
+        "'{path}' under [allow] is neither a plain interval of [epistemic] nor a known normal distribution of [random]"
+    )]
+    FittedInput {
+        /// The path.
+        path: String,
+    },
+    /// A key that does not go with fits, or only with them.
+    #[error("{entry} {}", if *.has_fits { "does not go with fits: they have no price of their own" } else { "goes with fits alone" })]
+    BesideFits {
+        /// The entry.
+        entry: String,
+        /// Whether there are fits.
+        has_fits: bool,
+    },
+    /// An offer beyond what is asked about.
+    #[error("{entry}: {offer} is offered; the largest value that is asked about is {up_to}")]
+    OfferBeyond {
+        /// The entry.
+        entry: String,
+        /// The offer with its unit.
+        offer: String,
+        /// The largest value.
+        up_to: String,
     },
     /// Prices in which what is looser costs no less.
     #[error("{entry}: every value must stand there once, with a price, and the looser of two must cost less")]
@@ -406,11 +424,13 @@ impl Problem for StudyProblem {
             | Self::MethodOfQuantile { .. }
             | Self::BandOfPoint { .. }
             | Self::NothingRandom { .. }
-            | Self::RareCurve { .. }
             | Self::RareOfSets { .. }
             | Self::NeedsDirectRuns { .. }
             | Self::AllowedInput { .. }
             | Self::AllowedRange { .. }
+            | Self::FittedInput { .. }
+            | Self::BesideFits { .. }
+            | Self::OfferBeyond { .. }
             | Self::Costs { .. }
             | Self::NothingRequired => Code::AskNotPossible,
             Self::NotReweighted { .. } => Code::SamplingNotPossible,
@@ -463,7 +483,11 @@ impl Problem for StudyProblem {
             Self::PathOutput { .. } => {
                 Some("give the model an output position_of the point along x or y, and ask for that".to_owned())
             }
-            Self::AllowedInput { .. } => Some("name the input under [epistemic] or [random] first".to_owned()),
+            Self::OfferBeyond { offer, .. } => Some(format!("write up_to = \"{offer}\", or leave the offer out")),
+            Self::BesideFits { .. } => Some("leave it out".to_owned()),
+            Self::AllowedInput { .. } | Self::FittedInput { .. } => {
+                Some("name the input under [epistemic] or [random] first".to_owned())
+            }
             Self::NothingRequired => Some("add [[require]]".to_owned()),
             Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
             Self::BandOfPoint { .. } => {
@@ -472,9 +496,6 @@ impl Problem for StudyProblem {
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
             Self::NeedsDirectRuns { .. } => Some("write direct = \"double-loop\", or do not ask for them".to_owned()),
-            Self::RareCurve { .. } => {
-                Some("write reduce = \"maximum_absolute\" for anywhere in the cycle, or name poses".to_owned())
-            }
             Self::NothingUncertain => {
                 Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())
             }

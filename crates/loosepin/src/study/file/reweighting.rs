@@ -2,9 +2,9 @@
 
 use super::StudyReader;
 use super::description::{Ask, RandomInput, StudySurrogate};
-use super::keys::SAMPLING_KEYS;
 use super::problem::StudyProblem;
 use crate::bounds::{NotReweighted, Reading, Reweightable};
+use crate::diagnostics::Span;
 use crate::document::Table;
 use crate::uncertainty::{EpistemicParameter, EpistemicVariable, RandomVariable};
 
@@ -16,30 +16,38 @@ enum When {
     Never,
 }
 
+/// What is written, and where.
+pub(super) struct WrittenReweighting {
+    when: When,
+    entry: String,
+    span: Span,
+}
+
 impl StudyReader {
-    /// Reads whether runs are weighted; where the file leaves it open, they are where that is possible.
-    pub fn read_reweighting(
+    /// Reads what the table of the sampling says.
+    pub(super) fn written_reweighting(&mut self, table: &Table<'_>) -> Option<WrittenReweighting> {
+        let entry = table.get("reweighting")?;
+        let choices = [("automatic", When::Possible), ("always", When::Always), ("never", When::Never)];
+        let when = self.reader.choice(&entry, &choices)?;
+        Some(WrittenReweighting { when, entry: entry.path.describe(), span: entry.span })
+    }
+
+    /// Whether runs are weighted; where the file leaves it open, they are where that is possible.
+    pub(super) fn is_reweighted(
         &mut self,
-        root: &Table<'_>,
+        written: Option<WrittenReweighting>,
         is_correlated: bool,
         asks: &[Ask],
         surrogate: Option<&StudySurrogate>,
     ) -> bool {
-        let table = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS));
-        let entry = table.as_ref().and_then(|table| table.get("reweighting"));
-        let choices = [("automatic", When::Possible), ("always", When::Always), ("never", When::Never)];
-        let when = entry.as_ref().and_then(|entry| self.reader.choice(entry, &choices)).unwrap_or(When::Possible);
-        if when == When::Never {
+        if written.as_ref().is_some_and(|written| written.when == When::Never) {
             return false;
         }
-        match (self.against_reweighting(is_correlated, asks, surrogate), &entry) {
-            (None, _) => true,
-            (Some(reason), Some(entry)) if when == When::Always => {
-                self.complain(&StudyProblem::NotReweighted { entry: entry.path.describe(), reason }, entry);
-                false
-            }
-            (Some(_), _) => false,
+        let Some(reason) = self.against_reweighting(is_correlated, asks, surrogate) else { return true };
+        if let Some(WrittenReweighting { when: When::Always, entry, span }) = written {
+            self.reader.complain(&StudyProblem::NotReweighted { entry, reason }, span);
         }
+        false
     }
 
     /// What speaks against it, in words.
