@@ -29,6 +29,13 @@ fn timing() -> Timing {
 }
 
 #[test]
+fn a_summary_of_another_format_is_not_read() {
+    let text = to_json(&worn_pin()).expect("the result has a form in JSON").replacen("\"format\": 1", "\"format\": 99", 1);
+    let said = read_json::<StudyResult>(&text, SUMMARY_FILE).expect_err("another format").to_string();
+    assert!(said.contains("format 99; this version reads 1"), "{said}");
+}
+
+#[test]
 fn identity_summary_reads_back_to_the_same_result() {
     let mut result = worn_pin();
     // The values that JSON has no number for, and floats whose shortest form is long.

@@ -367,6 +367,21 @@ const MOST_ELEMENTS: usize = 256;
 /// Every combination of members is run, and searched by itself.
 const MOST_COMBINATIONS: usize = 64;
 
+impl ProblemError {
+    /// The number of runs, of points or of replicates that it is about, by the name of its field.
+    pub fn key(&self) -> Option<&'static str> {
+        match self {
+            Self::NotAMultiple { name, .. }
+            | Self::TooFewPoints { name, .. }
+            | Self::TooFewForCombinations { name, .. }
+            | Self::TooFewForElements { name, .. }
+            | Self::TooManyPoints { name, .. } => Some(name),
+            Self::TooFewReplicates { .. } => Some("replicates"),
+            _ => None,
+        }
+    }
+}
+
 impl Problem {
     /// Which part of its distribution each random input takes at a point of the unit cube.
     pub(super) fn levels(&self, point: &[f64]) -> Vec<Level> {

@@ -8,7 +8,7 @@ use super::keys::{
 };
 use super::problem::StudyProblem;
 use crate::bounds::{Reading, Statistic};
-use crate::diagnostics::nearest_name;
+use crate::diagnostics::{Complaint, Place, nearest_name};
 use crate::document::{Entry, Table};
 use crate::model::OutputKind;
 use crate::uncertainty::EpistemicVariable;
@@ -29,6 +29,17 @@ const STATISTIC_MEANINGS: [Asked; 4] = [
     Asked::Statistic(Statistic::StandardDeviation),
     Asked::Statistic(Statistic::Cdf),
     Asked::Contributors,
+];
+
+/// Words for statistics that are written in another form.
+const FORMS: [(&str, &str); 7] = [
+    ("median", "{ quantile = 0.5 }"),
+    ("quantile", "{ quantile = 0.975 }"),
+    ("probability_above", "{ probability_above = \"0.4 mm\" }"),
+    ("probability_below", "{ probability_below = \"0.4 mm\" }"),
+    ("probability_beyond", "{ probability_beyond = \"0.4 mm\" }"),
+    ("simultaneous_band", "{ simultaneous_band = 0.95 }"),
+    ("std", "\"standard_deviation\""),
 ];
 
 /// An entry of the list of statistics.
@@ -166,13 +177,17 @@ impl StudyReader {
                 _ => self.limit(&entry, limit, dimension, Rule::Positive).map(Limit::Within),
             }
         });
-        Some(Requirement {
-            output,
-            deviation: deviation?,
-            limit: limit?,
-            location: location?,
-            probability_at_least: probability_at_least?,
-        })
+        let probability_at_least = probability_at_least?;
+        // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
+        if probability_at_least == 1.0
+            && !self.random.is_empty()
+            && let Some(entry) = table.get("probability_at_least")
+        {
+            let problem = StudyProblem::CertaintyOfSamples { entry: entry.path.describe() };
+            let place = Place::new(&self.reader.source, entry.span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+        Some(Requirement { output, deviation: deviation?, limit: limit?, location: location?, probability_at_least })
     }
 
     fn output(&mut self, table: &Table<'_>) -> Option<usize> {
@@ -195,7 +210,13 @@ impl StudyReader {
 
     fn deviation(&mut self, table: &Table<'_>) -> Option<Deviation> {
         let entry = table.get("of")?;
-        self.reader.choice(&entry, &choices(DEVIATIONS, DEVIATION_MEANINGS))
+        let deviation = self.reader.choice(&entry, &choices(DEVIATIONS, DEVIATION_MEANINGS))?;
+        let has_play = self.model.joints.iter().any(|joint| joint.kind.play().is_some());
+        if deviation == Deviation::Clearance && !has_play {
+            self.complain(&StudyProblem::NoPlay { entry: entry.path.describe() }, &entry);
+            return None;
+        }
+        Some(deviation)
     }
 
     /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it.
@@ -252,6 +273,12 @@ impl StudyReader {
 
     fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {
         if entry.is_text() {
+            let text = self.reader.text(entry)?;
+            if let Some((_, form)) = FORMS.into_iter().find(|(word, _)| *word == text) {
+                let problem = StudyProblem::StatisticForm { entry: entry.path.describe(), word: text.to_owned(), form };
+                self.complain(&problem, entry);
+                return None;
+            }
             return self.reader.choice(entry, &choices(PLAIN_STATISTICS, STATISTIC_MEANINGS));
         }
         if !entry.is_table() {
@@ -260,6 +287,11 @@ impl StudyReader {
         let table = self.reader.table(entry, &STATISTIC_KEYS)?;
         let key = STATISTICS.into_iter().find(|key| table.has(key))?;
         let method = self.method(&table, key)?;
+        if let Some(percent) = table.get(key).filter(|entry| entry.is_text() && !key.starts_with("probability")) {
+            let found = self.reader.text(&percent)?.to_owned();
+            self.complain(&StudyProblem::Percent { entry: percent.path.describe(), found }, &percent);
+            return None;
+        }
         if key == "quantile" {
             return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
         }

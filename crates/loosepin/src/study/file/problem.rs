@@ -20,6 +20,36 @@ pub enum StudyProblem {
         /// The path, as far as it can be told.
         path: String,
     },
+    /// A statistic that is written in another form.
+    #[error("{entry}: '{word}' is written {form}")]
+    StatisticForm {
+        /// The entry.
+        entry: String,
+        /// What is written.
+        word: String,
+        /// How it is written.
+        form: &'static str,
+    },
+    /// A probability as text.
+    #[error("{entry} is \"{found}\"; a number between 0 and 1 is due")]
+    Percent {
+        /// The entry.
+        entry: String,
+        /// The text.
+        found: String,
+    },
+    /// The part of the deviation that comes from play, where there is none.
+    #[error("{entry} is \"clearance\"; no joint of the model has play, so that this part of the deviation is zero")]
+    NoPlay {
+        /// The entry.
+        entry: String,
+    },
+    /// A share of all parts, where quantities scatter.
+    #[error("{entry} is 1; no number of samples shows that none lies beyond the limit, so that this stays undecided")]
+    CertaintyOfSamples {
+        /// The entry.
+        entry: String,
+    },
     /// Runs that cannot be weighted for other distributions.
     #[error("{entry}: runs cannot be weighted for other distributions: {reason}")]
     NotReweighted {
@@ -434,6 +464,8 @@ impl Problem for StudyProblem {
             | Self::Costs { .. }
             | Self::NothingRequired => Code::AskNotPossible,
             Self::NotReweighted { .. } => Code::SamplingNotPossible,
+            Self::StatisticForm { .. } | Self::NoPlay { .. } | Self::CertaintyOfSamples { .. } => Code::AskNotPossible,
+            Self::Percent { .. } => Code::BadProbability,
             Self::NothingUncertain => Code::NothingUncertain,
             Self::NothingAsked => Code::NothingAsked,
         }
@@ -499,6 +531,13 @@ impl Problem for StudyProblem {
             Self::NothingUncertain => {
                 Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())
             }
+            Self::Percent { .. } => Some("probabilities are written as numbers, 97.5 % is 0.975".to_owned()),
+            Self::NoPlay { .. } => {
+                Some("ask for of = \"dimensional\", or give a joint play in the model file".to_owned())
+            }
+            Self::CertaintyOfSamples { .. } => Some(
+                "require a share below 1, such as 0.9973, or state ends of what scatters under [epistemic]".to_owned(),
+            ),
             Self::NotReweighted { .. } => Some("leave it out: runs are weighted wherever they can be".to_owned()),
             Self::NothingAsked => Some("add [[ask]] or [[require]]".to_owned()),
             _ => None,
