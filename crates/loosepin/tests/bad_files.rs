@@ -124,7 +124,7 @@ fn an_empty_file_is_neither_a_model_nor_a_study() {
     let said = said.replace(&format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR), "");
     assert_eq!(
         said,
-        "study.toml:1:1: error[E0106]: the file says nothing: neither a model nor a study\n\
+        "study.toml:1:1: error[E0905]: the file says nothing: neither a model nor a study\n\
          hint: `loosepin new slider-crank` writes both, to start from"
     );
 }

@@ -8,16 +8,15 @@ use thiserror::Error;
 
 use super::bound::Reading;
 use super::inner_basis::InnerBasis;
-use super::measure::{Measure, MeasureKind, target};
+use super::measure::{Measure, target};
 use super::moments::mean;
 use super::orthogonal::Axis;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
 use super::problem::{MOST_POINTS, Problem, ProblemError, Request, Sampling};
 use super::random_set::{run_target, values_by_run};
-use super::reweighting::Pooled;
-use super::sample::{Confidence, Estimate, Sample};
-use super::search::{Direction, MOST_LOCATED_TARGETS, Search, Target, extreme_point};
+use super::sample::{Confidence, Estimate};
+use super::search::{Direction, MOST_LOCATED_TARGETS, Search, Target};
 use super::search_box::{Place, Region, SearchBox};
 use super::statistic::Statistic;
 use super::structure::{Element, Structure};
@@ -28,17 +27,6 @@ use crate::uncertainty::{
 
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
-
-/// Weighted runs are looked at for so many new points a round, and gains below this share of the range are not pursued.
-const REWEIGHTED_POINTS_PER_ROUND: usize = 4;
-const REWEIGHTED_RESOLUTION: f64 = 1e-3;
-
-/// Where weights leave an error, points up to this part of all make it smaller.
-const REWEIGHTED_SHARE: usize = 4;
-
-/// Two of these points are never nearer, in units of the box; where they carry weights alone.
-const LEAST_DISTANCE_APART: f64 = 1e-4;
-const LEAST_DISTANCE_OF_WEIGHTED: f64 = 0.05;
 
 /// The whole distribution function is searched by these quantiles.
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
@@ -359,7 +347,7 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+    pub(super) fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
         let mut targets: Vec<(Target, Vec<Direction>)> = self
             .searched()
@@ -380,87 +368,6 @@ impl DoubleLoop {
         let search =
             Search::new(self.epistemic_box.axes(), &points, &self.candidates, targets.iter().map(|(target, _)| target));
         next_or_confirming(&search, &targets, &self.searched_elements, count)
-    }
-
-    /// Where the weighted runs of all points promise more than has been attained, or cannot tell; where more points do not help, where
-    /// the search without weights goes.
-    fn next_reweighted(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
-        let whole = Region::whole(self.epistemic_box.dimensions());
-        let most = self.most_reweighted();
-        let columns: Vec<usize> = self.searched().iter().map(|(request, _)| request.column).collect();
-        let of_column = |column: usize| pool.samples(column).first().copied().and_then(Sample::pooled);
-        let is_smooth = columns.iter().all(|&column| of_column(column).is_some_and(Pooled::is_smooth));
-        let known = self.outer_places(pool);
-        let axes = self.epistemic_box.axes();
-        let without_weights = || {
-            let is_new = |place: &&Place| known.iter().all(|other| axes.distance(other, place) > LEAST_DISTANCE_APART);
-            let first: Vec<Place> = self.first_outer.iter().filter(is_new).cloned().collect();
-            if first.is_empty() { self.next_outer(table, pool, count) } else { first }
-        };
-        if columns.iter().any(|&column| of_column(column).is_none()) {
-            return without_weights();
-        }
-        let of_statistic = |(request, directions): &(Request, Vec<Direction>)| -> Vec<(f64, Place)> {
-            let samples = pool.samples(request.column);
-            let (Some(pooled), Some(measure)) =
-                (of_column(request.column), Measure::new(&samples, request.statistic, &self.confidence))
-            else {
-                return Vec::new();
-            };
-            let promise = |&direction: &Direction| {
-                let estimates = if direction == Direction::Minimum { &measure.low } else { &measure.high };
-                let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
-                let witness = extreme_point(&values, direction)?;
-                let at = (witness, values[witness]);
-                match pooled.furthest(measure.sought, direction, at, &whole, &self.confidence) {
-                    Err(place) => Some((f64::INFINITY, place)),
-                    Ok(beyond) => {
-                        let estimate = estimates[witness];
-                        let sampling = if direction == Direction::Minimum { estimate.below } else { estimate.above };
-                        let is_square = measure.kind == MeasureKind::Deviation;
-                        let sampling = if is_square { sampling * (sampling + 2.0 * estimate.value) } else { sampling };
-                        let is_index = matches!(measure.kind, MeasureKind::SmoothProbability(_));
-                        let range =
-                            if is_index { target(estimates, &self.confidence).range() } else { measure.target.range() };
-                        let merit = beyond.gain / sampling.max(REWEIGHTED_RESOLUTION * range);
-                        (merit > 1.0).then_some((merit, beyond.place))
-                    }
-                }
-            };
-            directions.iter().filter_map(promise).collect()
-        };
-        let mut promises: Vec<(f64, Place)> = self.searched().par_iter().flat_map_iter(of_statistic).collect();
-        promises.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let cannot_tell = promises.first().is_some_and(|(merit, _)| merit.is_infinite());
-        // Beside a point that is there another one hardly changes what weights are worth.
-        let apart = if is_smooth { LEAST_DISTANCE_APART } else { LEAST_DISTANCE_OF_WEIGHTED };
-        let mut chosen: Vec<Place> = Vec::new();
-        for (_, place) in promises {
-            let is_apart = |other: &Place| axes.distance(other, &place) > apart;
-            if known.iter().all(is_apart) && chosen.iter().all(is_apart) {
-                chosen.push(place);
-            }
-        }
-        chosen.truncate(count.min(REWEIGHTED_POINTS_PER_ROUND));
-        let is_spent = pool.points.len() >= most;
-        if cannot_tell && (is_spent || chosen.is_empty()) {
-            return without_weights();
-        }
-        if is_spent {
-            return Vec::new();
-        }
-        chosen.truncate(most - pool.points.len());
-        chosen
-    }
-
-    /// Points whose runs are weighted for other u, at most: with more of them the search goes without weights. None where the problem
-    /// does not ask for it.
-    pub(super) fn most_reweighted(&self) -> usize {
-        if !self.problem.sampling.reweighting {
-            return 0;
-        }
-        let structural = structural_point_count(self.epistemic_box.dimensions()) * self.epistemic_box.combinations();
-        (structural + REWEIGHTED_POINTS_PER_ROUND).max(self.problem.sampling.outer / REWEIGHTED_SHARE)
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
@@ -497,7 +404,7 @@ impl DoubleLoop {
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
-    fn searched(&self) -> Vec<(Request, Vec<Direction>)> {
+    pub(super) fn searched(&self) -> Vec<(Request, Vec<Direction>)> {
         let both = Direction::BOTH.to_vec();
         let mut searched = Vec::new();
         for request in &self.problem.requests {
@@ -577,6 +484,11 @@ impl DoubleLoop {
             InnerBasis::new(&axes, &points, self.problem.sampling.replicates).map(Arc::new)
         };
         self.mixture_basis.get_or_init(basis).as_deref()
+    }
+
+    /// Places of the first outer points.
+    pub(super) fn first_outer(&self) -> &[Place] {
+        &self.first_outer
     }
 
     /// The same, to be kept.
