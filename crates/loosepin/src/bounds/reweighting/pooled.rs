@@ -29,7 +29,7 @@ const MOST_DEGREE_BESIDE: usize = 4;
 const CLEARLY_LESS: f64 = 0.7;
 /// Polynomials that leave no more than this share of the deviation of the pool at any run stand for the response; between the runs it
 /// may be more, by the second factor.
-const LARGEST_RESIDUAL: f64 = 1e-4;
+const LARGEST_RESIDUAL: f64 = 1e-3;
 const RESIDUAL_MARGIN: f64 = 2.0;
 /// A share with fewer hits or misses in each replicate of the pool has no error from the spread of the replicates.
 const LEAST_PER_REPLICATE: usize = 2;
