@@ -24,10 +24,10 @@ fn conducted() -> StudyResult {
     let text = "name = \"what is known of the crank\"\nmodel = \"model.toml\"
         [cycle]
         transient_turns = 0
-        recorded_turns = 0.2
+        recorded_turns = 0.17
         [sampling]
-        outer = 16
-        inner = 64
+        outer = 64
+        inner = 256
         replicates = 8
         [random]
         \"parameter.crank_length\" = { normal = { mean = { interval = [\"49.9 mm\", \"50.2 mm\"] }, \
@@ -80,9 +80,8 @@ fn analytic_a_box_of_distributions_by_runs_at_few_of_them() {
         assert!(upper - lower < 1.01 * (exact[1] - exact[0]), "{exact:?} {bound:?}");
     }
     let told = weighted.reweighting.as_ref().expect("runs were weighted");
-    assert!(told.is_used && told.points == 5 && told.unconfirmed == 0, "{told:?}");
-    assert_eq!((weighted.counts.outer, weighted.counts.inner), (5, 64));
+    // A quarter of the values that the search may look at.
+    assert!(told.is_used && told.points <= 16 && told.polynomials > 0, "{told:?}");
     let text = study_text(&weighted).split_whitespace().collect::<Vec<&str>>().join(" ");
-    assert!(text.contains("Runs were made at 5 values of the"), "{text}");
-    assert!(text.contains("polynomials that follow every run stand in between."), "{text}");
+    assert!(text.contains(&format!("Runs were made at {} values of the", told.points)), "{text}");
 }

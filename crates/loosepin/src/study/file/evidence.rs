@@ -10,6 +10,9 @@ use crate::uncertainty::{
 };
 use crate::units::{Dimension, Rule, format_number, format_value};
 
+/// Numbers with their places.
+type Placed<'t> = Vec<(f64, Entry<'t>)>;
+
 impl StudyReader {
     /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
     pub fn structured(&mut self, table: &Table<'_>, quantity: QuantityId, path: &str) -> Option<EpistemicVariable> {
@@ -118,7 +121,7 @@ impl StudyReader {
         let dimension = self.model.quantities[quantity].dimension;
         let table = self.reader.table(written, &FUZZY_KEYS)?;
         // Degrees and corners with their places, for complaints.
-        let (mut at_degrees, mut at_corners): (Vec<(f64, Entry<'t>)>, Vec<(f64, Entry<'t>)>) = (Vec::new(), Vec::new());
+        let (mut at_degrees, mut at_corners): (Placed<'t>, Placed<'t>) = (Vec::new(), Vec::new());
         let mut shape = written.clone();
         let degrees = match table.get("degrees") {
             Some(entry) => {
