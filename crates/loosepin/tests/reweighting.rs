@@ -17,7 +17,7 @@ impl Progress for Silent {
 
 const MM: f64 = 1e-3;
 /// Ends of the mean and of the standard deviation of the crank's length, m.
-const MEANS_M: [f64; 2] = [49.9 * MM, 50.2 * MM];
+const MEANS_M: [f64; 2] = [49.97 * MM, 50.05 * MM];
 const DEVIATIONS_M: [f64; 2] = [0.04 * MM, 0.11 * MM];
 
 fn conducted() -> StudyResult {
@@ -30,7 +30,7 @@ fn conducted() -> StudyResult {
         inner = 256
         replicates = 8
         [random]
-        \"parameter.crank_length\" = { normal = { mean = { interval = [\"49.9 mm\", \"50.2 mm\"] }, \
+        \"parameter.crank_length\" = { normal = { mean = { interval = [\"49.97 mm\", \"50.05 mm\"] }, \
          standard_deviation = { interval = [\"0.04 mm\", \"0.11 mm\"] } } }
         [[ask]]
         output = \"slider\"
