@@ -7,7 +7,7 @@ use loosepin::uncertainty::{
 use std::f64::consts::{E, FRAC_PI_3, TAU};
 use std::sync::Arc;
 
-use crate::known_pairings::pairings;
+use crate::known_pairings::{pairings, weighted};
 
 /// A response Y = g(X, u) with one column.
 pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
@@ -30,6 +30,8 @@ pub struct KnownCase {
     pub function: Function,
     /// Points u, and runs at each.
     pub sampling: [usize; 2],
+    /// Whether runs at few u are weighted for all others.
+    pub is_weighted: bool,
 }
 
 const STANDARD_NORMAL: Distribution = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
@@ -58,7 +60,13 @@ impl KnownCase {
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
             percentiles: Vec::new(),
-            sampling: Sampling { outer: self.sampling[0], inner: self.sampling[1], seed, ..Sampling::default() },
+            sampling: Sampling {
+                outer: self.sampling[0],
+                inner: self.sampling[1],
+                seed,
+                reweighting: self.is_weighted,
+                ..Sampling::default()
+            },
         }
     }
 
@@ -66,7 +74,7 @@ impl KnownCase {
     pub fn all() -> Vec<Self> {
         let own =
             [sum(), product(), power(), challenge(), inside_four(), ridge(), jump(), slider_crank_with_play(FRAC_PI_3)];
-        own.into_iter().chain(pairings()).collect()
+        own.into_iter().chain(pairings()).chain(weighted()).collect()
     }
 }
 
@@ -105,6 +113,7 @@ fn sum() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [64, 256],
+        is_weighted: false,
     }
 }
 
@@ -124,6 +133,7 @@ fn product() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [64, 256],
+        is_weighted: false,
     }
 }
 
@@ -138,6 +148,7 @@ fn power() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [64, 256],
+        is_weighted: false,
     }
 }
 
@@ -168,6 +179,7 @@ fn challenge() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [96, 256],
+        is_weighted: false,
     }
 }
 
@@ -190,6 +202,7 @@ fn inside_four() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [96, 256],
+        is_weighted: false,
     }
 }
 
@@ -207,6 +220,7 @@ fn ridge() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [96, 256],
+        is_weighted: false,
     }
 }
 
@@ -224,6 +238,7 @@ fn jump() -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [64, 256],
+        is_weighted: false,
     }
 }
 
@@ -292,6 +307,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [80, 128],
+        is_weighted: false,
     }
 }
 

@@ -72,6 +72,7 @@ pub fn evaluate<'py>(
             mixture: runs.mixture,
             extreme: runs.extreme,
             seed: runs.seed,
+            reweighting: false,
             confidence: runs.confidence,
         },
     };

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use loosepin::diagnostics::{CODES, Colour, Complaints};
 use loosepin::model::Model;
-use loosepin::study::Study;
+use loosepin::study::{InputFile, Study};
 use loosepin::templates::find_template;
 
 fn folder(kind: &str) -> PathBuf {
@@ -111,6 +111,22 @@ fn files_that_cannot_be_read_are_named() {
     );
     let large = Model::from_text("large.toml", &"#".repeat(2 << 20)).expect_err("too large");
     assert_eq!(large.to_string(), "error[E0103]: large.toml has 2097152 bytes; a file of at most 1048576 is read");
+}
+
+#[test]
+fn an_empty_file_is_neither_a_model_nor_a_study() {
+    let folder = std::env::temp_dir().join(format!("loosepin-empty-file-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder for the test");
+    let path = folder.join("study.toml");
+    fs::write(&path, "# to be written\n").expect("a file for the test");
+    let said = InputFile::from_path(&path).expect_err("nothing in it").to_string();
+    fs::remove_dir_all(&folder).expect("the folder of the test goes");
+    let said = said.replace(&format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR), "");
+    assert_eq!(
+        said,
+        "study.toml:1:1: error[E0905]: the file says nothing: neither a model nor a study\n\
+         hint: `loosepin new slider-crank` writes both, to start from"
+    );
 }
 
 #[test]

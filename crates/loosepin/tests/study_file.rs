@@ -66,6 +66,28 @@ fn poses_and_limits_of_angles_are_in_radians() {
 }
 
 #[test]
+fn a_small_probability_of_a_curve_is_that_of_its_furthest_value() {
+    let study = |ask: &str| {
+        let text = format!(
+            "name = \"rare\"\nmodel = \"model.toml\"\n[random]\n\"parameter.crank_length\" = {{ normal = {{ mean = \"50 mm\", \
+             standard_deviation = \"0.02 mm\" }} }}\n{ask}"
+        );
+        let model = template("slider-crank").model;
+        Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}")).asks
+    };
+    let head = "[[ask]]\noutput = \"slider\"\nof = \"total\"\n";
+    let rare = |side: &str| format!("{{ {side} = \"0.1 mm\", method = \"importance\" }}");
+    let [above, below, beyond] = ["probability_above", "probability_below", "probability_beyond"].map(rare);
+    let curve = study(&format!("{head}at = \"cycle\"\nstatistics = [\"mean\", {above}, {below}, {beyond}]\n"));
+    let each = study(&format!(
+        "{head}at = \"cycle\"\nstatistics = [\"mean\"]\n{head}reduce = \"maximum\"\nstatistics = [{above}]\n\
+         {head}reduce = \"minimum\"\nstatistics = [{below}]\n{head}reduce = \"maximum_absolute\"\nstatistics = [{beyond}]\n"
+    ));
+    assert_eq!(curve, each);
+    assert_eq!(study(&format!("{head}at = \"cycle\"\nstatistics = [{above}]\n")), each[1..2]);
+}
+
+#[test]
 fn every_family_of_distributions_is_read() {
     let model = find_template("slider-crank").expect("template").model;
     let study = r#"

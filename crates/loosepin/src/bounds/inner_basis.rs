@@ -25,7 +25,7 @@ use super::trend::gram;
 use crate::math::dense::{Cholesky, dot};
 
 /// Highest degree of a polynomial.
-const MOST_DEGREE: usize = 12;
+pub(super) const MOST_DEGREE: usize = 12;
 /// Runs of the other replicates for each coefficient, at least.
 const RUNS_PER_COEFFICIENT: usize = 3;
 /// More coefficients than this are not fitted, nor matrices with more entries held.
@@ -85,7 +85,8 @@ impl InnerBasis {
 }
 
 impl Design {
-    fn new(axes: &[Axis], degree: usize, coordinates: &[Vec<f64>], replicates: usize) -> Option<Self> {
+    /// Polynomials up to `degree` at `coordinates`, replicate by replicate; nothing where the runs are too few.
+    pub fn new(axes: &[Axis], degree: usize, coordinates: &[Vec<f64>], replicates: usize) -> Option<Self> {
         let count = coordinates.len();
         let terms = exponents(axes.len(), degree)?;
         let size = terms.len();
@@ -114,6 +115,14 @@ impl Design {
             .collect();
         let rest = axes.iter().map(|_| OnceLock::new()).collect();
         Some(Self { axes: axes.to_vec(), degree, terms, per_replicate, rows, without: without?, rest })
+    }
+
+    /// The polynomial with these coefficients at `coordinates`.
+    pub fn value(&self, coefficients: &[f64], coordinates: &[f64]) -> f64 {
+        let values: Vec<Vec<f64>> =
+            coordinates.iter().zip(&self.axes).map(|(&t, axis)| axis.values(t, self.degree)).collect();
+        let term = |term: &Vec<usize>| term.iter().zip(&values).map(|(&k, values)| values[k]).product::<f64>();
+        self.terms.iter().zip(coefficients).map(|(exponents, c)| c * term(exponents)).sum()
     }
 
     /// Fits `values`, one for each inner point.

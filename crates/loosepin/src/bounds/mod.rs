@@ -41,6 +41,7 @@ mod quantile;
 mod random_inputs;
 mod random_set;
 mod refinement;
+mod reweighting;
 mod sample;
 mod search;
 mod search_box;
@@ -65,8 +66,9 @@ pub use evaluate::{EvaluateError, Response, evaluate, execute};
 pub use pinching::{PinchedInput, Pinching};
 pub use plan::{DoubleLoop, PlanError};
 pub use probability_box::ProbabilityBox;
-pub use problem::{Problem, ProblemError, Request, Sampling};
+pub use problem::{NotReweighted, Problem, ProblemError, Request, Reweightable, Sampling};
 pub use refinement::{Assessment, Goal, Refinement, Standing};
+pub use reweighting::Reweighted;
 pub use second_order::{Percentile, StatisticPercentiles};
 pub use simultaneous::SimultaneousBand;
 pub use statistic::Statistic;
@@ -87,6 +89,8 @@ mod noisy_cases;
 mod parameter_cases;
 #[cfg(test)]
 mod periodic_cases;
+#[cfg(test)]
+mod reweighting_cases;
 #[cfg(test)]
 mod second_order_cases;
 #[cfg(test)]

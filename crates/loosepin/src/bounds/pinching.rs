@@ -67,7 +67,7 @@ impl DoubleLoop {
         let pool = Pool::gather(table, Purpose::DoubleLoop, columns.iter().copied());
         self.check_points(&pool)?;
         let pool = pool.with_polynomials(self.inner_basis());
-        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table };
+        let evidence = Evidence::new(self, &pool, table);
         let measures: Option<Vec<[Measure; 2]>> = columns
             .iter()
             .map(|&column| {

@@ -13,7 +13,7 @@ use super::moments::mean;
 use super::orthogonal::Axis;
 use super::points::{candidates, first_points, structural_point_count};
 use super::pool::{Pool, PoolPoint};
-use super::problem::{MOST_POINTS, Problem, ProblemError, Request};
+use super::problem::{MOST_POINTS, Problem, ProblemError, Request, Sampling};
 use super::random_set::{run_target, values_by_run};
 use super::sample::{Confidence, Estimate};
 use super::search::{Direction, MOST_LOCATED_TARGETS, Search, Target};
@@ -303,10 +303,16 @@ impl DoubleLoop {
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
         let is_curve = self.searched().len() > MOST_LOCATED_TARGETS;
         let outer = if is_curve { outer } else { outer.with_polynomials(self.inner_basis()) };
+        let outer = outer.with_weights(self);
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
-            for place in self.next_outer(table, &outer, count) {
+            let places = if self.problem.sampling.reweighting {
+                self.next_reweighted(table, &outer, count)
+            } else {
+                self.next_outer(table, &outer, count)
+            };
+            for place in places {
                 let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
                 runs.extend(self.runs_at(round, point, self.epistemic_box.values_at(&place)));
             }
@@ -328,7 +334,13 @@ impl DoubleLoop {
 
     fn first_round(&self) -> Vec<RunInputs> {
         let mut runs: Vec<RunInputs> = Vec::new();
-        for (point, place) in self.first_outer.iter().enumerate() {
+        let (structural, each) = (
+            structural_point_count(self.epistemic_box.dimensions()),
+            self.first_outer.len() / self.epistemic_box.combinations(),
+        );
+        // Weights see what lies between corners and centre.
+        let is_first = |&(index, _): &(usize, &Place)| !self.problem.sampling.reweighting || index % each < structural;
+        for (point, (_, place)) in self.first_outer.iter().enumerate().filter(is_first).enumerate() {
             runs.extend(self.runs_at(0, point as u32, self.epistemic_box.values_at(place)));
         }
         if self.has_mixture() {
@@ -341,7 +353,7 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+    pub(super) fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
         let mut targets: Vec<(Target, Vec<Direction>)> = self
             .searched()
@@ -398,7 +410,7 @@ impl DoubleLoop {
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
-    fn searched(&self) -> Vec<(Request, Vec<Direction>)> {
+    pub(super) fn searched(&self) -> Vec<(Request, Vec<Direction>)> {
         let both = Direction::BOTH.to_vec();
         let mut searched = Vec::new();
         for request in &self.problem.requests {
@@ -478,6 +490,29 @@ impl DoubleLoop {
             InnerBasis::new(&axes, &points, self.problem.sampling.replicates).map(Arc::new)
         };
         self.mixture_basis.get_or_init(basis).as_deref()
+    }
+
+    /// Places of the first outer points.
+    pub(super) fn first_outer(&self) -> &[Place] {
+        &self.first_outer
+    }
+
+    /// The same, to be kept.
+    pub(super) fn inner_basis_shared(&self) -> Option<Arc<InnerBasis>> {
+        self.inner_basis.clone()
+    }
+
+    /// Points of the unit cube of the random inputs, replicate by replicate, `count` in each: first those of the inner runs.
+    pub(super) fn inner_cube(&self, count: usize) -> Vec<Vec<f64>> {
+        let replicates = self.problem.sampling.replicates;
+        let sampling = Sampling { inner: count * replicates, ..self.problem.sampling };
+        let wider = Problem { sampling, ..self.problem.clone() };
+        inner_points(&wider).map_or_else(|_| Vec::new(), |points| points.into_iter().map(|(_, _, at)| at).collect())
+    }
+
+    /// In what a response may be smooth, random input by random input.
+    pub(super) fn random_axes(&self) -> Vec<Axis> {
+        random_axes(&self.problem).collect()
     }
 
     pub(super) fn candidates(&self) -> &[Vec<f64>] {

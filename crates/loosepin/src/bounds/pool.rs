@@ -81,6 +81,22 @@ impl Pool {
         self
     }
 
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// The columns.
+    pub fn column_numbers(&self) -> impl Iterator<Item = usize> + '_ {
+        self.slots.keys().copied()
+    }
+
+    /// The sample of `column` at each point, to be told more.
+    pub fn samples_mut(&mut self, column: usize) -> impl Iterator<Item = &mut Sample> {
+        let slot = self.slots.get(&column).copied();
+        self.points.iter_mut().filter_map(move |point| point.samples.get_mut(slot?))
+    }
+
     /// The sample of `column` at each point; none for a column that was not gathered.
     pub fn samples(&self, column: usize) -> Vec<&Sample> {
         self.slots

@@ -77,7 +77,8 @@ impl DoubleLoop {
         }
         let pool = Pool::gather(&excesses, Purpose::DoubleLoop, [0]);
         self.check_points(&pool)?;
-        let evidence = Evidence { plan: self, places: self.outer_places(&pool), pool: &pool, table: &excesses };
+        let pool = pool.with_weights(self);
+        let evidence = Evidence::new(self, &pool, &excesses);
         let failed_runs = pool.samples(0).iter().map(|sample| sample.failed()).sum();
         let factor = evidence.greatest_quantile(share);
         Ok(Some(SimultaneousBand { share, centres, half_widths, factor, failed_runs }))

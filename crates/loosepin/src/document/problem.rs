@@ -36,6 +36,14 @@ pub enum DocumentProblem {
         /// What the TOML parser says.
         reason: String,
     },
+    /// A number with a decimal comma.
+    #[error("{entry} has a decimal comma; numbers have a point")]
+    DecimalComma {
+        /// The entry.
+        entry: String,
+        /// The same with a point.
+        written: String,
+    },
     /// A key or table that stands twice.
     #[error("'{key}' stands here a second time")]
     DuplicateKey {
@@ -235,6 +243,7 @@ impl Problem for DocumentProblem {
             Self::ToFillIn { .. } => Code::ToFillIn,
             Self::BadName { .. } => Code::BadName,
             Self::BadCount { .. } => Code::BadCount,
+            Self::DecimalComma { .. } => Code::ExpressionSyntax,
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::NotFinite { .. } => Code::NotFinite,
@@ -248,6 +257,7 @@ impl Problem for DocumentProblem {
             Self::BreaksRule { rule: Rule::Probability | Rule::RequiredProbability, .. } => {
                 Some("probabilities are written as numbers, 97.5 % is 0.975".to_owned())
             }
+            Self::DecimalComma { written, .. } => Some(format!("write \"{written}\"")),
             Self::DuplicateKey { .. } => Some("a key, and the header of a table, stands once".to_owned()),
             Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),
             Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),

@@ -397,6 +397,11 @@ impl Reader {
             Written::Text(text) => match parse_quantity(text) {
                 Ok(measured) => measured,
                 Err(error) => {
+                    if let Some(written) = with_point(text) {
+                        let problem = DocumentProblem::DecimalComma { entry: entry.path.describe(), written };
+                        self.complain(&problem, entry.span);
+                        return None;
+                    }
                     let span = self.inside(entry, text, &error.span);
                     self.complain(&error.problem, span);
                     return None;
@@ -452,4 +457,11 @@ impl Reader {
         let start = entry.span.start + QUOTE_BYTES;
         Span { start: start + part.start, end: start + part.end.max(part.start + 1).min(text.len() + 1) }
     }
+}
+/// A quantity with a decimal comma, `50,5 mm`, as it is written here; nothing where that is not what stands there.
+fn with_point(text: &str) -> Option<String> {
+    let (before, after) = text.split_once(',')?;
+    let is_number = before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit());
+    let written = format!("{before}.{after}");
+    (is_number && parse_quantity(&written).is_ok()).then_some(written)
 }

@@ -42,6 +42,14 @@ pub enum PathError {
         /// The nearest quantity that can be set.
         nearest: Option<String>,
     },
+    /// The play of a joint that has none.
+    #[error("'{path}': joint '{joint}' has no play")]
+    NoPlay {
+        /// The path.
+        path: String,
+        /// The joint.
+        joint: String,
+    },
     /// The quantity follows from others.
     #[error("'{path}' is given by an expression and cannot be set")]
     Expression {
@@ -142,7 +150,7 @@ pub enum SettingError {
 impl Problem for PathError {
     fn code(&self) -> Code {
         match self {
-            Self::Unknown { .. } => Code::UnknownPath,
+            Self::Unknown { .. } | Self::NoPlay { .. } => Code::UnknownPath,
             Self::Expression { .. } | Self::Fixed { .. } => Code::NotSettable,
         }
     }
@@ -152,6 +160,9 @@ impl Problem for PathError {
             Self::Unknown { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::Unknown { .. } => {
                 Some("paths follow the model file, for example joint.gudgeon.radial_clearance".to_owned())
+            }
+            Self::NoPlay { .. } => {
+                Some("give it a clearance in the model file, with what a joint with play needs".to_owned())
             }
             Self::Expression { depends_on, .. } => {
                 let names: Vec<String> = depends_on.iter().map(|path| format!("'{path}'")).collect();
@@ -209,6 +220,12 @@ impl Model {
     /// No such quantity (with the nearest name); a quantity given by an expression (with what it depends on).
     pub fn find(&self, path: &str) -> Result<QuantityId, PathError> {
         let Some(id) = self.quantities.id(path) else {
+            let joint = path.strip_prefix("joint.").and_then(|rest| rest.strip_suffix("clearance"));
+            let joint = joint.and_then(|rest| rest.split('.').next());
+            let is_ideal = |joint: &str| self.joints.iter().any(|own| own.name == joint && own.kind.play().is_none());
+            if let Some(joint) = joint.filter(|joint| is_ideal(joint)) {
+                return Err(PathError::NoPlay { path: path.to_owned(), joint: joint.to_owned() });
+            }
             let settable = self.quantities.iter().filter(|(_, quantity)| quantity.is_settable());
             let nearest = nearest_name(path, settable.map(|(_, quantity)| quantity.path.as_str())).map(str::to_owned);
             return Err(PathError::Unknown { path: path.to_owned(), nearest });

@@ -21,10 +21,52 @@ fn subject(result: &StudyResult, path: &str, what: Loosened) -> String {
     match what {
         Loosened::UpperEnd => format!("the upper end of the {name}"),
         Loosened::StandardDeviation => format!("the standard deviation of the {name}"),
+        Loosened::Fit => format!("the fit of the {name}"),
+    }
+}
+
+/// The loosest fit of a list.
+fn fit_allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter) -> String {
+    let name = plain_name(&one.path, &result.inputs);
+    let runs = counted(one.runs, "run", writer);
+    let least = |fit: &String| {
+        let own = one.checks.iter().filter(|check| check.fit.as_ref() == Some(fit));
+        own.min_by(|a, b| a.share.total_cmp(&b.share)).map_or_else(String::new, |check| {
+            let share = writer.percent(check.share, Rounding::Down);
+            format!("{share} of at least {}", writer.percent(check.required_share, Rounding::Nearest))
+        })
+    };
+    let refused = |fit: &String| {
+        let check = one.checks.iter().rev().find(|check| check.fit.as_ref() == Some(fit));
+        check.map_or("nothing is known".to_owned(), |check| {
+            format!("they are {} ({})", verdict_words(check.verdict), least(fit))
+        })
+    };
+    match (&one.allowed_fit, &one.beyond_fit) {
+        (Some(allowed), Some(beyond)) => format!(
+            "With the rest as it is, the loosest fit of the list for the {name} is {allowed}: all requirements met, {}, and again \
+             with other random numbers. With {beyond}, the next looser one, {}. From {runs}.",
+            least(allowed),
+            refused(beyond),
+        ),
+        (Some(allowed), None) => format!(
+            "With the rest as it is, {allowed} may be taken for the {name}, the loosest fit of the list: all requirements met, {}, \
+             and again with other random numbers. From {runs}.",
+            least(allowed),
+        ),
+        (None, Some(tightest)) => format!(
+            "With the rest as it is, no fit of the list for the {name} meets the requirements: with {tightest}, the tightest, {}. \
+             From {runs}.",
+            refused(tightest),
+        ),
+        (None, None) => format!("No fit was asked about for the {name}."),
     }
 }
 
 fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter) -> String {
+    if one.what == Loosened::Fit {
+        return fit_allowance(result, one, writer);
+    }
     let subject = subject(result, &one.path, one.what);
     let value = |value_si: f64, rounding| writer.rounded(value_si, &one.unit, ALLOWED_DIGITS, rounding);
     let checked = |value_si: f64| one.checks.iter().rev().find(|check| check.value_si == value_si);

@@ -2,7 +2,7 @@
 
 use super::assemble::{Material, requirements};
 use super::conduct::StudyError;
-use super::file::{Allowance, AllowedInput, Study};
+use super::file::{Allowance, AllowedFit, AllowedInput, Study};
 use super::plans::problem;
 use super::response::StudyResponse;
 use super::result::{
@@ -11,7 +11,7 @@ use super::result::{
 };
 use super::runner::Runner;
 use crate::bounds::{DoubleLoop, SampleTable};
-use crate::uncertainty::{EpistemicVariable, Interval, Parameter, hash};
+use crate::uncertainty::{EpistemicVariable, Interval, Parameter, RandomVariable, hash};
 use crate::units::SiUnit;
 
 /// Times that the range is halved: to a 128th of it.
@@ -25,7 +25,8 @@ const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
 /// Studies that may be run at most, for the plan.
 pub(super) fn most_studies(study: &Study) -> usize {
-    let searches = study.allowances.len() * 2 * (2 + HALVINGS);
+    let of_one = |one: &Allowance| if one.fits.is_empty() { 2 + HALVINGS } else { one.fits.len() };
+    let searches = 2 * study.allowances.iter().map(of_one).sum::<usize>();
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
     searches + if has_costs { 2 * MOST_TRIED } else { 0 }
 }
@@ -53,10 +54,11 @@ impl Answer {
         }
     }
 
-    fn check(&self, value_si: f64, is_confirmation: bool) -> AllowanceCheck {
+    fn check(&self, value_si: f64, fit: Option<&AllowedFit>, is_confirmation: bool) -> AllowanceCheck {
         let margin = |outcome: &&RequirementOutcome| outcome.probability[0] - outcome.probability_at_least;
         let nearest = self.outcomes.iter().min_by(|a, b| margin(a).total_cmp(&margin(b)));
         AllowanceCheck {
+            fit: fit.map(|fit| fit.name.clone()),
             value_si,
             is_confirmation,
             share: nearest.map_or(f64::NAN, |outcome| outcome.probability[0]),
@@ -75,7 +77,46 @@ impl Answer {
 /// # Errors
 /// Those of the studies.
 pub(super) fn allowances(runner: &Runner<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
-    runner.study.allowances.iter().map(|allowance| loosest(runner, allowance)).collect()
+    let of = |allowance: &Allowance| {
+        if allowance.fits.is_empty() { loosest(runner, allowance) } else { loosest_fit(runner, allowance) }
+    };
+    runner.study.allowances.iter().map(of).collect()
+}
+
+/// The loosest fit of a list: from the loosest one on, until the requirements are met twice, with two sets of random numbers. So the
+/// answer holds without anything being taken for granted, and the next looser one has been run and refused.
+fn loosest_fit(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
+    let mut checks: Vec<AllowanceCheck> = Vec::new();
+    let mut runs = 0;
+    let mut allowed: Option<usize> = None;
+    'fits: for place in (0..allowance.fits.len()).rev() {
+        let fit = &allowance.fits[place];
+        for is_confirmation in [false, true] {
+            let answer = run(runner, &[(allowance, fit.clearance_m[1])], seed(runner.study, is_confirmation))?;
+            runs += answer.runs;
+            checks.push(answer.check(fit.clearance_m[1], Some(fit), is_confirmation));
+            if answer.verdict() != Verdict::Met {
+                continue 'fits;
+            }
+        }
+        allowed = Some(place);
+        break;
+    }
+    let beyond = allowed.map_or(Some(0), |place| Some(place + 1)).and_then(|place| allowance.fits.get(place));
+    let allowed = allowed.map(|place| &allowance.fits[place]);
+    let (what, unit) = described(runner.study, allowance);
+    Ok(AllowanceRecord {
+        path: allowance.path.clone(),
+        what,
+        unit,
+        up_to_si: allowance.up_to_si,
+        allowed_si: allowed.map(|fit| fit.clearance_m[1]),
+        beyond_si: beyond.map(|fit| fit.clearance_m[1]),
+        allowed_fit: allowed.map(|fit| fit.name.clone()),
+        beyond_fit: beyond.map(|fit| fit.name.clone()),
+        checks,
+        runs: runs as u64,
+    })
 }
 
 fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
@@ -85,7 +126,7 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
         for is_confirmation in [false, true] {
             let answer = run(runner, &[(allowance, value)], seed(runner.study, is_confirmation))?;
             runs += answer.runs;
-            checks.push(answer.check(value, is_confirmation));
+            checks.push(answer.check(value, None, is_confirmation));
             if answer.verdict() != Verdict::Met {
                 return Ok(false);
             }
@@ -93,7 +134,7 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
         Ok(true)
     };
     let least = match allowance.input {
-        AllowedInput::UpperEnd(_) => allowance.least_si,
+        AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
         AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
     };
     let (allowed, beyond) = if is_met(allowance.up_to_si)? {
@@ -120,6 +161,8 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
         up_to_si: allowance.up_to_si,
         allowed_si: allowed,
         beyond_si: beyond,
+        allowed_fit: None,
+        beyond_fit: None,
         checks,
         runs: runs as u64,
     })
@@ -235,6 +278,7 @@ fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
     let table = &study.model.quantities;
     match allowance.input {
         AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
+        AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => (Loosened::Fit, SiUnit::LENGTH),
         AllowedInput::StandardDeviation(index) => {
             let dimension = table[study.random[index].quantity].dimension;
             (Loosened::StandardDeviation, SiUnit::of_dimension(dimension))
@@ -285,6 +329,17 @@ fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), St
                 Interval::try_new(allowance.least_si, value).map_err(|error| impossible(error.to_string()))?;
             study.epistemic[index].variable = EpistemicVariable::from(interval);
         }
+        AllowedInput::FitInterval(index) => {
+            let fit = fit_of(allowance, value).ok_or_else(|| impossible("no such fit".to_owned()))?;
+            let [least, most] = fit.clearance_m;
+            let interval = Interval::try_new(least, most).map_err(|error| impossible(error.to_string()))?;
+            study.epistemic[index].variable = EpistemicVariable::from(interval);
+        }
+        AllowedInput::FitScatter(index) => {
+            let fit = fit_of(allowance, value).ok_or_else(|| impossible("no such fit".to_owned()))?;
+            let scatter = RandomVariable::try_new(fit.scatter.clone());
+            study.random[index].variable = scatter.map_err(|error| impossible(error.to_string()))?;
+        }
         AllowedInput::StandardDeviation(index) => {
             let input = &mut study.random[index];
             let loosened = input.variable.with_parameters([(Parameter::StandardDeviation, value)]);
@@ -292,6 +347,11 @@ fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), St
         }
     }
     Ok(())
+}
+
+/// The fit with this greatest clearance.
+fn fit_of(allowance: &Allowance, most_m: f64) -> Option<&AllowedFit> {
+    allowance.fits.iter().find(|fit| fit.clearance_m[1] == most_m)
 }
 
 #[cfg(test)]

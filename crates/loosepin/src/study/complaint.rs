@@ -5,9 +5,13 @@ use super::file::Study;
 use super::files::FilesError;
 use super::response::PrepareError;
 use super::saved_surrogates::SavedSurrogateError;
-use crate::bounds::EvaluateError;
+use crate::bounds::{EvaluateError, PlanError};
 use crate::diagnostics::{Code, Complaint, Place, Problem};
 use crate::document::parse_toml;
+use crate::units::format_value;
+
+/// The middle of an interval is the value of the model where they differ by less than this share.
+const MIDDLE_TOLERANCE: f64 = 1e-9;
 
 impl Problem for StudyError {
     fn code(&self) -> Code {
@@ -81,6 +85,10 @@ impl StudyError {
     pub fn complaint(&self, study: &Study) -> Complaint {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.complaint(&study.model),
+            Self::Prepare(PrepareError::Nominal(_)) if let Some((place, words)) = middle_of(study) => {
+                let hint = Some(format!("that is {words}, which the study says and not the model"));
+                Complaint { hint, ..Complaint::error(self, Some(place)) }
+            }
             Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
@@ -91,7 +99,8 @@ impl StudyError {
                 } else {
                     "sampling"
                 };
-                let mut complaint = Complaint::error(self, Some(place_of(key, study)));
+                let within = if let Self::Plan(PlanError::Problem(problem)) = self { problem.key() } else { None };
+                let mut complaint = Complaint::error(self, Some(place_within(key, within, study)));
                 // These errors bring their way out with them.
                 if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
                     complaint.message = message.to_owned();
@@ -119,11 +128,27 @@ impl StudyError {
     }
 }
 
-/// The header of a table; the top of the file where all of it is left out.
-fn place_of(key: &str, study: &Study) -> Place {
-    let span =
-        parse_toml(study.source()).ok().and_then(|toml| toml.get_ref().get_key_value(key).map(|(key, _)| key.span()));
+/// The value behind a key of a table, or the header of the table; the top of the file where all of it is left out.
+fn place_within(table: &str, key: Option<&str>, study: &Study) -> Place {
+    let toml = parse_toml(study.source()).ok();
+    let found = toml.as_ref().and_then(|toml| toml.get_ref().get_key_value(table));
+    let inside = found.and_then(|(_, value)| value.get_ref().as_table()?.get(key?));
+    let span = inside.map(|value| value.span()).or_else(|| found.map(|(key, _)| key.span()));
     Place::new(study.source(), span.unwrap_or_default())
+}
+
+/// The first epistemic quantity whose middle is not what the model has: where it stands, and its value in words.
+fn middle_of(study: &Study) -> Option<(Place, String)> {
+    let nominal = study.model.quantities.nominal();
+    study.epistemic.iter().find_map(|input| {
+        let quantity = input.quantity()?;
+        let middle = input.variable.at(0.5);
+        if (middle - nominal[quantity]).abs() <= MIDDLE_TOLERANCE * nominal[quantity].abs() {
+            return None;
+        }
+        let value = format_value(middle, study.model.quantities[quantity].dimension);
+        Some((place_within("epistemic", Some(&input.path), study), format!("'{}' at {value}", input.path)))
+    })
 }
 
 impl Problem for FilesError {

@@ -15,6 +15,7 @@ mod parameter_keys;
 mod problem;
 mod random;
 mod random_problem;
+mod reweighting;
 mod surrogate;
 mod tolerance;
 mod words;
@@ -26,14 +27,15 @@ use accuracy::WrittenAccuracies;
 pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
 use ask::KnownPose;
 pub use description::{
-    Allowance, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput, EpistemicSubject, Limit,
-    RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate,
-    UncertainParameter, Where,
+    Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
+    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study,
+    StudySurrogate, UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
+use reweighting::WrittenReweighting;
 use words::READINGS;
 pub(super) use words::statistic_name;
 
@@ -149,7 +151,7 @@ fn read(
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
-    let (sampling, written_accuracies, budget) = file.sampling(&root);
+    let (mut sampling, written_accuracies, budget, reweighting) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -165,6 +167,7 @@ fn read(
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
+    sampling.is_reweighted = file.is_reweighted(reweighting, correlation.is_some(), &asks, surrogate.as_ref());
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -279,10 +282,13 @@ impl StudyReader {
     }
 
     /// How many runs; how near the bounds are to be, and what that may cost.
-    fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<Budget>) {
+    fn sampling(
+        &mut self,
+        root: &Table<'_>,
+    ) -> (Sampling, WrittenAccuracies, Option<Budget>, Option<WrittenReweighting>) {
         let mut sampling = Sampling::default();
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
-            return (sampling, WrittenAccuracies::default(), None);
+            return (sampling, WrittenAccuracies::default(), None, None);
         };
         for (key, count) in
             [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
@@ -295,7 +301,8 @@ impl StudyReader {
         }
         sampling.most_failed = self.reader.number(&table, "most_failed").unwrap_or(sampling.most_failed);
         let accuracies = self.accuracies(&table);
-        (sampling, accuracies, self.budget(&table))
+        let budget = self.budget(&table);
+        (sampling, accuracies, budget, self.written_reweighting(&table))
     }
 
     /// Complains about an entry.
@@ -311,7 +318,7 @@ mod tests {
 
     #[test]
     fn the_schema_tells_what_is_left_out() {
-        let Sampling { outer, inner, replicates, tolerance_m, most_failed } = Sampling::default();
+        let Sampling { outer, inner, replicates, tolerance_m, most_failed, is_reweighted: _ } = Sampling::default();
         let told = |key: &str| SAMPLING_KEYS.find(key).map(|known| known.doc).unwrap_or("");
         for (key, usual) in [
             ("outer", outer.to_string()),

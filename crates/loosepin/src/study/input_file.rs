@@ -4,7 +4,7 @@ use std::path::Path;
 
 use thiserror::Error;
 
-use crate::diagnostics::{Code, Complaints, Problem};
+use crate::diagnostics::{Code, Complaint, Complaints, Place, Problem};
 use crate::document::{parse_toml, read_source};
 use crate::model::Model;
 
@@ -26,11 +26,16 @@ impl InputFile {
     /// Reads a file as a study if it has keys of one at its top and no body, and as a model otherwise.
     ///
     /// # Errors
-    /// Everything that is wrong with the file, each with its place.
+    /// Everything that is wrong with the file, each with its place; a file that says nothing.
     pub fn from_path(path: &Path) -> Result<InputFile, Complaints> {
         let is_study = {
             let source = read_source(path)?;
             let toml = parse_toml(&source)?;
+            if toml.get_ref().is_empty() {
+                let mut complaints = Complaints::new();
+                complaints.push(Complaint::error(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
+                return Err(complaints);
+            }
             let has = |key: &str| toml.get_ref().contains_key(key);
             STUDY_MARKS.iter().any(|key| has(key)) && !has("body")
         };
@@ -59,6 +64,9 @@ pub enum InputFileProblem {
         /// The model that the study names.
         model: String,
     },
+    /// Nothing in it.
+    #[error("the file says nothing: neither a model nor a study")]
+    Empty,
     /// A model where a study is due.
     #[error("this is a model; a study is due")]
     ModelForStudy,
@@ -72,6 +80,7 @@ impl Problem for InputFileProblem {
     fn hint(&self) -> Option<String> {
         Some(match self {
             Self::StudyForModel { model } => format!("its model is {model}"),
+            Self::Empty => "`loosepin new slider-crank` writes both, to start from".to_owned(),
             Self::ModelForStudy => {
                 "a study names its model by the key `model`; for a single run use `loosepin simulate`".to_owned()
             }

@@ -146,6 +146,7 @@ pub fn worn_pin() -> StudyResult {
         cuts: Vec::new(),
         percentiles: Vec::new(),
         rare: Vec::new(),
+        reweighting: None,
         surrogate: None,
         contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
@@ -478,6 +479,7 @@ fn contributors() -> Vec<Contributors> {
 /// How far the play may grow; its numbers belong to no run.
 fn allowances() -> Vec<AllowanceRecord> {
     let check = |value_si: f64, is_confirmation: bool, share: f64, verdict: Verdict| AllowanceCheck {
+        fit: None,
         value_si,
         is_confirmation,
         share,
@@ -491,6 +493,8 @@ fn allowances() -> Vec<AllowanceRecord> {
         up_to_si: 5e-4,
         allowed_si: Some(3.125e-4),
         beyond_si: Some(3.1875e-4),
+        allowed_fit: None,
+        beyond_fit: None,
         checks: vec![
             check(5e-4, false, 0.31, Verdict::NotMet),
             check(3.125e-4, true, 0.9991, Verdict::Met),

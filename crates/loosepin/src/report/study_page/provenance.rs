@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::report::answer::{turn_word, turns};
+use crate::report::answer::{reweighting_sentence, turn_word, turns};
 use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
@@ -22,6 +22,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 ": " (double_loop_words(result, ", each with ", writer))
                 @if has_unknown(&result.inputs) && has_scatter(result) { ", the same for every one of them" }
                 ". "
+                @if let Some(sentence) = reweighting_sentence(result, writer) { (sentence) " " }
             }
             @if result.counts.failed == 0 { "No run failed. " }
             @else {

@@ -5,6 +5,7 @@ use super::description::{Allowance, AllowedInput, Requirement};
 use super::keys::ALLOW_KEYS;
 use super::problem::StudyProblem;
 use crate::document::{Entry, Table};
+use crate::model::QuantityId;
 use crate::uncertainty::{Distribution, EpistemicVariable, Parameter};
 use crate::units::{Dimension, Rule, format_value};
 
@@ -21,11 +22,19 @@ impl StudyReader {
 
     fn allowance(&mut self, entry: &Entry<'_>) -> Option<Allowance> {
         let path = entry.name.to_owned();
+        let table = self.reader.table(entry, &ALLOW_KEYS)?;
+        if table.has("fit") {
+            return self.fit_allowance(path, entry, &table);
+        }
         let Some((input, least, dimension)) = self.allowed_input(&path) else {
             self.complain(&StudyProblem::AllowedInput { path }, &entry.at_key());
             return None;
         };
-        let table = self.reader.table(entry, &ALLOW_KEYS)?;
+        if let Some(diameter) = table.get("diameter") {
+            let problem = StudyProblem::BesideFits { entry: diameter.path.describe(), has_fits: false };
+            self.complain(&problem, &diameter.at_key());
+            return None;
+        }
         let written = table.get("up_to")?;
         let up_to = self.reader.measured(&written, dimension, Rule::Finite)?;
         if !(up_to > least) {
@@ -51,7 +60,44 @@ impl StudyReader {
                 return None;
             }
         }
-        Some(Allowance { path, input, least_si: least, up_to_si: up_to, costs })
+        if let Some([offer, _]) = costs.iter().rev().find(|[offer, _]| *offer > up_to)
+            && let Some(list) = table.get("cost")
+        {
+            let [offer, up_to] = [*offer, up_to].map(|value| format_value(value, dimension));
+            self.complain(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, &list);
+            return None;
+        }
+        Some(Allowance { path, input, least_si: least, up_to_si: up_to, fits: Vec::new(), costs })
+    }
+
+    /// The loosest of several fits.
+    fn fit_allowance(&mut self, path: String, entry: &Entry<'_>, table: &Table<'_>) -> Option<Allowance> {
+        let Some((input, quantity)) = self.fitted_input(&path) else {
+            self.complain(&StudyProblem::FittedInput { path }, &entry.at_key());
+            return None;
+        };
+        if let Some(cost) = table.get("cost") {
+            self.complain(&StudyProblem::BesideFits { entry: cost.path.describe(), has_fits: true }, &cost.at_key());
+            return None;
+        }
+        let fits = self.allowed_fits(table, &table.get("fit")?, quantity, &path)?;
+        let least = fits.first()?.clearance_m[1];
+        let most = fits.last()?.clearance_m[1];
+        Some(Allowance { path, input, least_si: least, up_to_si: most, fits, costs: Vec::new() })
+    }
+
+    /// The input whose fit is asked for: an interval, or a normal distribution that is known.
+    fn fitted_input(&self, path: &str) -> Option<(AllowedInput, QuantityId)> {
+        if let Some(index) = self.epistemic.iter().position(|input| input.path == path) {
+            let input = &self.epistemic[index];
+            let is_interval = matches!(input.variable, EpistemicVariable::Interval(_));
+            return Some((AllowedInput::FitInterval(index), input.quantity()?)).filter(|_| is_interval);
+        }
+        let index = self.random.iter().position(|input| input.path == path)?;
+        let input = &self.random[index];
+        let is_normal = matches!(input.variable.distribution(), Distribution::Normal { .. });
+        let found = (AllowedInput::FitScatter(index), input.quantity);
+        (is_normal && input.parameters.is_empty()).then_some(found)
     }
 
     /// The input that `path` names, the least value of what is loosened, and its dimension.

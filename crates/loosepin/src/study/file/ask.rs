@@ -2,7 +2,7 @@
 
 use super::StudyReader;
 use super::accuracy::AccuracyTarget;
-use super::description::{Ask, Deviation, Limit, RareMethod, Requirement, Where};
+use super::description::{Ask, Deviation, Limit, RareMethod, Reduction, Requirement, Where};
 use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
 use super::words::{
@@ -10,12 +10,23 @@ use super::words::{
     SIMULTANEOUS_BAND, STATISTICS,
 };
 use crate::bounds::{Reading, Statistic};
-use crate::diagnostics::nearest_name;
+use crate::diagnostics::{Complaint, Place, nearest_name};
 use crate::document::{Entry, Table};
 use crate::model::OutputKind;
 use crate::study::columns::named_angle_rad;
 use crate::uncertainty::EpistemicVariable;
 use crate::units::{Dimension, Rule, format_value};
+
+/// Words for statistics that are written in another form.
+const FORMS: [(&str, &str); 7] = [
+    ("median", "{ quantile = 0.5 }"),
+    ("quantile", "{ quantile = 0.975 }"),
+    ("probability_above", "{ probability_above = \"0.4 mm\" }"),
+    ("probability_below", "{ probability_below = \"0.4 mm\" }"),
+    ("probability_beyond", "{ probability_beyond = \"0.4 mm\" }"),
+    ("simultaneous_band", "{ simultaneous_band = 0.95 }"),
+    ("std", "\"standard_deviation\""),
+];
 
 /// An entry of the list of statistics.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +45,35 @@ pub struct KnownPose {
     angle_rad: f64,
 }
 
+/// A question about a curve without the small probabilities in it, and these: of leaving the limit anywhere in the cycle, which is what
+/// the furthest value over the cycle does.
+fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
+    if ask.location != Where::Cycle || ask.rare.is_empty() {
+        return (Some(ask), Vec::new());
+    }
+    let rare = std::mem::take(&mut ask.rare);
+    let anywhere = rare.iter().map(|&(statistic, method)| {
+        let furthest = match statistic {
+            Statistic::ProbabilityAbove(_) => Reduction::Maximum,
+            Statistic::ProbabilityBelow(_) => Reduction::Minimum,
+            _ => Reduction::MaximumAbsolute,
+        };
+        Ask {
+            output: ask.output,
+            deviation: ask.deviation,
+            location: Where::Reduced(furthest),
+            statistics: vec![statistic],
+            contributors: false,
+            rare: vec![(statistic, method)],
+            simultaneous_bands: Vec::new(),
+        }
+    });
+    let anywhere = anywhere.collect();
+    ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));
+    let is_left = !ask.statistics.is_empty() || ask.contributors || !ask.simultaneous_bands.is_empty();
+    (is_left.then_some(ask), anywhere)
+}
+
 impl StudyReader {
     /// Reads the questions, and how near their bounds are to be.
     pub fn read_asks(&mut self, root: &Table<'_>) -> (Vec<Ask>, Vec<AccuracyTarget>) {
@@ -43,8 +83,10 @@ impl StudyReader {
             let Some(table) = self.reader.table(entry, &ASK_KEYS) else { continue };
             let written = self.accuracies(&table);
             if let Some(ask) = self.ask(&table) {
-                asks.push(ask);
-                accuracy.extend(self.targets(written, &asks, Some(asks.len() - 1)));
+                let (ask, anywhere) = anywhere_in_the_cycle(ask);
+                let place = asks.len();
+                asks.extend(ask.into_iter().chain(anywhere));
+                accuracy.extend(self.targets(written, &asks, Some(place)));
             }
         }
         (asks, accuracy)
@@ -77,12 +119,6 @@ impl StudyReader {
                 _ => None,
             })
             .collect();
-        if location == Where::Cycle && !rare.is_empty() {
-            if let Some(entry) = table.get("at") {
-                self.complain(&StudyProblem::RareCurve { entry: table.path.describe() }, &entry);
-            }
-            return None;
-        }
         let bands: Vec<f64> = asked
             .iter()
             .filter_map(|asked| if let Asked::SimultaneousBand(share) = asked { Some(*share) } else { None })
@@ -129,13 +165,17 @@ impl StudyReader {
                 _ => self.limit(&entry, limit, dimension, Rule::Positive).map(Limit::Within),
             }
         });
-        Some(Requirement {
-            output,
-            deviation: deviation?,
-            limit: limit?,
-            location: location?,
-            probability_at_least: probability_at_least?,
-        })
+        let probability_at_least = probability_at_least?;
+        // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
+        if probability_at_least == 1.0
+            && !self.random.is_empty()
+            && let Some(entry) = table.get("probability_at_least")
+        {
+            let problem = StudyProblem::CertaintyOfSamples { entry: entry.path.describe() };
+            let place = Place::new(&self.reader.source, entry.span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+        Some(Requirement { output, deviation: deviation?, limit: limit?, location: location?, probability_at_least })
     }
 
     fn output(&mut self, table: &Table<'_>) -> Option<usize> {
@@ -158,7 +198,13 @@ impl StudyReader {
 
     fn deviation(&mut self, table: &Table<'_>) -> Option<Deviation> {
         let entry = table.get("of")?;
-        self.reader.choice(&entry, &DEVIATIONS)
+        let deviation = self.reader.choice(&entry, &DEVIATIONS)?;
+        let has_play = self.model.joints.iter().any(|joint| joint.kind.play().is_some());
+        if deviation == Deviation::Clearance && !has_play {
+            self.complain(&StudyProblem::NoPlay { entry: entry.path.describe() }, &entry);
+            return None;
+        }
+        Some(deviation)
     }
 
     /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it, which is
@@ -242,6 +288,12 @@ impl StudyReader {
 
     fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {
         if entry.is_text() {
+            let text = self.reader.text(entry)?;
+            if let Some((_, form)) = FORMS.into_iter().find(|(word, _)| *word == text) {
+                let problem = StudyProblem::StatisticForm { entry: entry.path.describe(), word: text.to_owned(), form };
+                self.complain(&problem, entry);
+                return None;
+            }
             let statistic = self.reader.choice(entry, &PLAIN_STATISTICS)?;
             return Some(statistic.map_or(Asked::Contributors, Asked::Statistic));
         }
@@ -251,6 +303,11 @@ impl StudyReader {
         let table = self.reader.table(entry, &STATISTIC_KEYS)?;
         let key = STATISTICS.into_iter().find(|key| table.has(key))?;
         let method = self.method(&table, key)?;
+        if let Some(percent) = table.get(key).filter(|entry| entry.is_text() && !key.starts_with("probability")) {
+            let found = self.reader.text(&percent)?.to_owned();
+            self.complain(&StudyProblem::Percent { entry: percent.path.describe(), found }, &percent);
+            return None;
+        }
         if key == QUANTILE {
             return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
         }

@@ -11,7 +11,9 @@ use crate::contact::NormalDescription;
 use crate::diagnostics::{Complaint, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
 use crate::surrogate::Choice;
-use crate::uncertainty::{EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable};
+use crate::uncertainty::{
+    Distribution, EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable,
+};
 use crate::units::{Dimension, SiUnit, format_value};
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -60,6 +62,13 @@ pub struct Study {
 impl Study {
     /// Parameters of distributions that are epistemic inputs.
     pub fn epistemic_parameters(&self) -> Vec<EpistemicParameter> {
+        RandomInput::epistemic_parameters(&self.random)
+    }
+}
+
+impl RandomInput {
+    /// Parameters of the distributions of `random` that are epistemic inputs.
+    pub fn epistemic_parameters(random: &[Self]) -> Vec<EpistemicParameter> {
         let of_input = |(random, input): (usize, &RandomInput)| {
             let own = input.parameters.clone().into_iter();
             own.map(move |UncertainParameter { parameter, epistemic }| EpistemicParameter {
@@ -68,11 +77,9 @@ impl Study {
                 epistemic,
             })
         };
-        self.random.iter().enumerate().flat_map(of_input).collect()
+        random.iter().enumerate().flat_map(of_input).collect()
     }
-}
 
-impl RandomInput {
     /// The largest standard deviation of its distributions, uncertain parameters at the ends.
     pub fn largest_standard_deviation(&self, epistemic: &[EpistemicInput]) -> f64 {
         let deviations = self.variables(epistemic, |known| known.ends().to_vec()).into_iter();
@@ -119,12 +126,15 @@ pub struct Sampling {
     /// The share of the runs of the double loop that may fail, in (0, 1]; where more do, the study ends after their round
     /// (default: 0.1). Results do not depend on it.
     pub most_failed: f64,
+    /// Whether runs at few values of the epistemic inputs are weighted for all others (default: where that is possible and nothing that is
+    /// asked needs a model of the response over these).
+    pub is_reweighted: bool,
 }
 
 /// What holds where the file does not say.
 impl Default for Sampling {
     fn default() -> Self {
-        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1 }
+        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1, is_reweighted: false }
     }
 }
 
@@ -445,15 +455,32 @@ pub struct Allowance {
     pub input: AllowedInput,
     /// The least value, SI: the lower end of the interval, or 0.
     pub least_si: f64,
-    /// The largest value that is asked about, SI.
+    /// The largest value that is asked about, SI: of fits the greatest clearance of the loosest.
     pub up_to_si: f64,
+    /// Fits that are asked about, the tightest first; empty where something else is loosened.
+    pub fits: Vec<AllowedFit>,
     /// Values that are offered, tightest first, each with its cost; empty where it is not priced.
     pub costs: Vec<[f64; 2]>,
+}
+
+/// A fit that is asked about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AllowedFit {
+    /// As it is written, `H7/g6`.
+    pub name: String,
+    /// Least and greatest radial clearance, m.
+    pub clearance_m: [f64; 2],
+    /// The radial clearance as a random variable, as `fit` under `[random]` takes it.
+    pub scatter: Distribution,
 }
 
 /// What of an input is loosened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AllowedInput {
+    /// Both ends of the interval of this epistemic input, the radial clearance of a fit.
+    FitInterval(usize),
+    /// The distribution of this random input, the radial clearance of a fit.
+    FitScatter(usize),
     /// The upper end of the interval of this epistemic input.
     UpperEnd(usize),
     /// The standard deviation of this random input.

@@ -10,6 +10,9 @@ use crate::uncertainty::{
 };
 use crate::units::{Dimension, Rule, format_number, format_value};
 
+/// Numbers with their places.
+type Placed<'t> = Vec<(f64, Entry<'t>)>;
+
 impl StudyReader {
     /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
     pub fn structured(&mut self, table: &Table<'_>, quantity: QuantityId, path: &str) -> Option<EpistemicVariable> {
@@ -65,7 +68,12 @@ impl StudyReader {
         }
         let elements = elements.into_iter().collect::<Option<Vec<FocalElement>>>()?;
         let dimension = self.model.quantities[quantity].dimension;
-        self.evidence_of(Evidence::try_new(elements), written, dimension)
+        let found = Evidence::try_new(elements);
+        let culprit = match found {
+            Err(EvidenceError::Mass { element, .. }) => entries.get(element - 1),
+            _ => None,
+        };
+        self.evidence_of(found, culprit.unwrap_or(written), dimension)
     }
 
     fn box_of_quantiles(&mut self, written: &Entry<'_>, support: Interval, quantity: QuantityId) -> Option<Evidence> {
@@ -81,7 +89,18 @@ impl StudyReader {
             let probability = self.reader.measured(&pair[0], Dimension::NUMBER, Rule::Probability)?;
             quantiles.push((probability, self.reader.measured(&pair[1], dimension, Rule::Finite)?));
         }
-        self.evidence_of(Evidence::from_quantiles(&quantiles, support), written, dimension)
+        let found = Evidence::from_quantiles(&quantiles, support);
+        let is_culprit = |&(probability, value): &(f64, f64)| match found {
+            Err(EvidenceError::NotIncreasing { second_probability, second, .. }) => {
+                (probability, value) == (second_probability, second)
+            }
+            Err(EvidenceError::OutsideSupport { value: outside, .. }) => value == outside,
+            Err(EvidenceError::Probability { probability: impossible }) => probability == impossible,
+            _ => false,
+        };
+        // Of two that are the same the later one is too much.
+        let culprit = quantiles.iter().rposition(is_culprit).and_then(|place| entries.get(place));
+        self.evidence_of(found, culprit.unwrap_or(written), dimension)
     }
 
     fn evidence_of(
@@ -98,11 +117,18 @@ impl StudyReader {
             .ok()
     }
 
-    fn fuzzy(&mut self, written: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
+    fn fuzzy<'t>(&mut self, written: &Entry<'t>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
         let dimension = self.model.quantities[quantity].dimension;
         let table = self.reader.table(written, &FUZZY_KEYS)?;
+        // Degrees and corners with their places, for complaints.
+        let (mut at_degrees, mut at_corners): (Placed<'t>, Placed<'t>) = (Vec::new(), Vec::new());
+        let mut shape = written.clone();
         let degrees = match table.get("degrees") {
-            Some(entry) => self.degrees(&entry)?,
+            Some(entry) => {
+                let degrees = self.degrees(&entry)?;
+                at_degrees = degrees.iter().copied().zip(self.reader.list(&entry)?).collect();
+                degrees
+            }
             None => USUAL_CUTS.to_vec(),
         };
         let found = if let Some(entry) = table.get("cuts") {
@@ -110,18 +136,37 @@ impl StudyReader {
                 self.complain(&StudyProblem::DegreesTwice { entry: degrees.path.describe() }, &degrees.at_key());
                 return None;
             }
-            FuzzyNumber::try_new(self.cuts(&entry, quantity, path)?)
+            let cuts = self.cuts(&entry, quantity, path)?;
+            at_degrees = cuts.iter().map(|(alpha, _)| *alpha).zip(self.reader.list(&entry)?).collect();
+            shape = entry;
+            FuzzyNumber::try_new(cuts)
         } else if let Some(entry) = table.get("triangular") {
             let [a, b, c] = self.corners(&entry, quantity, path)?;
+            at_corners = [a, b, c].into_iter().zip(self.reader.list(&entry)?).collect();
             FuzzyNumber::trapezoidal([a, b, b, c], &degrees)
         } else {
-            let corners = self.corners(&table.get("trapezoidal")?, quantity, path)?;
+            let entry = table.get("trapezoidal")?;
+            let corners = self.corners(&entry, quantity, path)?;
+            at_corners = corners.into_iter().zip(self.reader.list(&entry)?).collect();
             FuzzyNumber::trapezoidal(corners, &degrees)
         };
         found
             .map_err(|error| {
-                let entry = written.path.describe();
-                self.complain(&StudyProblem::Structure { entry, words: fuzzy_words(&error, dimension) }, written);
+                // Of two that are the same the later one is too much.
+                let among = |places: &[(f64, Entry<'t>)], value: f64| {
+                    places.iter().rev().find(|(own, _)| *own == value).map(|(_, entry)| entry.clone())
+                };
+                let culprit = match error {
+                    FuzzyError::Corners { second, .. } => among(&at_corners, second),
+                    FuzzyError::Degree { alpha }
+                    | FuzzyError::NoSupport { alpha }
+                    | FuzzyError::NotNested { alpha, .. }
+                    | FuzzyError::DegreesNotIncreasing { second: alpha, .. } => among(&at_degrees, alpha),
+                    FuzzyError::Empty => None,
+                };
+                let words = fuzzy_words(&error, dimension);
+                let problem = StudyProblem::Structure { entry: written.path.describe(), words };
+                self.complain(&problem, &culprit.unwrap_or(shape));
             })
             .ok()
     }

@@ -64,10 +64,17 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
             "\"30 min\"",
             "where the study ends although bounds are not yet as near: runs, a time, or \"12 rounds\"",
         ),
+        optional(
+            "reweighting",
+            Kind::Choice(&REWEIGHTING),
+            "\"automatic\"",
+            "runs at few values of uncertain parameters of distributions, weighted for all others; automatic if left out",
+        ),
     ],
 )
 .with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
 
+const REWEIGHTING: [&str; 3] = words(&words::REWEIGHTING);
 const SURROGATES: [&str; 5] = words(&words::SURROGATES);
 const DIRECT_RUNS: [&str; 2] = words(&words::DIRECT_RUNS);
 /// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
@@ -493,9 +500,16 @@ pub(super) static REQUIRE_KEYS: Keys = Keys::new(
 .with_exactly_one(&[&LIMITS, &["over", "poses"]]);
 
 pub(super) static ALLOW_KEYS: Keys = Keys::new(
-    "what may be loosened as far as the requirements allow: the upper end of an interval, or a standard deviation",
+    "what may be loosened as far as the requirements allow: the upper end of an interval, a standard deviation, or a fit",
     &[
-        required("up_to", Kind::AnyQuantity, "\"0.5 mm\"", "the largest value that is asked about"),
+        optional("up_to", Kind::AnyQuantity, "\"0.5 mm\"", "the largest value that is asked about"),
+        optional(
+            "fit",
+            Kind::List(&Kind::Text),
+            "[\"H7/g6\", \"H8/f7\", \"H9/e9\"]",
+            "ISO 286 fits of a joint with play, in any order: the loosest of them is asked for",
+        ),
+        optional("diameter", Kind::AnyQuantity, "\"20 mm\"", "diameter of the fits"),
         optional(
             "cost",
             Kind::List(&Kind::List(&Kind::AnyQuantity)),
@@ -503,7 +517,8 @@ pub(super) static ALLOW_KEYS: Keys = Keys::new(
             "values that are offered, each with its cost; the cheapest combination over all inputs is chosen",
         ),
     ],
-);
+)
+.with_exactly_one(&[&["up_to", "fit"]]);
 
 pub(super) static STUDY_KEYS: Keys = Keys::new(
     "what is uncertain in a model, and what is asked",

@@ -20,6 +20,44 @@ pub enum StudyProblem {
         /// The path, as far as it can be told.
         path: String,
     },
+    /// A statistic that is written in another form.
+    #[error("{entry}: '{word}' is written {form}")]
+    StatisticForm {
+        /// The entry.
+        entry: String,
+        /// What is written.
+        word: String,
+        /// How it is written.
+        form: &'static str,
+    },
+    /// A probability as text.
+    #[error("{entry} is \"{found}\"; a number between 0 and 1 is due")]
+    Percent {
+        /// The entry.
+        entry: String,
+        /// The text.
+        found: String,
+    },
+    /// The part of the deviation that comes from play, where there is none.
+    #[error("{entry} is \"clearance\"; no joint of the model has play, so that this part of the deviation is zero")]
+    NoPlay {
+        /// The entry.
+        entry: String,
+    },
+    /// A share of all parts, where quantities scatter.
+    #[error("{entry} is 1; no number of samples shows that none lies beyond the limit, so that this stays undecided")]
+    CertaintyOfSamples {
+        /// The entry.
+        entry: String,
+    },
+    /// Runs that cannot be weighted for other distributions.
+    #[error("{entry}: runs cannot be weighted for other distributions: {reason}")]
+    NotReweighted {
+        /// The entry.
+        entry: String,
+        /// What speaks against it.
+        reason: String,
+    },
     /// A quantity both random and epistemic.
     #[error("'{path}' is both random and epistemic")]
     InputTwice {
@@ -279,14 +317,6 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
-    /// A small probability at every pose of a curve.
-    #[error(
-        "{entry}: small probabilities are estimated at poses or of one number of the curve, not of the whole curve"
-    )]
-    RareCurve {
-        /// The entry.
-        entry: String,
-    },
     /// A question that the surrogate alone does not answer.
     #[error("{entry}: contributors and small probabilities by a method are had from direct runs alone")]
     NeedsDirectRuns {
@@ -319,6 +349,32 @@ pub enum StudyProblem {
         found: String,
         /// The lower end of the interval, or zero.
         least: String,
+    },
+    /// What may be fitted otherwise and is no fit.
+    #[error(
+        "'{path}' under [allow] is neither a plain interval of [epistemic] nor a known normal distribution of [random]"
+    )]
+    FittedInput {
+        /// The path.
+        path: String,
+    },
+    /// A key that does not go with fits, or only with them.
+    #[error("{entry} {}", if *.has_fits { "does not go with fits: they have no price of their own" } else { "goes with fits alone" })]
+    BesideFits {
+        /// The entry.
+        entry: String,
+        /// Whether there are fits.
+        has_fits: bool,
+    },
+    /// An offer beyond what is asked about.
+    #[error("{entry}: {offer} is offered; the largest value that is asked about is {up_to}")]
+    OfferBeyond {
+        /// The entry.
+        entry: String,
+        /// The offer with its unit.
+        offer: String,
+        /// The largest value.
+        up_to: String,
     },
     /// Prices in which what is looser costs no less.
     #[error("{entry}: every value must stand there once, with a price, and the looser of two must cost less")]
@@ -411,13 +467,18 @@ impl Problem for StudyProblem {
             | Self::MethodOfQuantile { .. }
             | Self::BandOfPoint { .. }
             | Self::NothingRandom { .. }
-            | Self::RareCurve { .. }
             | Self::RareOfSets { .. }
             | Self::NeedsDirectRuns { .. }
             | Self::AllowedInput { .. }
             | Self::AllowedRange { .. }
+            | Self::FittedInput { .. }
+            | Self::BesideFits { .. }
+            | Self::OfferBeyond { .. }
             | Self::Costs { .. }
             | Self::NothingRequired => Code::AskNotPossible,
+            Self::NotReweighted { .. } => Code::SamplingNotPossible,
+            Self::StatisticForm { .. } | Self::NoPlay { .. } | Self::CertaintyOfSamples { .. } => Code::AskNotPossible,
+            Self::Percent { .. } => Code::BadProbability,
             Self::NothingUncertain => Code::NothingUncertain,
             Self::NothingAsked => Code::NothingAsked,
         }
@@ -467,7 +528,11 @@ impl Problem for StudyProblem {
             Self::PathOutput { .. } => {
                 Some("give the model an output position_of the point along x or y, and ask for that".to_owned())
             }
-            Self::AllowedInput { .. } => Some("name the input under [epistemic] or [random] first".to_owned()),
+            Self::OfferBeyond { offer, .. } => Some(format!("write up_to = \"{offer}\", or leave the offer out")),
+            Self::BesideFits { .. } => Some("leave it out".to_owned()),
+            Self::AllowedInput { .. } | Self::FittedInput { .. } => {
+                Some("name the input under [epistemic] or [random] first".to_owned())
+            }
             Self::NothingRequired => Some("add [[require]]".to_owned()),
             Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
             Self::BandOfPoint { .. } => {
@@ -477,12 +542,17 @@ impl Problem for StudyProblem {
             Self::MethodOfQuantile { .. } => Some("methods are for probability_above, _below and _beyond".to_owned()),
             Self::NothingRandom { .. } | Self::RareOfSets { .. } => Some("leave 'method' out".to_owned()),
             Self::NeedsDirectRuns { .. } => Some("write direct = \"double-loop\", or do not ask for them".to_owned()),
-            Self::RareCurve { .. } => {
-                Some("write reduce = \"maximum_absolute\" for anywhere in the cycle, or name poses".to_owned())
-            }
             Self::NothingUncertain => {
                 Some("name uncertain quantities under [random] or [epistemic]; for one run use simulate".to_owned())
             }
+            Self::Percent { .. } => Some("probabilities are written as numbers, 97.5 % is 0.975".to_owned()),
+            Self::NoPlay { .. } => {
+                Some("ask for of = \"dimensional\", or give a joint play in the model file".to_owned())
+            }
+            Self::CertaintyOfSamples { .. } => Some(
+                "require a share below 1, such as 0.9973, or state ends of what scatters under [epistemic]".to_owned(),
+            ),
+            Self::NotReweighted { .. } => Some("leave it out: runs are weighted wherever they can be".to_owned()),
             Self::NothingAsked => Some("add [[ask]] or [[require]]".to_owned()),
             _ => None,
         }

@@ -126,6 +126,34 @@ pub enum RandomProblem {
         /// The path.
         path: String,
     },
+    /// A fit at another diameter than that of its bearing.
+    #[error("{entry} {diameter}; the bearing of joint '{joint}' has {bearing}, and tolerances go by the size")]
+    OtherDiameter {
+        /// The entry.
+        entry: String,
+        /// The diameter of the fit.
+        diameter: String,
+        /// The joint.
+        joint: String,
+        /// The diameter of its bearing.
+        bearing: String,
+    },
+    /// Fewer than two fits.
+    #[error("{entry} has {found} {}; the loosest of several is asked for", if *.found == 1 { "fit" } else { "fits" })]
+    SingleFit {
+        /// The entry.
+        entry: String,
+        /// How many there are.
+        found: usize,
+    },
+    /// Two fits with the same clearances.
+    #[error("{fit} has the same clearances as {other}, which stands there too")]
+    SameFit {
+        /// The fit.
+        fit: String,
+        /// The other one.
+        other: String,
+    },
     /// A fit that can interfere.
     #[error(
         "{entry}: {fit} at {diameter} can interfere: radial clearance from {least} to {most}; must be > 0 for a joint with play"
@@ -244,7 +272,12 @@ impl Problem for RandomProblem {
             | Self::NoRoom { .. }
             | Self::Capability { .. }
             | Self::CapabilitiesExchanged { .. } => Code::BadTolerance,
-            Self::Fit { .. } | Self::FitElsewhere { .. } | Self::Interference { .. } => Code::FitNotPossible,
+            Self::Fit { .. }
+            | Self::FitElsewhere { .. }
+            | Self::OtherDiameter { .. }
+            | Self::SingleFit { .. }
+            | Self::SameFit { .. }
+            | Self::Interference { .. } => Code::FitNotPossible,
             Self::Epistemic { .. }
             | Self::NotRandom { .. }
             | Self::WithItself { .. }
@@ -269,6 +302,10 @@ impl Problem for RandomProblem {
             Self::NoFit { error: SampleFitError::NotPositive { .. }, .. } => {
                 Some("normal and gumbel have values of either sign".to_owned())
             }
+            Self::OtherDiameter { bearing, .. } => {
+                Some(format!("write diameter = \"{bearing}\", or mend bearing_radius"))
+            }
+            Self::SameFit { .. } => Some("keep one of the two".to_owned()),
             Self::NoFit { .. } => Some("leave fitted out to take the sample as it is".to_owned()),
             Self::PoorFit { .. } => {
                 Some("try another family, or leave fitted out to take the sample as it is".to_owned())

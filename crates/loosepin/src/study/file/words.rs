@@ -1,6 +1,7 @@
 //! Words of study files with what they mean: each stands here once, for the keys as for what reads them.
 
 use super::description::{Deviation, RareMethod, Reduction};
+use super::reweighting::When;
 use crate::bounds::{Reading, Statistic};
 use crate::surrogate::{Choice, Kind};
 
@@ -49,6 +50,10 @@ pub(super) const METHODS: [(&str, Option<RareMethod>); 4] = [
     ("subset", Some(RareMethod::Subset)),
     ("automatic", Some(RareMethod::Automatic)),
 ];
+
+/// When runs are weighted for other distributions.
+pub(super) const REWEIGHTING: [(&str, When); 3] =
+    [("automatic", When::Possible), ("always", When::Always), ("never", When::Never)];
 
 /// Kinds of surrogates; nothing stands for no surrogate.
 pub(super) const SURROGATES: [(&str, Option<Choice>); 5] = [

@@ -24,6 +24,12 @@ pub struct AllowanceRecord {
     /// The next value above it that was tried, at which they are not met or not decided; none where `allowed_si` is `up_to_si`.
     #[serde(with = "extended")]
     pub beyond_si: Option<f64>,
+    /// Where fits were asked about: the loosest one that is allowed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub allowed_fit: Option<String>,
+    /// The next looser one of the list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beyond_fit: Option<String>,
     /// Every study that was run, in its order.
     pub checks: Vec<AllowanceCheck>,
     /// Runs of all of them.
@@ -38,11 +44,16 @@ pub enum Loosened {
     UpperEnd,
     /// The standard deviation of a distribution.
     StandardDeviation,
+    /// The fit of a joint with play; values are its greatest radial clearance.
+    Fit,
 }
 
 /// A direct study at one value.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AllowanceCheck {
+    /// The fit, where fits are asked about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<String>,
     /// The value.
     #[serde(with = "extended")]
     pub value_si: f64,

@@ -7,9 +7,11 @@ mod contributors;
 mod figures;
 mod inputs;
 mod rare;
+mod reweighting;
 mod surrogate;
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
 pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
@@ -30,6 +32,7 @@ pub use inputs::{
 /// What held-out errors say about a response.
 pub use crate::surrogate::Verdict as SurrogateVerdict;
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
+pub use reweighting::ReweightingRecord;
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 
 pub use super::file::Reduction;
@@ -58,6 +61,7 @@ pub struct PercentileBounds {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyResult {
     /// Version of this layout; rises when a reader must change.
+    #[serde(deserialize_with = "this_format")]
     pub format: u32,
     /// Name of the study.
     pub name: String,
@@ -106,6 +110,9 @@ pub struct StudyResult {
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,
+    /// How runs were weighted for other distributions; absent where that was not to be done.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reweighting: Option<ReweightingRecord>,
     /// Bounds by surrogates beside the direct ones; absent where none was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surrogate: Option<SurrogateRecord>,
@@ -132,6 +139,15 @@ pub struct StudyResult {
 
 /// The layout that this version of the program writes.
 pub const FORMAT: u32 = 2;
+
+/// Another layout is not read: what its numbers mean is not known.
+fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    let format = u32::deserialize(deserializer)?;
+    if format == FORMAT {
+        return Ok(format);
+    }
+    Err(D::Error::custom(format_args!("format {format}; this version reads {FORMAT}")))
+}
 
 /// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

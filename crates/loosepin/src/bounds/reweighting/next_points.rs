@@ -1,0 +1,112 @@
+//! Where runs are made next, where those at few points are weighted for all others.
+
+use rayon::prelude::*;
+
+use super::Pooled;
+use crate::bounds::measure::{Measure, MeasureKind, target};
+use crate::bounds::plan::DoubleLoop;
+use crate::bounds::points::structural_point_count;
+use crate::bounds::pool::Pool;
+use crate::bounds::problem::Request;
+use crate::bounds::sample::Sample;
+use crate::bounds::search::{Direction, extreme_point};
+use crate::bounds::search_box::{Place, Region};
+use crate::bounds::table::SampleTable;
+
+/// Weighted runs are looked at for so many new points a round, and gains below this share of the range are not pursued.
+const REWEIGHTED_POINTS_PER_ROUND: usize = 4;
+const REWEIGHTED_RESOLUTION: f64 = 1e-3;
+
+/// Where weights leave an error, points up to this part of all make it smaller.
+const REWEIGHTED_SHARE: usize = 4;
+
+/// Two of these points are never nearer, in units of the box; where they carry weights alone.
+const LEAST_DISTANCE_APART: f64 = 1e-4;
+const LEAST_DISTANCE_OF_WEIGHTED: f64 = 0.05;
+
+impl DoubleLoop {
+    /// Where the weighted runs of all points promise more than has been attained, or cannot tell; where more points do not help, where
+    /// the search without weights goes.
+    pub(in crate::bounds) fn next_reweighted(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+        let whole = Region::whole(self.epistemic_box().dimensions());
+        let most = self.most_reweighted();
+        let columns: Vec<usize> = self.searched().iter().map(|(request, _)| request.column).collect();
+        let of_column = |column: usize| pool.samples(column).first().copied().and_then(Sample::pooled);
+        let is_smooth = columns.iter().all(|&column| of_column(column).is_some_and(Pooled::is_smooth));
+        let known = self.outer_places(pool);
+        let axes = self.epistemic_box().axes();
+        let without_weights = || {
+            let is_new = |place: &&Place| known.iter().all(|other| axes.distance(other, place) > LEAST_DISTANCE_APART);
+            let first: Vec<Place> = self.first_outer().iter().filter(is_new).cloned().collect();
+            if first.is_empty() { self.next_outer(table, pool, count) } else { first }
+        };
+        if columns.iter().any(|&column| of_column(column).is_none()) {
+            return without_weights();
+        }
+        let of_statistic = |(request, directions): &(Request, Vec<Direction>)| -> Vec<(f64, Place)> {
+            let samples = pool.samples(request.column);
+            let (Some(pooled), Some(measure)) =
+                (of_column(request.column), Measure::new(&samples, request.statistic, self.confidence()))
+            else {
+                return Vec::new();
+            };
+            let promise = |&direction: &Direction| {
+                let estimates = if direction == Direction::Minimum { &measure.low } else { &measure.high };
+                let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
+                let witness = extreme_point(&values, direction)?;
+                let at = (witness, values[witness]);
+                match pooled.furthest(measure.sought, direction, at, &whole, self.confidence()) {
+                    Err(place) => Some((f64::INFINITY, place)),
+                    Ok(beyond) => {
+                        let estimate = estimates[witness];
+                        let sampling = if direction == Direction::Minimum { estimate.below } else { estimate.above };
+                        let is_square = measure.kind == MeasureKind::Deviation;
+                        let sampling = if is_square { sampling * (sampling + 2.0 * estimate.value) } else { sampling };
+                        let is_index = matches!(measure.kind, MeasureKind::SmoothProbability(_));
+                        let range = if is_index {
+                            target(estimates, self.confidence()).range()
+                        } else {
+                            measure.target.range()
+                        };
+                        let merit = beyond.gain / sampling.max(REWEIGHTED_RESOLUTION * range);
+                        (merit > 1.0).then_some((merit, beyond.place))
+                    }
+                }
+            };
+            directions.iter().filter_map(promise).collect()
+        };
+        let mut promises: Vec<(f64, Place)> = self.searched().par_iter().flat_map_iter(of_statistic).collect();
+        promises.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let cannot_tell = promises.first().is_some_and(|(merit, _)| merit.is_infinite());
+        // Beside a point that is there another one hardly changes what weights are worth.
+        let apart = if is_smooth { LEAST_DISTANCE_APART } else { LEAST_DISTANCE_OF_WEIGHTED };
+        let mut chosen: Vec<Place> = Vec::new();
+        for (_, place) in promises {
+            let is_apart = |other: &Place| axes.distance(other, &place) > apart;
+            if known.iter().all(is_apart) && chosen.iter().all(is_apart) {
+                chosen.push(place);
+            }
+        }
+        chosen.truncate(count.min(REWEIGHTED_POINTS_PER_ROUND));
+        let is_spent = pool.points.len() >= most;
+        if cannot_tell && (is_spent || chosen.is_empty()) {
+            return without_weights();
+        }
+        if is_spent {
+            return Vec::new();
+        }
+        chosen.truncate(most - pool.points.len());
+        chosen
+    }
+
+    /// Points whose runs are weighted for other u, at most: with more of them the search goes without weights. None where the problem
+    /// does not ask for it.
+    pub(in crate::bounds) fn most_reweighted(&self) -> usize {
+        if !self.problem().sampling.reweighting {
+            return 0;
+        }
+        let structural =
+            structural_point_count(self.epistemic_box().dimensions()) * self.epistemic_box().combinations();
+        (structural + REWEIGHTED_POINTS_PER_ROUND).max(self.problem().sampling.outer / REWEIGHTED_SHARE)
+    }
+}

@@ -1,0 +1,100 @@
+//! Runs weighted for distributions that they were not drawn from, against closed forms.
+
+use super::exact_cases::{Function, check, problem};
+use super::{Bounds, NotReweighted, PlanError, Problem, ProblemError, Sampling, Statistic, evaluate};
+use crate::bounds::DoubleLoop;
+use crate::uncertainty::{Distribution, EpistemicParameter, Interval, Parameter, normal_cdf, normal_quantile};
+
+const MEANS: (f64, f64) = (-0.5, 0.75);
+const DEVIATIONS: (f64, f64) = (0.4, 1.2);
+const LIMIT: f64 = 1.5;
+const STATISTICS: [Statistic; 4] =
+    [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.975), Statistic::ProbabilityAbove(LIMIT)];
+
+/// X ~ N(m, s) with m and s in intervals, beside another normal variable.
+fn normal_box(statistics: &[Statistic], reweighting: bool, seed: u64) -> Problem {
+    let central = Distribution::Normal { mean: 0.125, standard_deviation: 0.8 };
+    let beside = Distribution::Normal { mean: 0.25, standard_deviation: 0.3 };
+    Problem {
+        parameters: vec![
+            EpistemicParameter { random: 0, parameter: Parameter::Mean, epistemic: 0 },
+            EpistemicParameter { random: 0, parameter: Parameter::StandardDeviation, epistemic: 1 },
+        ],
+        sampling: Sampling { inner: 512, reweighting, seed, ..Sampling::default() },
+        ..problem(&[central, beside], &[MEANS, DEVIATIONS], statistics)
+    }
+}
+
+fn bounds(statistics: &[Statistic], reweighting: bool, seed: u64, of: impl Fn(f64, f64) -> f64 + Sync) -> Bounds {
+    evaluate(normal_box(statistics, reweighting, seed), &Function(|x: &[f64], _: &[f64]| of(x[0], x[1]))).unwrap()
+}
+
+#[test]
+fn analytic_a_smooth_response_needs_the_runs_of_corners_and_centre_alone() {
+    // X + Z ~ N(m + 0.25, s² + 0.3²).
+    let spread = |s: f64| s.hypot(0.3);
+    let (low, high) = (MEANS.0 + 0.25, MEANS.1 + 0.25);
+    let z = normal_quantile(0.975);
+    let above = |m: f64, s: f64| normal_cdf((m - LIMIT) / spread(s));
+    let exact = [
+        (low, high),
+        (spread(DEVIATIONS.0), spread(DEVIATIONS.1)),
+        (low + z * spread(DEVIATIONS.0), high + z * spread(DEVIATIONS.1)),
+        (above(low, DEVIATIONS.0), above(high, DEVIATIONS.1)),
+    ];
+    for seed in [3, 159] {
+        let bounds = bounds(&STATISTICS, true, seed, |x, z| x + z);
+        for (pair, exact) in bounds.pairs.iter().zip(exact) {
+            // A hundredth of a percent of the width, where 512 runs counted would leave a percent or more.
+            check(pair, exact, 1e-4 * (exact.1 - exact.0));
+        }
+        let told = bounds.reweighted.unwrap();
+        assert_eq!((bounds.runs, told.points, told.polynomials, told.untold), (5 * 512, 5, 1, 0), "{told:?}");
+        assert!(told.least_effective > 64.0);
+    }
+}
+
+#[test]
+fn analytic_an_extreme_between_the_points_is_found_by_weights() {
+    // X²: mean m² + s², least at m = 0; variance 2 s⁴ + 4 m² s².
+    let deviation = |m: f64, s: f64| (2.0 * s.powi(4) + 4.0 * m * m * s * s).sqrt();
+    let bounds = bounds(&STATISTICS[..2], true, 5, |x, _| x * x);
+    let (least, most) = (DEVIATIONS.0, DEVIATIONS.1);
+    check(&bounds.pairs[0], (least * least, MEANS.1 * MEANS.1 + most * most), 0.003);
+    check(&bounds.pairs[1], (deviation(0.0, least), deviation(MEANS.1, most)), 0.003);
+    assert!(bounds.outer_points.len() < 20, "{}", bounds.outer_points.len());
+}
+
+#[test]
+fn analytic_a_response_that_no_polynomial_follows_is_weighted() {
+    // X + sin(40 Z)/2: far more than a turn of the sine within the scatter of Z, so that its mean is 0 and its variance 1/8.
+    let statistics = [Statistic::Mean, Statistic::StandardDeviation];
+    let deviation = |s: f64| s.hypot(0.125_f64.sqrt());
+    for seed in [2, 77] {
+        let bounds = bounds(&statistics, true, seed, |x, z| x + 0.5 * (40.0 * z).sin());
+        check(&bounds.pairs[0], MEANS, 0.25);
+        check(&bounds.pairs[1], (deviation(DEVIATIONS.0), deviation(DEVIATIONS.1)), 0.25);
+        let told = bounds.reweighted.unwrap();
+        assert_eq!((told.polynomials, told.untold), (0, 0), "{told:?}");
+        // A quarter of the points that the search without weights may take.
+        assert!(told.points <= 16, "{told:?}");
+    }
+}
+
+#[test]
+fn a_quantile_that_weights_are_worth_too_little_for_is_searched_without_them() {
+    // Of 512 runs none tells the quantile at 0.9999.
+    let statistics = [Statistic::Quantile(0.9999)];
+    let bounds = bounds(&statistics, true, 4, |x, z| x + 0.5 * (40.0 * z).sin());
+    assert_eq!(bounds.reweighted, None);
+    assert!(bounds.outer_points.len() > 16);
+}
+
+#[test]
+fn runs_are_weighted_only_where_nothing_but_parameters_is_epistemic() {
+    let mut problem = normal_box(&STATISTICS, true, 1);
+    problem.epistemic.push(Interval::try_new(0.25, 0.5).unwrap().into());
+    let found = DoubleLoop::try_new(problem).unwrap_err();
+    let expected = ProblemError::NotReweighted(NotReweighted::NoParameter { epistemic: 2 });
+    assert_eq!(found, PlanError::Problem(expected));
+}
