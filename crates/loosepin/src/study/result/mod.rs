@@ -10,8 +10,7 @@ mod rare;
 mod reweighting;
 mod surrogate;
 
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
 pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
@@ -61,7 +60,6 @@ pub struct PercentileBounds {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyResult {
     /// Version of this layout; rises when a reader must change.
-    #[serde(deserialize_with = "this_format")]
     pub format: u32,
     /// Name of the study.
     pub name: String,
@@ -139,15 +137,6 @@ pub struct StudyResult {
 
 /// The layout that this version of the program writes.
 pub const FORMAT: u32 = 2;
-
-/// Another layout is not read: what its numbers mean is not known.
-fn this_format<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
-    let format = u32::deserialize(deserializer)?;
-    if format == FORMAT {
-        return Ok(format);
-    }
-    Err(D::Error::custom(format_args!("format {format}; this version reads {FORMAT}")))
-}
 
 /// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
