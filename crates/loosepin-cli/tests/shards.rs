@@ -220,3 +220,20 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     assert_eq!(said.status, 2);
     assert!(said.messages.contains("'4/3' is no shard: write i/n, shard i of n"), "{}", said.messages);
 }
+
+#[test]
+fn a_forced_shard_begins_anew_whatever_was_published() {
+    let desk = desk();
+    for index in [1, 2] {
+        assert_eq!(shard(&desk, "bounds", index, 2).status, 0);
+    }
+    let open = merge(&desk, "bounds", 2);
+    assert!(open.status == 3 && desk.path("bounds/merged.sqlite").exists(), "{}", open.messages);
+    // Of the study before it was changed.
+    desk.write("study.toml", &STUDY.replace("seed = 11", "seed = 12"));
+    let refused = shard(&desk, "bounds", 1, 2);
+    assert_eq!(refused.status, 2, "{}", refused.messages);
+    let forced = desk.run(&["study", "study.toml", "--out", "bounds", "--shard", "1/2", "--force"]);
+    assert_eq!(forced.status, 0, "{}", forced.messages);
+    assert!(!forced.messages.contains("going on with"), "{}", forced.messages);
+}

@@ -36,7 +36,7 @@ pub struct Runs {
 }
 
 /// Bounds of the statistics of the columns of `function`, which is given a list of arrays, one for each input, random ones first,
-/// and gives an array with a row for each run. Returns the answers and the runs as plain values for `_uncertainty.py`.
+/// and gives an array with a row for each run. Returns the answers and the runs as plain values for `_function_bounds.py`.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
 #[pyo3(signature = (function, inputs, columns, requests, ranks, reading, runs))]
@@ -188,8 +188,10 @@ pub fn answer<'py>(
         }
     }
     given.set_item("bands", bands)?;
-    given.set_item("runs", (answers.runs, answers.failed_runs, answers.rounds))?;
     let rows = || 0..table.len();
+    // A run without a number in some column failed there.
+    let failed_runs = rows().filter(|&run| table.values(run).iter().any(|value| !value.is_finite())).count();
+    given.set_item("runs", (answers.runs, failed_runs, answers.rounds))?;
     let of_inputs = |k: usize| rows().map(|run| table.inputs()[run].random[k]).collect();
     let of_unknown = |k: usize| rows().map(|run| table.inputs()[run].epistemic[k]).collect();
     let of_outputs = |k: usize| rows().map(|run| table.values(run)[k]).collect();
@@ -226,7 +228,7 @@ fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], names: &Names<'_>) -> PyResu
         record.set_item("parameter", parameter)?;
         record.set_item("lower", end(py, &pair.lower, names)?)?;
         record.set_item("upper", end(py, &pair.upper, names)?)?;
-        let (guarantee, confidence) = match pair.lower.guarantee.weaker(pair.upper.guarantee) {
+        let (guarantee, confidence) = match pair.guarantee() {
             bounds::Guarantee::Enclosure => ("enclosure", None),
             bounds::Guarantee::Optimised => ("optimised", None),
             bounds::Guarantee::Sampled { confidence } => ("sampled", Some(confidence)),
@@ -234,8 +236,6 @@ fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], names: &Names<'_>) -> PyResu
         };
         record.set_item("guarantee", guarantee)?;
         record.set_item("confidence", confidence)?;
-        record.set_item("failed_runs", pair.failed_runs)?;
-        record.set_item("unbounded_by_failures", pair.unbounded_by_failures)?;
         Ok(record)
     });
     PyList::new(py, records.collect::<PyResult<Vec<_>>>()?)

@@ -53,7 +53,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Reads inputs in their order, each an object of one of the classes of `_uncertainty.py`.
+    /// Reads inputs in their order, each an object of one of the classes of `_inputs.py`.
     pub fn read(inputs: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<Self> {
         let mut read = Self::default();
         for (name, input) in inputs {

@@ -93,13 +93,22 @@ pub fn conduct_in_folder(
         (false, true) => Beginning::GoOn,
         (false, false) => Beginning::Empty,
     };
-    let store = RunStore::begin(&folder.path().join(STORE_FILE), &identity, beginning).map_err(complain)?;
+    let path = folder.path().join(STORE_FILE);
+    let store = match RunStore::begin(&path, &identity, beginning) {
+        Ok(store) => store,
+        Err(error) => {
+            // Where runs are kept, or another process is at work on them, the folder stays as it is.
+            if !path.exists() {
+                folder.abandon().map_err(complain)?;
+            }
+            return Err(complain(error));
+        }
+    };
     let started = SystemTime::now();
     match conduct(study, &claim.inputs.to_string(), &Means { store: Some(&store), ..*means }) {
         Ok(conducted) => {
-            let count = conducted.runs.columns.first().map_or(0, |column| column.data.len());
-            let made = count.saturating_sub(store.runs_at_start() as usize);
-            write(&mut folder, &conducted, &Timing::since(started, made, means.threads))?;
+            let made = store.settle().map_err(complain)?.saturating_sub(store.runs_at_start());
+            write(&mut folder, &conducted, &Timing::since(started, made as usize, means.threads))?;
             store.remove().map_err(complain)?;
             Ok(Ended::Finished(conducted.into()))
         }

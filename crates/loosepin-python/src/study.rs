@@ -116,9 +116,10 @@ impl Study {
             (Ok(Ended::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
                 Err(PyKeyboardInterrupt::new_err(words))
             }
+            // What went wrong is told even where a signal came as well.
+            (Err(complaints), _) => Err(raise(complaints)),
             (_, Some(error)) => Err(error),
             (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
-            (Err(complaints), None) => Err(raise(complaints)),
             (Ok(Ended::Finished(conducted)), None) => {
                 told.tell(py, progress.as_ref())?;
                 StudyResult::new(py, *conducted)

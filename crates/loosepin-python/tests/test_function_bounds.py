@@ -112,6 +112,17 @@ def test_analytic_failures_widen_probabilities():
     assert bound.upper.widened >= 0.5 - 0.02
 
 
+def test_failures_leave_a_mean_without_a_bound():
+    def fails_sometimes(x, u):
+        return np.where(x > 1.5, np.nan, x + u)
+
+    result = lp.bounds(fails_sometimes, INPUTS, ["mean", {"quantile": 0.5}], outer=8, inner=64)
+    mean, quantile = result.bounds
+    assert mean.guarantee == "inner"
+    assert quantile.guarantee != "inner"
+    assert result.failed_runs == np.count_nonzero(np.isnan(result.outputs["y"])) > 0
+
+
 def test_what_the_function_raises_comes_out_unchanged():
     class Broken(Exception):
         pass

@@ -29,6 +29,7 @@ fn conducted() -> StudyResult {
         outer = 64
         inner = 256
         replicates = 8
+        reweighting = \"always\"
         [random]
         \"parameter.crank_length\" = { normal = { mean = { interval = [\"49.97 mm\", \"50.05 mm\"] }, \
          standard_deviation = { interval = [\"0.04 mm\", \"0.11 mm\"] } } }

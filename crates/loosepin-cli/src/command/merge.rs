@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::SystemTime;
 
 use loosepin::results::{Claim, Place, ResultKind, ShardFolders, ShardsError};
-use loosepin::store::{PUBLISHED_FILE, RunStore, STORE_FILE, Shard, join_stores, remove_store};
+use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard, join_stores, remove_store};
 use loosepin::study::files::Timing;
 use loosepin::study::result::StudyResult;
 use loosepin::study::{Means, OpenRound, Part, StudyError, conduct_part, plan_shards};
@@ -47,7 +47,8 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         return show_again::<StudyResult>(&mut folder);
     }
     if claim.with_force {
-        remove_store(&joined).map_err(|error| Failure::of(&error))?;
+        // Refused where another process is at work on it.
+        RunStore::begin(&joined, &identity(&claim), Beginning::Anew).map_err(|error| Failure::of(&error))?;
     }
     let of = record.of;
     let stores: Vec<(Shard, PathBuf)> = (1..)

@@ -129,6 +129,13 @@ pub struct BoundPair {
     pub unbounded_by_failures: bool,
 }
 
+impl BoundPair {
+    /// What stands behind both ends: failed runs may have had any response, so that of means and deviations no bound exists then.
+    pub fn guarantee(&self) -> Guarantee {
+        if self.unbounded_by_failures { Guarantee::Inner } else { self.lower.guarantee.weaker(self.upper.guarantee) }
+    }
+}
+
 /// Bounds over what is possible to at least some degree.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelBounds {

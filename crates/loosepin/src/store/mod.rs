@@ -132,7 +132,8 @@ impl RunStore {
             (Beginning::Anew, opened) => {
                 drop(opened);
                 remove_store(path)?;
-                Self::open_beside(path, published, identity)
+                // What was published belongs to what is begun anew.
+                Self::open_beside(path, None, identity)
             }
             (Beginning::Empty, Ok(store)) if store.runs_at_start > 0 => {
                 Err(StoreError::HoldsRuns { path: path.to_owned(), runs: store.runs_at_start })

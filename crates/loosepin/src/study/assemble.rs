@@ -290,11 +290,10 @@ pub(super) fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                     unit,
                     lower,
                     upper,
-                    // Failed runs may have had any response: for means and deviations no bound exists then.
-                    guarantee: if pair.unbounded_by_failures || rare.is_some_and(|rare| !rare.is_confirmed) {
+                    guarantee: if rare.is_some_and(|rare| !rare.is_confirmed) {
                         GuaranteeKind::Inner
                     } else {
-                        guarantee(pair.lower.guarantee.weaker(pair.upper.guarantee))
+                        guarantee(pair.guarantee())
                     },
                 });
             }

@@ -68,7 +68,7 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
             "reweighting",
             Kind::Choice(&REWEIGHTING),
             "\"automatic\"",
-            "runs at few values of uncertain parameters of distributions, weighted for all others; automatic if left out",
+            "runs at few values of uncertain parameters of distributions, weighted for all others; never if left out",
         ),
     ],
 )

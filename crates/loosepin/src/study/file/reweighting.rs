@@ -32,7 +32,7 @@ impl StudyReader {
         Some(WrittenReweighting { when, entry: entry.path.describe(), span: entry.span })
     }
 
-    /// Whether runs are weighted; where the file leaves it open, they are where that is possible.
+    /// Whether runs are weighted; where the file says nothing of it, none are.
     pub(super) fn is_reweighted(
         &mut self,
         written: Option<WrittenReweighting>,
@@ -40,7 +40,7 @@ impl StudyReader {
         asks: &[Ask],
         surrogate: Option<&StudySurrogate>,
     ) -> bool {
-        if written.as_ref().is_some_and(|written| written.when == When::Never) {
+        if written.as_ref().is_none_or(|written| written.when == When::Never) {
             return false;
         }
         let Some(reason) = self.against_reweighting(is_correlated, asks, surrogate) else { return true };
