@@ -11,7 +11,7 @@ def study(desk):
 
 
 def test_identity_an_output_of_the_study_keeps_its_bounds(study, result):
-    name = "slider total maximum_magnitude"
+    name = "slider total maximum_absolute"
     assert study.recorded[name] == "m"
     found = study.bounds(lambda run: run[name], [{"quantile": 0.975}], progress=False)
     [of_study] = result.select(statistic="quantile", treatment="mixed")
@@ -28,7 +28,7 @@ def test_identity_curves_and_inputs_reach_the_function(study):
 
     def largest(run):
         shapes.append((run["slider total"].shape, run["parameter.rod_length"].shape))
-        return np.stack([np.abs(run["slider total"]).max(axis=1), run["slider total maximum_magnitude"]], axis=1)
+        return np.stack([np.abs(run["slider total"]).max(axis=1), run["slider total maximum_absolute"]], axis=1)
 
     found = study.bounds(largest, ["mean"], outputs=["at_poses", "located"], progress=False)
     assert shapes[0][0] == (shapes[0][1][0], 5)

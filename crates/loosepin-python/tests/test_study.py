@@ -40,7 +40,7 @@ def test_identity_samples_are_the_runs(desk, result):
         np.testing.assert_array_equal(result.samples[name], table[name].to_numpy(), err_msg=name)
         assert result.samples.units[name].encode() == table.schema.field(name).metadata[b"unit"]
     assert list(result.samples.inputs) == ["parameter.crank_length", "parameter.rod_length", "joint.gudgeon.radial_clearance"]
-    assert list(result.samples.outputs) == ["slider total maximum_magnitude"]
+    assert list(result.samples.outputs) == ["slider total maximum_absolute"]
     assert list(result.samples.to_pandas().columns) == table.column_names
 
 
@@ -58,7 +58,7 @@ def test_identity_a_dict_on_more_threads_without_a_folder_is_the_file(desk, resu
     again = lp.Study.from_dict(mapping).run(threads=3, progress=lambda *numbers: told.append(numbers))
     # The text is another one, and with it the hash.
     assert again.summary | {"input_hash": ""} == result.summary | {"input_hash": ""}
-    np.testing.assert_array_equal(again.samples["slider total maximum_magnitude"], result.samples["slider total maximum_magnitude"])
+    np.testing.assert_array_equal(again.samples["slider total maximum_absolute"], result.samples["slider total maximum_absolute"])
     assert told[-1] == (result.summary["counts"]["runs"],) * 2
     assert [finished for finished, _ in told] == sorted(finished for finished, _ in told)
 
@@ -71,11 +71,11 @@ def test_text_names_its_model_from_its_folder(desk):
 
 def test_selection_and_requirements(result):
     [quantile] = result.select(output="slider", statistic="quantile")
-    assert (quantile.parameter, quantile.reduction, quantile.unit) == (0.975, "maximum_magnitude", "m")
+    assert (quantile.parameter, quantile.reduction, quantile.unit) == (0.975, "maximum_absolute", "m")
     assert quantile.lower.widened <= quantile.lower.value <= quantile.upper.value <= quantile.upper.widened
     assert set(quantile.upper.witness) == {"joint.gudgeon.radial_clearance"}
     assert result.is_met == (result.requirements[0]["verdict"] == "met")
-    assert str(quantile).startswith("slider total maximum_magnitude: quantile 0.975 in [")
+    assert str(quantile).startswith("slider total maximum_absolute: quantile 0.975 in [")
 
 
 def test_curves(result):

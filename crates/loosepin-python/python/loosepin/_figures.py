@@ -73,9 +73,6 @@ def _curves(axis: Any, curve: Curve, units: dict[str, Any]) -> None:
     unit, factor = shown(curve.unit, units)
     angle = np.degrees(curve.pose_rad)
     share = 100 * (curve.probabilities[1] - curve.probabilities[0])
-    if len(curve.worst_case[0]):
-        for label, values in zip(("worst case without dynamics", None), curve.worst_case):
-            axis.plot(angle, values * factor, color=INK, lw=0.8, ls=":", label=label)
     axis.fill_between(angle, *(end * factor for end in curve.mixed), color=UNKNOWN, alpha=0.35, lw=0, label=f"{share:.3g} % for every unknown value")
     axis.fill_between(angle, *(end * factor for end in curve.random), color=RANDOM, alpha=0.6, lw=0, label=f"{share:.3g} %, unknown values in the middle")
     axis.plot(angle, curve.nominal * factor, color=INK, lw=0.9, label="nominal")

@@ -65,7 +65,7 @@ class Bound:
     pose_rad: float | None
     """Angle of the drive, where the bound is at one."""
     reduction: str | None
-    """How the cycle became one number: "maximum_magnitude", "rms", ..."""
+    """How the cycle became one number: "maximum_absolute", "rms", ..."""
     statistic: str
     """"mean", "standard_deviation", "quantile", "probability_above", ..."""
     parameter: float | None
@@ -122,8 +122,6 @@ class Curve:
     """The band of the random scatter alone, with what is not known in the middle."""
     mixed: tuple[Array, Array]
     """The band for every value of what is not known, numerical error included."""
-    worst_case: tuple[Array, Array]
-    """The quasi-static worst case; empty where it was not computed."""
 
 
 class Samples(Mapping[str, Any]):
@@ -241,9 +239,8 @@ class StudyResult:
             name = f"{curve.output}_{curve.of}".replace(" ", "_")
             unit = {"units": curve.unit}
             variables[f"{name}_nominal"] = ("pose_rad", curve.nominal, unit)
-            for band, ends in (("random", curve.random), ("mixed", curve.mixed), ("worst_case", curve.worst_case)):
-                if len(ends[0]):
-                    variables[f"{name}_{band}"] = (("pose_rad", "end"), np.stack(ends, axis=1), unit)
+            for band, ends in (("random", curve.random), ("mixed", curve.mixed)):
+                variables[f"{name}_{band}"] = (("pose_rad", "end"), np.stack(ends, axis=1), unit)
         for name, unit_symbol, ends_of_poses in self._bounds_over_poses():
             variables[name] = (("pose_rad", "end"), ends_of_poses, {"units": unit_symbol})
         coordinates: dict[str, Any] = {"end": ["lower", "upper"]}
@@ -344,5 +341,4 @@ def _curve(record: dict[str, Any]) -> Curve:
         probabilities=(float(lower), float(upper)),
         random=band(record["random"]),
         mixed=band(record["mixed"]),
-        worst_case=band(record["worst_case"]),
     )

@@ -29,7 +29,7 @@ pub struct FurtherOutputs<'s> {
 /// A number or a curve that every run records.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedOutput {
-    /// `slider total maximum_magnitude`, `slider total at 1.1 rad`, or `slider total` for a curve.
+    /// `slider total maximum_absolute`, `slider total at 1.1 rad`, or `slider total` for a curve.
     pub name: String,
     /// Unit of its values.
     pub unit: SiUnit,
