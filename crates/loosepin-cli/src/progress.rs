@@ -66,11 +66,6 @@ impl Bar {
         Bar { bar, pace }
     }
 
-    /// Runs that were made since it began.
-    pub fn made(&self) -> usize {
-        self.pace.lock().map_or(0, |pace| pace.made())
-    }
-
     /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::diagnostics::{Complaints, Place};
-use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means};
+use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means, study_inputs};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +13,7 @@ use crate::error::{Complaint, raise};
 use crate::further_outputs;
 use crate::model::Model;
 use crate::result::StudyResult;
-use crate::results_folder::{Ended, Meeting, Settings, conduct_in_folder, conduct_in_memory, inputs};
+use crate::results_folder::{Ended, Meeting, conduct_in_folder, conduct_in_memory};
 use crate::waiting::{Told, wait_for};
 
 /// Name, SI unit, and angles of the drive in rad where it is a curve.
@@ -103,7 +103,7 @@ impl Study {
         if let Some(text) = &budget {
             study.set_budget(text).map_err(raise)?;
         }
-        let inputs = inputs(&study, &Settings { accuracy, budget });
+        let inputs = study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, told) = (AtomicBool::new(false), Told::default());
         let means = Means { threads, progress: &told, stop: &stop, store: None };
         let meeting = Meeting { with_resume: resume, with_force: force };

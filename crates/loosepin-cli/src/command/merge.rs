@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 use std::time::SystemTime;
 
+use loosepin::report::study_page;
 use loosepin::results::{Claim, Place, ResultKind, ShardFolders, ShardsError};
 use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard, join_stores, remove_store};
-use loosepin::study::files::Timing;
 use loosepin::study::result::StudyResult;
-use loosepin::study::{Means, OpenRound, Part, StudyError, conduct_part, plan_shards};
+use loosepin::study::{Means, OpenRound, Part, StudyError, conclude, conduct_part, plan_shards, store_identity};
 use loosepin::units;
 
 use super::signals::stop_on_signals;
 use super::stored::{show_again, tell_again};
-use super::study::{conclude, identity, read_stated};
+use super::study::{read_stated, tell_concluded};
 use super::threads::threads;
 use crate::arguments::MergeArguments;
 use crate::console;
@@ -46,18 +46,19 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         tell_again(&folder);
         return show_again::<StudyResult>(&mut folder);
     }
+    let identity = &store_identity(&claim.inputs);
     if claim.with_force {
         // Refused where another process is at work on it.
-        RunStore::begin(&joined, &identity(&claim), Beginning::Anew).map_err(|error| Failure::of(&error))?;
+        RunStore::begin(&joined, identity, Beginning::Anew).map_err(|error| Failure::of(&error))?;
     }
     let of = record.of;
     let stores: Vec<(Shard, PathBuf)> = (1..)
         .zip(&shards.folders)
         .filter_map(|(index, folder)| Some((Shard::new(index, of)?, folder.join(STORE_FILE))))
         .collect();
-    let added = join_stores(&joined, &identity(&claim), &stores).map_err(|error| Failure::of(&error))?;
+    let added = join_stores(&joined, identity, &stores).map_err(|error| Failure::of(&error))?;
     console::message(&format!("{added} new runs of {}", console::counted(of as usize, "shard", "shards")));
-    let store = RunStore::open(&joined, &identity(&claim)).map_err(|error| Failure::of(&error))?;
+    let store = RunStore::open(&joined, identity).map_err(|error| Failure::of(&error))?;
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::going_on(store.runs_at_start() as usize);
@@ -70,15 +71,8 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         tell_open(open, of);
         return Ok(Done::RoundOpen);
     }
-    if let Err(StudyError::Interrupted { .. }) = &outcome {
-        let kept = store.settle().map_err(|error| Failure::of(&error))?;
-        console::message(&format!(
-            "interrupted; {kept} runs are kept in {}\nhint: the same command goes on",
-            folder.path().display()
-        ));
-        return Ok(Done::Interrupted);
-    }
-    conclude(&study, folder, store, outcome, &|| Timing::since(started, bar.made(), threads))
+    let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
+    tell_concluded(concluded, "the same command goes on")
 }
 
 /// Where the results go: where those of a study in one piece would.

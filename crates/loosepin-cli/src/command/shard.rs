@@ -1,12 +1,12 @@
 //! `loosepin study --shard i/n`: a part of the runs of a study.
 
 use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord, write_whole};
-use loosepin::store::{PUBLISHED_FILE, Shard};
-use loosepin::study::{Means, Part, Study, StudyError, conduct_part, plan_shards};
+use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard};
+use loosepin::study::{Means, Part, Study, StudyError, conduct_part, plan_shards, store_identity};
 
 use super::signals::stop_on_signals;
 use super::stored::to_json;
-use super::study::open_store;
+use super::study::tell_going_on;
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -40,7 +40,11 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     // Not among the files of the result, which go when it is begun again.
     write_whole(&folder.path().join(SHARD_FILE), text.as_bytes())?;
     let published = Some(results.join(PUBLISHED_FILE)).filter(|published| published.exists());
-    let store = open_store(&folder, published.as_deref(), &claim, arguments.resume)?;
+    let path = folder.path().join(STORE_FILE);
+    let beginning = Beginning::stated(claim.with_force, arguments.resume);
+    let store = RunStore::begin_beside(&path, published.as_deref(), &store_identity(&claim.inputs), beginning)
+        .map_err(|error| Failure::of(&error))?;
+    tell_going_on(&store);
     let stop = stop_on_signals("Ctrl-C will end the shard at once; what was finished until a moment before is kept");
     let bar = Bar::new();
     let means = Means { threads: threads(arguments.threads), progress: &bar, stop: &stop, store: Some(&store) };

@@ -70,6 +70,17 @@ pub enum Beginning {
     Empty,
 }
 
+impl Beginning {
+    /// As whoever calls has stated: to replace what is there, or to go on with it.
+    pub fn stated(with_force: bool, with_resume: bool) -> Self {
+        match (with_force, with_resume) {
+            (true, _) => Self::Anew,
+            (false, true) => Self::GoOn,
+            (false, false) => Self::Empty,
+        }
+    }
+}
+
 /// An open store. Rows are written by a thread of its own, so that nobody who has finished a run waits for the disk.
 #[derive(Debug)]
 pub struct RunStore {

@@ -10,6 +10,7 @@ mod contributors;
 mod distribution_words;
 mod file;
 pub mod files;
+mod folder;
 mod further_outputs;
 mod ideal_curve;
 mod input_file;
@@ -38,9 +39,10 @@ pub use file::{
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
+pub use folder::{Concluded, begin_in_folder, conclude, store_identity};
 pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
-pub use inputs::{add_model, add_study};
+pub use inputs::{add_model, add_study, study_inputs};
 pub use iso_286::FitError;
 pub use part::{OpenRound, Part, plan_shards};
 pub use plans::plan_runs;
