@@ -4,9 +4,10 @@ use super::moments::{mean, standard_deviation, variance};
 use super::probability::share;
 use super::quantile::quantile;
 use super::sample::{Confidence, Estimate, Sample};
-use super::search::{Direction, SEARCH_RESOLUTION, Target, extreme_point};
-use super::smooth::index_resolution;
+use super::search::{Direction, SEARCH_RESOLUTION, extreme_point};
+use super::smooth::{Index, index_resolution};
 use super::statistic::Statistic;
+use super::target::{Sides, Target};
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
 const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
@@ -201,7 +202,7 @@ impl Margin {
             values.iter().filter(|value| value.is_finite()).fold(f64::INFINITY, |least, value| least.min(value.abs()));
         // Far from the limit a change of the margin changes next to nothing.
         let resolutions = [0.02 * (1.0 + nearest * nearest); 2];
-        let target = Target { values, noise_variance: finite_mean(&noise), resolutions };
+        let target = Target { values, sides: None, noise_variance: finite_mean(&noise), resolutions };
         Some(Self { target, event, means, spreads, size })
     }
 
@@ -229,11 +230,14 @@ fn index_target(samples: &[&Sample], event: Event, shares: &[Estimate], confiden
     let largest_spread = samples.iter().map(spread).fold(0.0, f64::max);
     let least_scale = LEAST_SCALE * (range(&means) + largest_spread);
     let index = |sample: &&Sample| Some(sample.smooth()?.index(event, least_scale, sample, confidence));
-    let values: Vec<f64> = samples.iter().map(index).collect::<Option<_>>()?;
+    let indices: Vec<Index> = samples.iter().map(index).collect::<Option<_>>()?;
+    let values: Vec<f64> = indices.iter().map(|index| index.value()).collect();
+    let sides: Option<Vec<[f64; 2]>> = indices.iter().map(|index| index.sides()).collect();
+    let sides = sides.map(|sides| Sides([0, 1].map(|side| sides.iter().map(|sides| sides[side]).collect())));
     let change = SMOOTH_PROBABILITY_RESOLUTION * range(&shares.iter().map(|share| share.value).collect::<Vec<f64>>());
     let resolutions =
         Direction::BOTH.map(|direction| index_resolution(super::search::extreme(&values, direction), change));
-    Some(Target { values, noise_variance: 0.0, resolutions })
+    Some(Target { values, sides, noise_variance: 0.0, resolutions })
 }
 
 /// Estimates as something to search the extremes of.
@@ -249,7 +253,7 @@ pub(super) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
             .map_or(0.0, |point| 0.5 * (estimates[point].below + estimates[point].above));
         if error.is_finite() { (SHARE_OF_SAMPLING_ERROR * error).max(least) } else { least }
     });
-    Target { values, noise_variance, resolutions }
+    Target { values, sides: None, noise_variance, resolutions }
 }
 
 fn errors(estimates: &[Estimate]) -> Vec<(f64, f64)> {

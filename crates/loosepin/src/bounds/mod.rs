@@ -53,6 +53,7 @@ mod spread;
 mod statistic;
 mod structure;
 mod table;
+mod target;
 mod treatment;
 mod trend;
 

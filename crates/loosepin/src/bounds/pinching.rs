@@ -6,8 +6,9 @@ use super::assemble::Evidence;
 use super::measure::Measure;
 use super::plan::{DoubleLoop, PlanError};
 use super::pool::Pool;
-use super::search::{Branch, Direction, Target};
+use super::search::{Branch, Direction};
 use super::table::{Purpose, SampleTable};
+use super::target::Target;
 
 /// Values of an interval at which it is taken as known, in shares of its width.
 const LEVELS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -159,8 +160,8 @@ impl DoubleLoop {
                 if let Some((axis, value)) = fixed {
                     at[axis] = value;
                 }
-                let (value, deviation) = branch.at(&at)?;
-                take(value, deviation);
+                let forecast = branch.at(&at)?;
+                take(forecast.mean(), forecast.deviation());
             }
         }
         best

@@ -16,11 +16,12 @@ use super::pool::{Pool, PoolPoint};
 use super::problem::{MOST_POINTS, Problem, ProblemError, Request, Sampling};
 use super::random_set::{run_target, values_by_run};
 use super::sample::{Confidence, Estimate};
-use super::search::{Direction, MOST_LOCATED_TARGETS, Search, Target};
+use super::search::{Direction, MOST_LOCATED_TARGETS, Search};
 use super::search_box::{Place, Region, SearchBox};
 use super::statistic::Statistic;
 use super::structure::{Element, Structure};
 use super::table::{Purpose, RunInputs, SampleTable};
+use super::target::Target;
 use crate::uncertainty::{
     Distribution, EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash,
 };

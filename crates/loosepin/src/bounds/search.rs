@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::search_box::{Axes, Place, Region};
-use super::smoother::{Fit, Smoother};
+use super::smoother::Smoother;
 use super::structure::Element;
+use super::target::{Forecast, Sides, Target, TargetModel};
 
 /// The model's error bar in an optimistic prediction, in standard deviations.
 const OPTIMISM: f64 = 2.5;
@@ -77,25 +78,6 @@ impl Direction {
     }
 }
 
-/// A quantity known at every point, whose extremes are sought.
-#[derive(Debug, Clone)]
-pub(super) struct Target {
-    /// Value at every point; not a number where it is undefined.
-    pub values: Vec<f64>,
-    /// Mean sampling variance of the values.
-    pub noise_variance: f64,
-    /// Gains below these are not worth a point: of the minimum, of the maximum.
-    pub resolutions: [f64; 2],
-}
-
-impl Target {
-    /// Greatest less least value.
-    pub fn range(&self) -> f64 {
-        let range = extreme(&self.values, Direction::Maximum) - extreme(&self.values, Direction::Minimum);
-        range.max(0.0)
-    }
-}
-
 /// All points so far, and the models that targets share.
 ///
 /// Every combination of the discrete inputs has models of its own, which know nothing of the others; the extremes are taken
@@ -116,24 +98,23 @@ pub(super) struct Branch<'a> {
     /// Those at which the target is defined.
     defined: Vec<usize>,
     /// The model; nothing where the target is defined at too few points.
-    fit: Option<Fit<'a>>,
+    model: Option<TargetModel<'a>>,
 }
 
 impl Branch<'_> {
     /// What the model takes of the differences between the points for noise, as a variance.
     pub fn noise_variance(&self) -> f64 {
-        self.fit.as_ref().map_or(0.0, Fit::noise_variance)
+        self.model.as_ref().map_or(0.0, TargetModel::noise_variance)
     }
 
-    /// Mean and standard deviation of the target at the candidates of the search, in their order, then at other places; nothing
-    /// without a model.
-    pub fn at_candidates(&self) -> Option<impl Iterator<Item = (f64, f64)>> {
-        self.fit.as_ref().map(|fit| fit.at_places())
+    /// What the model says at the candidates of the search, in their order, then at other places; nothing without a model.
+    pub fn at_candidates(&self) -> Option<impl Iterator<Item = Forecast>> {
+        self.model.as_ref().map(|model| model.at_places())
     }
 
-    /// Mean and standard deviation of the target at `place` by the model; nothing without one.
-    pub fn at(&self, place: &[f64]) -> Option<(f64, f64)> {
-        self.fit.as_ref().map(|fit| fit.at(place))
+    /// What the model says at `place`; nothing without one.
+    pub fn at(&self, place: &[f64]) -> Option<Forecast> {
+        self.model.as_ref().map(|model| model.at(place))
     }
 }
 
@@ -195,25 +176,32 @@ impl<'a> Search<'a> {
     pub fn branches(&self, target: &Target) -> Vec<Branch<'_>> {
         let branch = |points: &Vec<usize>| {
             let defined = defined(target, points);
-            Branch { points: points.clone(), fit: self.fit(target, &defined), defined }
+            Branch { points: points.clone(), model: self.model(target, &defined), defined }
         };
         self.groups.iter().map(branch).collect()
     }
 
-    fn fit(&self, target: &Target, defined: &[usize]) -> Option<Fit<'_>> {
-        let values: Vec<f64> = defined.iter().map(|&i| target.values[i]).collect();
-        Some(self.smoothers.get(defined)?.as_ref()?.fit(&values, target.noise_variance))
+    fn model(&self, target: &Target, defined: &[usize]) -> Option<TargetModel<'_>> {
+        let smoother = self.smoothers.get(defined)?.as_ref()?;
+        let fit = |values: &Vec<f64>| {
+            let values: Vec<f64> = defined.iter().map(|&i| values[i]).collect();
+            smoother.fit(&values, target.noise_variance)
+        };
+        Some(match &target.sides {
+            None => TargetModel::Alone(fit(&target.values)),
+            Some(Sides(sides)) => TargetModel::OfSides([fit(&sides[0]), fit(&sides[1])]),
+        })
     }
 
     /// The most that the model of `target` in one combination, `branch`, allows in `direction`, anywhere in `region`; infinite
     /// without one.
     pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
-        let Some(fit) = &branch.fit else { return direction.sign() * f64::INFINITY };
+        let Some(model) = &branch.model else { return direction.sign() * f64::INFINITY };
         let is_located = self.targets <= MOST_LOCATED_TARGETS;
         let most = if is_located {
-            located_reach(self.axes, fit, direction, region)
+            located_reach(self.axes, model, direction, region)
         } else {
-            reach(fit, direction, region, CONCEDED).optimistic
+            reach(model, direction, region, CONCEDED).optimistic
         };
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
@@ -262,11 +250,11 @@ impl<'a> Search<'a> {
             .filter_map(|promise| {
                 let target = &targets[promise.target].0;
                 let combination = promise.place.combination;
-                let fit = self.fit(target, &defined(target, &self.groups[combination]))?;
+                let model = self.model(target, &defined(target, &self.groups[combination]))?;
                 let region = &elements[promise.element].region;
                 Some(Place {
                     combination,
-                    at: locate(self.axes, &fit, promise.direction, promise.optimism, promise.place.at, region),
+                    at: locate(self.axes, &model, promise.direction, promise.optimism, promise.place.at, region),
                 })
             })
             .collect();
@@ -409,8 +397,8 @@ impl<'a> Search<'a> {
         if group.len() >= most_points {
             return;
         }
-        let Some(fit) = self.fit(target, &defined(target, group)) else { return };
-        let fall = |place: &[f64]| (fit.at(place).0 - target.values[extreme]).abs();
+        let Some(model) = self.model(target, &defined(target, group)) else { return };
+        let fall = |place: &[f64]| (model.at(place).mean() - target.values[extreme]).abs();
         for axis in 0..at.len() {
             let (lower, upper) = (region.lower[axis], region.upper[axis]);
             for signed in [distance, -distance] {
@@ -447,10 +435,10 @@ impl<'a> Search<'a> {
     ) -> Vec<Promise> {
         let mut promises = Vec::new();
         for (combination, branch) in self.branches(target).iter().enumerate() {
-            let Some(fit) = branch.fit.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
+            let Some(model) = branch.model.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
             for (element, (part, members)) in elements.iter().zip(members).enumerate() {
                 for &direction in directions {
-                    let reach = reach(fit, direction, &part.region, OPTIMISM);
+                    let reach = reach(model, direction, &part.region, OPTIMISM);
                     let attained = extreme_among(&target.values, members.iter().copied(), direction)
                         .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
                     let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
@@ -502,21 +490,22 @@ fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
 }
 
 /// How far the model lets its target go in `direction`, by `optimism` standard deviations, over all candidates and points in `region`.
-fn reach(fit: &Fit<'_>, direction: Direction, region: &Region, optimism: f64) -> Reach {
+fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, optimism: f64) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
-    for (place, (mean, deviation)) in fit.at_places().enumerate() {
-        if !region.holds(&fit.places()[place]) {
+    for (place, forecast) in model.at_places().enumerate() {
+        if !region.holds(&model.places()[place]) {
             continue;
         }
-        let most = sign * mean + optimism * deviation;
+        let most = sign * forecast.moved(sign * optimism);
+        let expectation = sign * forecast.mean();
         // A model that overflows allows anything.
         let most = if most.is_nan() { f64::INFINITY } else { most };
         if most > optimistic.0 {
             optimistic = (most, place);
         }
-        if sign * mean > expected.0 {
-            expected = (sign * mean, place);
+        if expectation > expected.0 {
+            expected = (expectation, place);
         }
     }
     if optimistic.0 == f64::NEG_INFINITY {
@@ -528,18 +517,17 @@ fn reach(fit: &Fit<'_>, direction: Direction, region: &Region, optimism: f64) ->
     }
     Reach {
         optimistic: sign * optimistic.0,
-        optimistic_at: fit.places()[optimistic.1].clone(),
+        optimistic_at: model.places()[optimistic.1].clone(),
         expected: sign * expected.0,
-        expected_at: fit.places()[expected.1].clone(),
+        expected_at: model.places()[expected.1].clone(),
     }
 }
 
 /// The same over the whole region: the most that the model allows, located from the best of the places.
-fn located_reach(axes: &Axes, fit: &Fit<'_>, direction: Direction, region: &Region) -> f64 {
-    let coarse = reach(fit, direction, region, OPTIMISM);
-    let place = locate(axes, fit, direction, CONCEDED, coarse.optimistic_at, region);
-    let (mean, deviation) = fit.at(&place);
-    let located = mean + direction.sign() * CONCEDED * deviation;
+fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
+    let coarse = reach(model, direction, region, OPTIMISM);
+    let place = locate(axes, model, direction, CONCEDED, coarse.optimistic_at, region);
+    let located = model.at(&place).moved(direction.sign() * CONCEDED);
     if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
 }
 
@@ -548,11 +536,11 @@ fn located_reach(axes: &Axes, fit: &Fit<'_>, direction: Direction, region: &Regi
 pub(super) fn smoothed(target: &Target, branches: &[Branch<'_>], errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
     let mut values = target.values.clone();
     for branch in branches {
-        let Some(fit) = branch.fit.as_ref().filter(|fit| fit.is_smoothed()) else { continue };
-        let means = fit.at_places().skip(fit.places().len() - branch.defined.len());
-        for (&point, (mean, _)) in branch.defined.iter().zip(means) {
+        let Some(model) = branch.model.as_ref().filter(|fit| fit.is_smoothed()) else { continue };
+        let means = model.at_places().skip(model.places().len() - branch.defined.len());
+        for (&point, forecast) in branch.defined.iter().zip(means) {
             let (below, above) = errors(point);
-            values[point] = mean.max(values[point] - below).min(values[point] + above);
+            values[point] = forecast.mean().max(values[point] - below).min(values[point] + above);
         }
     }
     values
@@ -600,7 +588,7 @@ fn neighbours<'p>(axes: &'p Axes, point: &'p [f64]) -> impl Iterator<Item = Vec<
 /// successful move, step halved down to 1e-7 of the box.
 fn locate(
     axes: &Axes,
-    fit: &Fit<'_>,
+    model: &TargetModel<'_>,
     direction: Direction,
     optimism: f64,
     mut place: Vec<f64>,
@@ -611,10 +599,8 @@ fn locate(
     const LAST_STEP: f64 = 1e-7;
     const MOST_MOVES: usize = 400;
     const FACE_THICKNESS: f64 = 1e-4;
-    let value = |place: &[f64]| {
-        let (mean, deviation) = fit.at(place);
-        direction.sign() * mean + optimism * deviation
-    };
+    let sign = direction.sign();
+    let value = |place: &[f64]| sign * model.at(place).moved(sign * optimism);
     let mut best = value(&place);
     let mut step = FIRST_STEP;
     let mut moves = 0;
@@ -682,7 +668,7 @@ mod tests {
         loop {
             let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
             let resolutions = [1e-9; 2];
-            let target = Target { values: values.clone(), noise_variance: 0.0, resolutions };
+            let target = Target { values: values.clone(), sides: None, noise_variance: 0.0, resolutions };
             let axes = Axes::open(dimensions);
             let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];

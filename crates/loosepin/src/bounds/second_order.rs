@@ -22,11 +22,12 @@ use super::measure::{Measure, MeasureKind};
 use super::points::first_points;
 use super::problem::Request;
 use super::sample::{Confidence, replicate_error};
-use super::search::{Branch, Direction, Search, Target, extreme_point};
+use super::search::{Branch, Direction, Search, extreme_point};
 use super::search_box::{Axes, Place, Region};
 use super::smooth::probability_of_index;
 use super::statistic::Statistic;
 use super::table::Purpose;
+use super::target::{Forecast, Target};
 use crate::uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
 
 /// Independent scramblings of the parameters, and points of each: alone, and for each of several values of the other inputs.
@@ -105,7 +106,7 @@ impl Evidence<'_> {
             .par_iter()
             .map(|(request, measure)| {
                 let branches = search.branches(&measure.target);
-                let seen: Vec<Option<Vec<(f64, f64)>>> =
+                let seen: Vec<Option<Vec<Forecast>>> =
                     branches.iter().map(|branch| grid.at_places(branch, inside.len())).collect();
                 let percentile = |&probability: &f64| {
                     let [lower, upper] = Direction::BOTH
@@ -179,7 +180,7 @@ impl Evidence<'_> {
         &self,
         grid: &Grid,
         measure: &Measure,
-        seen: &[Option<Vec<(f64, f64)>>],
+        seen: &[Option<Vec<Forecast>>],
         probability: f64,
         direction: Direction,
         confidence: &Confidence,
@@ -193,7 +194,7 @@ impl Evidence<'_> {
             let Some(seen) = seen else { return self.nothing(direction) };
             let mut rest = seen.iter();
             for (other, places) in grid.others.iter().zip(grid.places.chunks(drawn)) {
-                let values: Vec<Option<(f64, f64)>> =
+                let values: Vec<Option<Forecast>> =
                     places.iter().map(|place| place.as_ref().and_then(|_| rest.next().copied())).collect();
                 points.push(Place { combination, at: other.clone() });
                 found.push(Found::new(&values, grid.points as usize, probability, direction, confidence));
@@ -243,7 +244,7 @@ impl Evidence<'_> {
         if grid.other_inputs.is_empty() || values.iter().any(|value| !value.is_finite()) {
             return attained;
         }
-        let target = Target { values, noise_variance: 0.0, resolutions: [f64::MIN_POSITIVE; 2] };
+        let target = Target { values, sides: None, noise_variance: 0.0, resolutions: [f64::MIN_POSITIVE; 2] };
         let search = Search::new(&grid.other_axes, points, &grid.others, [&target]);
         let branches = search.branches(&target);
         let region = Region::whole(grid.other_inputs.len());
@@ -254,7 +255,7 @@ impl Evidence<'_> {
 
 impl Grid {
     /// Mean and deviation of a statistic at all places inside the range.
-    fn at_places(&self, branch: &Branch<'_>, count: usize) -> Option<Vec<(f64, f64)>> {
+    fn at_places(&self, branch: &Branch<'_>, count: usize) -> Option<Vec<Forecast>> {
         Some(branch.at_candidates()?.take(count).collect())
     }
 }
@@ -271,7 +272,7 @@ struct Found {
 impl Found {
     /// From the values at all draws of the parameters, `points` of each scrambling.
     fn new(
-        values: &[Option<(f64, f64)>],
+        values: &[Option<Forecast>],
         points: usize,
         probability: f64,
         direction: Direction,
@@ -279,10 +280,9 @@ impl Found {
     ) -> Self {
         let sign = direction.sign();
         let means =
-            |values: &[Option<(f64, f64)>]| -> Vec<f64> { values.iter().flatten().map(|(mean, _)| *mean).collect() };
-        let conceded = values
-            .iter()
-            .map(|value| value.map_or(sign * f64::INFINITY, |(mean, deviation)| mean + sign * CONCEDED * deviation));
+            |values: &[Option<Forecast>]| -> Vec<f64> { values.iter().flatten().map(|value| value.mean()).collect() };
+        let conceded =
+            values.iter().map(|value| value.map_or(sign * f64::INFINITY, |value| value.moved(sign * CONCEDED)));
         let own: Vec<f64> = values.chunks(points).map(|values| order_statistic(means(values), probability)).collect();
         let (below, above) = replicate_error(&own, confidence);
         Self {

@@ -188,12 +188,12 @@ impl Smooth {
     /// ```text
     /// c asinh(z/c), z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
     /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there;
-    /// beyond a limit on either side: z = Φ⁻¹(Φ(z above) + Φ(z below))
+    /// beyond a limit on either side: one for each
     /// ```
     ///
     /// The inverse hyperbolic sine keeps the spikes down that z has where the response hardly scatters; that scale is never less than
     /// `least_scale`.
-    pub fn index(&self, event: Event, least_scale: f64, sample: &Sample, confidence: &Confidence) -> f64 {
+    pub fn index(&self, event: Event, least_scale: f64, sample: &Sample, confidence: &Confidence) -> Index {
         let tails = self.tails.get_or_init(|| self.find_tails(sample, confidence));
         let above = |limit: f64| {
             let share = 1.0 - self.at(limit).cdf;
@@ -205,12 +205,12 @@ impl Smooth {
                 normal_quantile(share)
             }
         };
-        let index = match event {
-            Event::Above(limit) => above(limit),
-            Event::Below(limit) | Event::UpTo(limit) => -above(limit),
-            Event::Beyond(limit) => index_of_either(above(limit), -above(-limit)),
-        };
-        INDEX_SCALE * libm::asinh(index.clamp(-LARGEST_INDEX, LARGEST_INDEX) / INDEX_SCALE)
+        let compressed = |z: f64| INDEX_SCALE * libm::asinh(z.clamp(-LARGEST_INDEX, LARGEST_INDEX) / INDEX_SCALE);
+        match event {
+            Event::Above(limit) => Index::OfOne(compressed(above(limit))),
+            Event::Below(limit) | Event::UpTo(limit) => Index::OfOne(compressed(-above(limit))),
+            Event::Beyond(limit) => Index::OfEither([above(limit), -above(-limit)].map(compressed)),
+        }
     }
 
     /// The quantiles at ε and 1 - ε with the scale of the distribution there, φ(Φ⁻¹(ε))/density.
@@ -263,15 +263,52 @@ impl Smooth {
     }
 }
 
-/// Φ⁻¹(Φ(a) + Φ(b)): the index of the probability of either of two events that exclude each other, from theirs; the greater of
-/// the two where numbers are too small for the sum.
-fn index_of_either(a: f64, b: f64) -> f64 {
-    let (most, least) = (a.max(b), a.min(b));
+/// The index of the probability of an event ([`Smooth::index`]).
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Index {
+    OfOne(f64),
+    /// Of two events that exclude each other.
+    OfEither([f64; 2]),
+}
+
+impl Index {
+    /// That of the event.
+    pub fn value(self) -> f64 {
+        match self {
+            Self::OfOne(index) => index,
+            Self::OfEither([a, b]) => index_of_either(a, b),
+        }
+    }
+
+    /// Those of the two events, where there are two.
+    pub fn sides(self) -> Option<[f64; 2]> {
+        match self {
+            Self::OfOne(_) => None,
+            Self::OfEither(sides) => Some(sides),
+        }
+    }
+}
+
+/// The index of the probability of either of two events that exclude each other, from theirs, each z = c sinh(index/c):
+///
+/// ```text
+/// Φ⁻¹(Φ(z_a) + Φ(z_b)),   the greater of the two where numbers are too small for the sum, the largest one where there is no rest
+/// ```
+pub(super) fn index_of_either(a: f64, b: f64) -> f64 {
+    let [most, least] = [a.max(b), a.min(b)].map(|index| INDEX_SCALE * libm::sinh(index / INDEX_SCALE));
     let share = normal_cdf(most) + normal_cdf(least);
     // What neither has, without the round-off of 1 - Φ.
     let rest = normal_cdf(-most) - normal_cdf(least);
-    let index = if share < 0.5 { normal_quantile(share) } else { -normal_quantile(rest) };
-    if index.is_finite() { index } else { most }
+    let z = if share <= 0.0 {
+        most
+    } else if share < 0.5 {
+        normal_quantile(share)
+    } else if rest > 0.0 {
+        -normal_quantile(rest)
+    } else {
+        LARGEST_INDEX
+    };
+    INDEX_SCALE * libm::asinh(z.clamp(-LARGEST_INDEX, LARGEST_INDEX) / INDEX_SCALE)
 }
 
 /// The probability with this index ([`Smooth::index`]), where it is neither below ε nor above 1 - ε.
