@@ -10,6 +10,7 @@ use super::measure::{Event, Measure};
 use super::sample::Sample;
 use super::search::{Direction, SEARCH_RESOLUTION, Search};
 use super::statistic::Statistic;
+use super::target::Target;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
 const MOST_ATTEMPTS: usize = 6;
@@ -292,6 +293,35 @@ impl Evidence<'_> {
         }
         let finished = jobs.par_iter().zip(&attempts);
         finished.map(|(job, attempt)| self.quantile_bound(job, attempt)).collect()
+    }
+
+    /// The probabilities that decide where the quantiles of several elements together end, as something to search: those of the
+    /// values that have been attained.
+    pub fn joint_quantile_targets(&self) -> Vec<(Target, Vec<Direction>)> {
+        let problem = self.plan.problem();
+        let quantiles: Vec<(usize, f64)> = problem
+            .requests
+            .iter()
+            .filter_map(|request| match request.statistic {
+                Statistic::Quantile(probability) => Some((request.column, probability)),
+                _ => None,
+            })
+            .collect();
+        let levels: Vec<Parts<'_>> = self.plan.structure().levels.iter().map(|level| self.parts(level)).collect();
+        let of_quantile = |&(column, probability): &(usize, f64)| {
+            let samples = self.pool.samples(column);
+            let sorted = Sorted::new(&samples);
+            let ends = levels.iter().flat_map(|parts| Direction::BOTH.map(|direction| (parts, direction)));
+            let of_end = |(parts, direction): (&Parts<'_>, Direction)| {
+                let value = sorted.quantile(&samples, parts, probability, direction);
+                let event = quantile_event(value, direction);
+                let measure = value.is_finite().then(|| Measure::probability(&samples, event, self.plan.confidence()));
+                let targets = measure.map_or_else(Vec::new, Measure::into_targets);
+                targets.into_iter().map(move |target| (target, vec![direction.opposite()])).collect::<Vec<_>>()
+            };
+            ends.flat_map(of_end).collect::<Vec<_>>()
+        };
+        quantiles.par_iter().flat_map_iter(of_quantile).collect()
     }
 
     /// Where nothing scatters, each element gives a range with its mass: its ends, sorted, are the added distribution functions.

@@ -159,6 +159,11 @@ impl Measure {
         Self { kind: MeasureKind::Probability(event), sought, low, high, target_errors, target, margin }
     }
 
+    /// What is searched for its extremes.
+    pub fn into_targets(self) -> Vec<Target> {
+        [Some(self.target), self.margin.map(|margin| margin.target)].into_iter().flatten().collect()
+    }
+
     fn plain(sought: Sought, low: Vec<Estimate>, high: Vec<Estimate>, confidence: &Confidence) -> Self {
         let target = target(&low, confidence);
         let target_errors = errors(&low);

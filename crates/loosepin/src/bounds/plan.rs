@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 use rayon::prelude::*;
 use thiserror::Error;
 
+use super::assemble::Evidence;
 use super::bound::Reading;
 use super::inner_basis::InnerBasis;
 use super::measure::{Measure, target};
@@ -356,18 +357,27 @@ impl DoubleLoop {
 
     pub(super) fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
-        let mut targets: Vec<(Target, Vec<Direction>)> = self
-            .searched()
+        let searched = self.searched();
+        // Quantiles of several elements together end where the probabilities of all of them add up. For curves, whose targets are
+        // many, the quantiles of each element have to do.
+        let has_joint_quantiles = self.structure.widest().elements.len() > 1 && searched.len() <= MOST_LOCATED_TARGETS;
+        let is_joint = |request: &Request| {
+            has_joint_quantiles
+                && matches!(request.statistic, Statistic::Quantile(_))
+                && self.problem.requests.contains(request)
+        };
+        let mut targets: Vec<(Target, Vec<Direction>)> = searched
             .par_iter()
+            .filter(|(request, _)| !is_joint(request))
             .flat_map_iter(|(request, directions)| {
                 let measure = Measure::new(&pool.samples(request.column), request.statistic, &self.confidence);
-                measure
-                    .into_iter()
-                    .flat_map(|measure| [Some(measure.target), measure.margin.map(|margin| margin.target)])
-                    .flatten()
-                    .map(|target| (target, directions.clone()))
+                let targets = measure.into_iter().flat_map(Measure::into_targets);
+                targets.map(|target| (target, directions.clone()))
             })
             .collect();
+        if has_joint_quantiles {
+            targets.extend(Evidence::new(self, pool, table).joint_quantile_targets());
+        }
         let mut readings = std::iter::once(self.problem.reading).chain(self.problem.readings_beside.iter().copied());
         if readings.any(|reading| reading == Reading::RandomSet) {
             targets.extend(self.single_runs(table));
