@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading};
 use super::combine::{Parts, QuantileJob};
+use super::index::probability_of_index;
 use super::measure::{Event, Measure, MeasureKind, Sought};
 use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
@@ -15,7 +16,6 @@ use super::random_set::RandomSet;
 use super::sample::Sample;
 use super::search::{Branch, Direction, SEARCH_RESOLUTION, Search, extreme_among, smoothed};
 use super::search_box::{Place, Region};
-use super::smooth::probability_of_index;
 use super::statistic::Statistic;
 use super::structure::{Element, Level};
 use super::table::{Purpose, SampleTable};

@@ -1,13 +1,13 @@
 //! A statistic at every outer point, and the quantities by which its extremes are searched.
 
+use super::index::{Index, index_resolution};
 use super::moments::{mean, standard_deviation, variance};
 use super::probability::share;
 use super::quantile::quantile;
 use super::sample::{Confidence, Estimate, Sample};
 use super::search::{Direction, SEARCH_RESOLUTION, extreme_point};
-use super::smooth::{Index, index_resolution};
 use super::statistic::Statistic;
-use super::target::{Sides, Target};
+use super::target::{Target, TargetKind};
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
 const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
@@ -207,7 +207,7 @@ impl Margin {
             values.iter().filter(|value| value.is_finite()).fold(f64::INFINITY, |least, value| least.min(value.abs()));
         // Far from the limit a change of the margin changes next to nothing.
         let resolutions = [0.02 * (1.0 + nearest * nearest); 2];
-        let target = Target { values, sides: None, noise_variance: finite_mean(&noise), resolutions };
+        let target = Target { values, kind: TargetKind::Plain, noise_variance: finite_mean(&noise), resolutions };
         Some(Self { target, event, means, spreads, size })
     }
 
@@ -238,11 +238,13 @@ fn index_target(samples: &[&Sample], event: Event, shares: &[Estimate], confiden
     let indices: Vec<Index> = samples.iter().map(index).collect::<Option<_>>()?;
     let values: Vec<f64> = indices.iter().map(|index| index.value()).collect();
     let sides: Option<Vec<[f64; 2]>> = indices.iter().map(|index| index.sides()).collect();
-    let sides = sides.map(|sides| Sides([0, 1].map(|side| sides.iter().map(|sides| sides[side]).collect())));
+    let kind = sides.map_or(TargetKind::Index, |sides| {
+        TargetKind::Either([0, 1].map(|side| sides.iter().map(|sides| sides[side]).collect()))
+    });
     let change = SMOOTH_PROBABILITY_RESOLUTION * range(&shares.iter().map(|share| share.value).collect::<Vec<f64>>());
     let resolutions =
         Direction::BOTH.map(|direction| index_resolution(super::search::extreme(&values, direction), change));
-    Some(Target { values, sides, noise_variance: 0.0, resolutions })
+    Some(Target { values, kind, noise_variance: 0.0, resolutions })
 }
 
 /// Estimates as something to search the extremes of.
@@ -258,7 +260,7 @@ pub(super) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
             .map_or(0.0, |point| 0.5 * (estimates[point].below + estimates[point].above));
         if error.is_finite() { (SHARE_OF_SAMPLING_ERROR * error).max(least) } else { least }
     });
-    Target { values, sides: None, noise_variance, resolutions }
+    Target { values, kind: TargetKind::Plain, noise_variance, resolutions }
 }
 
 fn errors(estimates: &[Estimate]) -> Vec<(f64, f64)> {

@@ -25,6 +25,7 @@ mod combine;
 mod coverage;
 mod evaluate;
 mod gaussian_process;
+mod index;
 mod inner_basis;
 mod measure;
 mod moments;

@@ -106,8 +106,17 @@ struct Line {
     value: Univariate,
     /// The terms of the two highest degrees: the size of what is left out.
     last_terms: Univariate,
-    /// Ends and extremes with the value there: between them it is monotone.
-    monotone: Vec<(f64, f64)>,
+    /// Ends of the axis and extremes: between them it is monotone.
+    turns: Vec<Turn>,
+}
+
+/// An end or an extreme of a line.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    at: f64,
+    value: f64,
+    /// The distribution function of the input.
+    cdf: f64,
 }
 
 impl Conditional {
@@ -136,8 +145,8 @@ impl Conditional {
                     last_terms.coefficients[term[rest.axis]] += part;
                 }
             }
-            let monotone = monotone_pieces(&value);
-            Line { value, last_terms, monotone }
+            let turns = turns(&value);
+            Line { value, last_terms, turns }
         });
         Self { axis, lines: lines.collect(), groups: rest.groups.clone(), is_gauss: rest.is_gauss }
     }
@@ -172,36 +181,34 @@ impl Conditional {
 
 impl Line {
     fn at(&self, axis: Axis, y: f64, residual: f64) -> AtValue {
-        let mut at = AtValue {
-            cdf: if self.monotone[0].1 <= y { axis.cdf(self.monotone[0].0) } else { 0.0 },
-            ..AtValue::default()
-        };
-        for piece in self.monotone.windows(2) {
-            let ((low, first), (high, second)) = (piece[0], piece[1]);
-            let (starts_below, ends_below) = (first <= y, second <= y);
+        let (first, last) = (self.turns[0], self.turns[self.turns.len() - 1]);
+        let mut at = AtValue { cdf: if first.value <= y { first.cdf } else { 0.0 }, ..AtValue::default() };
+        for piece in self.turns.windows(2) {
+            let (low, high) = (piece[0], piece[1]);
+            let (starts_below, ends_below) = (low.value <= y, high.value <= y);
             if starts_below && ends_below {
-                at.cdf += axis.cdf(high) - axis.cdf(low);
+                at.cdf += high.cdf - low.cdf;
             }
             if starts_below == ends_below {
                 continue;
             }
-            let (root, slope) = self.root(y, (low, first), (high, second));
-            at.cdf += if starts_below { axis.cdf(root) - axis.cdf(low) } else { axis.cdf(high) - axis.cdf(root) };
+            let (root, slope) = self.root(y, low, high);
+            at.cdf += if starts_below { axis.cdf(root) - low.cdf } else { high.cdf - axis.cdf(root) };
             let density = axis.density(root) / slope.abs().max(f64::MIN_POSITIVE);
             at.density += density;
             at.error += (density * (residual + 2.0 * self.last_terms.at(root).0.abs())).min(1.0);
         }
-        let (last, value) = self.monotone[self.monotone.len() - 1];
-        if value <= y {
-            at.cdf += 1.0 - axis.cdf(last);
+        if last.value <= y {
+            at.cdf += 1.0 - last.cdf;
         }
         at
     }
 
     /// Where the polynomial is `y` between two places on either side of it, and its slope there.
-    fn root(&self, y: f64, (mut low, first): (f64, f64), (mut high, second): (f64, f64)) -> (f64, f64) {
-        let rises = second > first;
-        let mut t = low + (high - low) * ((y - first) / (second - first)).clamp(0.0, 1.0);
+    fn root(&self, y: f64, first: Turn, second: Turn) -> (f64, f64) {
+        let rises = second.value > first.value;
+        let (mut low, mut high) = (first.at, second.at);
+        let mut t = low + (high - low) * ((y - first.value) / (second.value - first.value)).clamp(0.0, 1.0);
         let mut slope = 0.0;
         for _ in 0..ROOT_STEPS {
             let (value, slope_here) = self.value.at(t);
@@ -223,10 +230,11 @@ impl Line {
     }
 }
 
-/// Ends of the axis and extremes of the polynomial between them, with the values there.
-fn monotone_pieces(of: &Univariate) -> Vec<(f64, f64)> {
+/// Ends of the axis and extremes of the polynomial between them.
+fn turns(of: &Univariate) -> Vec<Turn> {
+    let turn = |at: f64| Turn { at, value: of.at(at).0, cdf: of.axis.cdf(at) };
     let (low, high) = of.axis.ends();
-    let mut places = vec![(low, of.at(low).0)];
+    let mut turns = vec![turn(low)];
     let at = |step: usize| low + (high - low) * step as f64 / SCAN_STEPS as f64;
     let mut before = of.at(low).1;
     for step in 1..=SCAN_STEPS {
@@ -237,10 +245,10 @@ fn monotone_pieces(of: &Univariate) -> Vec<(f64, f64)> {
                 let middle = 0.5 * (left + right);
                 if (of.at(middle).1 > 0.0) == (before > 0.0) { left = middle } else { right = middle }
             }
-            places.push((left, of.at(left).0));
+            turns.push(turn(left));
         }
         before = slope;
     }
-    places.push((high, of.at(high).0));
-    places
+    turns.push(turn(high));
+    turns
 }

@@ -27,7 +27,7 @@ use super::search::{Direction, Search};
 use super::spread::golden;
 use super::statistic::Statistic;
 use super::table::{Purpose, SampleTable};
-use super::target::Target;
+use super::target::{Target, TargetKind};
 
 /// The ends of the response in one part, sample by sample: as attained, and as far as the models let them go.
 struct Ends {
@@ -70,7 +70,7 @@ pub(super) fn values_by_run(table: &SampleTable, column: usize) -> (Vec<u32>, Ve
 /// The response at one inner run over the outer points, as something to search.
 pub(super) fn run_target(points: &[Vec<f64>], run: usize, resolution: f64) -> Target {
     let values = points.iter().map(|values| values.get(run).copied().unwrap_or(f64::NAN)).collect();
-    Target { values, sides: None, noise_variance: 0.0, resolutions: [resolution; 2] }
+    Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [resolution; 2] }
 }
 
 impl RandomSet {

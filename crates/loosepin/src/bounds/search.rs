@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::search_box::{Axes, Place, Region};
 use super::smoother::Smoother;
 use super::structure::Element;
-use super::target::{Forecast, Sides, Target, TargetModel};
+use super::target::{Forecast, Target, TargetModel};
 
 /// The model's error bar in an optimistic prediction, in standard deviations.
 const OPTIMISM: f64 = 2.5;
@@ -182,15 +182,7 @@ impl<'a> Search<'a> {
     }
 
     fn model(&self, target: &Target, defined: &[usize]) -> Option<TargetModel<'_>> {
-        let smoother = self.smoothers.get(defined)?.as_ref()?;
-        let fit = |values: &Vec<f64>| {
-            let values: Vec<f64> = defined.iter().map(|&i| values[i]).collect();
-            smoother.fit(&values, target.noise_variance)
-        };
-        Some(match &target.sides {
-            None => TargetModel::Alone(fit(&target.values)),
-            Some(Sides(sides)) => TargetModel::OfSides([fit(&sides[0]), fit(&sides[1])]),
-        })
+        Some(TargetModel::new(self.smoothers.get(defined)?.as_ref()?, target, defined))
     }
 
     /// The most that the model of `target` in one combination, `branch`, allows in `direction`, anywhere in `region`; infinite
@@ -659,6 +651,7 @@ mod tests {
     use crate::bounds::points::{candidates, first_points};
     use crate::bounds::search_box::{Axes, Place, Region};
     use crate::bounds::structure::Element;
+    use crate::bounds::target::TargetKind;
 
     /// Searches both ends of `function` with `count` points in rounds of five.
     fn ends(dimensions: usize, count: usize, function: impl Fn(&[f64]) -> f64) -> (f64, f64) {
@@ -668,7 +661,7 @@ mod tests {
         loop {
             let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
             let resolutions = [1e-9; 2];
-            let target = Target { values: values.clone(), sides: None, noise_variance: 0.0, resolutions };
+            let target = Target { values: values.clone(), kind: TargetKind::Plain, noise_variance: 0.0, resolutions };
             let axes = Axes::open(dimensions);
             let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];

@@ -18,16 +18,16 @@ use rayon::prelude::*;
 
 use super::assemble::Evidence;
 use super::bound::{Bound, BoundError, Guarantee, Witness};
+use super::index::probability_of_index;
 use super::measure::{Measure, MeasureKind};
 use super::points::first_points;
 use super::problem::Request;
 use super::sample::{Confidence, replicate_error};
 use super::search::{Branch, Direction, Search, extreme_point};
 use super::search_box::{Axes, Place, Region};
-use super::smooth::probability_of_index;
 use super::statistic::Statistic;
 use super::table::Purpose;
-use super::target::{Forecast, Target};
+use super::target::{Forecast, Target, TargetKind};
 use crate::uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
 
 /// Independent scramblings of the parameters, and points of each: alone, and for each of several values of the other inputs.
@@ -244,7 +244,8 @@ impl Evidence<'_> {
         if grid.other_inputs.is_empty() || values.iter().any(|value| !value.is_finite()) {
             return attained;
         }
-        let target = Target { values, sides: None, noise_variance: 0.0, resolutions: [f64::MIN_POSITIVE; 2] };
+        let target =
+            Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [f64::MIN_POSITIVE; 2] };
         let search = Search::new(&grid.other_axes, points, &grid.others, [&target]);
         let branches = search.branches(&target);
         let region = Region::whole(grid.other_inputs.len());

@@ -2,13 +2,14 @@
 
 use std::sync::{Arc, OnceLock};
 
+use super::index::{Index, compressed};
 use super::inner_basis::{CrossFit, Design, InnerBasis};
 use super::measure::Event;
 use super::moments::{standard_deviation, variance};
 use super::orthogonal::Axis;
 use super::preintegration::{AtValue, Conditional};
 use super::sample::{Confidence, Estimate, Sample, replicate_error, variance_of_mean};
-use crate::uncertainty::{normal_cdf, normal_quantile};
+use crate::uncertainty::normal_quantile;
 
 /// The polynomials may leave at most this share of the standard deviation of a sample, or of the largest one of any sample.
 const LARGEST_RESIDUAL: f64 = 1e-3;
@@ -30,11 +31,6 @@ const QUANTILE_RESOLUTION: f64 = 1e-12;
 
 /// Probabilities below this and above the rest of 1 are told apart by quantiles.
 const TAIL: f64 = 1e-4;
-/// Indices beyond c are compressed; beyond the largest they are not told apart.
-const INDEX_SCALE: f64 = 1.0;
-const LARGEST_INDEX: f64 = 40.0;
-/// Steps of the index that are always worth a point: deep in a tail it only has to tell where to go.
-const COARSEST_INDEX: f64 = 0.1;
 
 /// The polynomials of one sample.
 #[derive(Debug, Clone)]
@@ -42,7 +38,7 @@ pub(super) struct Smooth {
     design: Arc<Design>,
     fit: CrossFit,
     conditional: Arc<OnceLock<Conditional>>,
-    tails: OnceLock<[(f64, f64); 2]>,
+    tails: [OnceLock<(f64, f64)>; 2],
 }
 
 /// Gives every sample its polynomials where the response is smooth at all of them and no run failed; else none has any, so that
@@ -105,7 +101,7 @@ fn tried_degrees(designs: &[Arc<Design>]) -> impl Iterator<Item = &Arc<Design>> 
 
 impl Smooth {
     fn new(design: Arc<Design>, values: &[f64]) -> Self {
-        Self { fit: design.fit(values), design, conditional: Arc::new(OnceLock::new()), tails: OnceLock::new() }
+        Self { fit: design.fit(values), design, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
     }
 
     /// The same for other values of the same runs.
@@ -186,7 +182,7 @@ impl Smooth {
     /// An index that grows with the probability P of `event` and tells where to go where P is flat at 0 or 1:
     ///
     /// ```text
-    /// c asinh(z/c), z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
+    /// asinh z, z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
     /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there;
     /// beyond a limit on either side: one for each
     /// ```
@@ -194,18 +190,21 @@ impl Smooth {
     /// The inverse hyperbolic sine keeps the spikes down that z has where the response hardly scatters; that scale is never less than
     /// `least_scale`.
     pub fn index(&self, event: Event, least_scale: f64, sample: &Sample, confidence: &Confidence) -> Index {
-        let tails = self.tails.get_or_init(|| self.find_tails(sample, confidence));
+        let tail = |side: usize, probability: f64| {
+            *self.tails[side].get_or_init(|| self.find_tail(probability, sample, confidence))
+        };
         let above = |limit: f64| {
             let share = 1.0 - self.at(limit).cdf;
             if share < TAIL {
-                normal_quantile(TAIL) - (limit - tails[1].0) / tails[1].1.max(least_scale)
+                let (quantile, scale) = tail(1, 1.0 - TAIL);
+                normal_quantile(TAIL) - (limit - quantile) / scale.max(least_scale)
             } else if share > 1.0 - TAIL {
-                -normal_quantile(TAIL) + (tails[0].0 - limit) / tails[0].1.max(least_scale)
+                let (quantile, scale) = tail(0, TAIL);
+                -normal_quantile(TAIL) + (quantile - limit) / scale.max(least_scale)
             } else {
                 normal_quantile(share)
             }
         };
-        let compressed = |z: f64| INDEX_SCALE * libm::asinh(z.clamp(-LARGEST_INDEX, LARGEST_INDEX) / INDEX_SCALE);
         match event {
             Event::Above(limit) => Index::OfOne(compressed(above(limit))),
             Event::Below(limit) | Event::UpTo(limit) => Index::OfOne(compressed(-above(limit))),
@@ -213,17 +212,15 @@ impl Smooth {
         }
     }
 
-    /// The quantiles at ε and 1 - ε with the scale of the distribution there, φ(Φ⁻¹(ε))/density.
-    fn find_tails(&self, sample: &Sample, confidence: &Confidence) -> [(f64, f64); 2] {
+    /// The quantile at `probability` with the scale of the distribution there, φ(Φ⁻¹(probability))/density.
+    fn find_tail(&self, probability: f64, sample: &Sample, confidence: &Confidence) -> (f64, f64) {
         let mean = self.mean(confidence).value;
         let deviation = standard_deviation(variance(sample, confidence)).value;
-        [TAIL, 1.0 - TAIL].map(|probability| {
-            let z = normal_quantile(probability);
-            let near = mean + z * deviation;
-            let at = self.quantile(probability, near, deviation).map_or(near, |estimate| estimate.value);
-            let scale = Axis::Hermite.density(z) / self.at(at).density;
-            (at, if scale.is_finite() { scale } else { deviation })
-        })
+        let z = normal_quantile(probability);
+        let near = mean + z * deviation;
+        let at = self.quantile(probability, near, deviation).map_or(near, |estimate| estimate.value);
+        let scale = Axis::Hermite.density(z) / self.at(at).density;
+        (at, if scale.is_finite() { scale } else { deviation })
     }
 
     /// The quantile at `probability`, sought from `near`; `deviation` is that of the sample.
@@ -261,66 +258,6 @@ impl Smooth {
         }
         None
     }
-}
-
-/// The index of the probability of an event ([`Smooth::index`]).
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Index {
-    OfOne(f64),
-    /// Of two events that exclude each other.
-    OfEither([f64; 2]),
-}
-
-impl Index {
-    /// That of the event.
-    pub fn value(self) -> f64 {
-        match self {
-            Self::OfOne(index) => index,
-            Self::OfEither([a, b]) => index_of_either(a, b),
-        }
-    }
-
-    /// Those of the two events, where there are two.
-    pub fn sides(self) -> Option<[f64; 2]> {
-        match self {
-            Self::OfOne(_) => None,
-            Self::OfEither(sides) => Some(sides),
-        }
-    }
-}
-
-/// The index of the probability of either of two events that exclude each other, from theirs, each z = c sinh(index/c):
-///
-/// ```text
-/// Φ⁻¹(Φ(z_a) + Φ(z_b)),   the greater of the two where numbers are too small for the sum, the largest one where there is no rest
-/// ```
-pub(super) fn index_of_either(a: f64, b: f64) -> f64 {
-    let [most, least] = [a.max(b), a.min(b)].map(|index| INDEX_SCALE * libm::sinh(index / INDEX_SCALE));
-    let share = normal_cdf(most) + normal_cdf(least);
-    // What neither has, without the round-off of 1 - Φ.
-    let rest = normal_cdf(-most) - normal_cdf(least);
-    let z = if share <= 0.0 {
-        most
-    } else if share < 0.5 {
-        normal_quantile(share)
-    } else if rest > 0.0 {
-        -normal_quantile(rest)
-    } else {
-        LARGEST_INDEX
-    };
-    INDEX_SCALE * libm::asinh(z.clamp(-LARGEST_INDEX, LARGEST_INDEX) / INDEX_SCALE)
-}
-
-/// The probability with this index ([`Smooth::index`]), where it is neither below ε nor above 1 - ε.
-pub(super) fn probability_of_index(index: f64) -> f64 {
-    normal_cdf(INDEX_SCALE * libm::sinh(index / INDEX_SCALE))
-}
-
-/// By how much the index changes where the probability changes by `change`, at an index.
-pub(super) fn index_resolution(index: f64, change: f64) -> f64 {
-    let z = INDEX_SCALE * libm::sinh(index / INDEX_SCALE);
-    let slope = Axis::Hermite.density(z) * libm::cosh(index / INDEX_SCALE);
-    (change / slope.max(f64::MIN_POSITIVE)).min(COARSEST_INDEX)
 }
 
 fn deviation(values: &[f64]) -> f64 {

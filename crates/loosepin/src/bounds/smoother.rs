@@ -68,6 +68,8 @@ pub(super) struct Fit<'a> {
     centre: f64,
     deviation: f64,
     noise_variance: f64,
+    /// -2 ln likelihood for each degree of freedom.
+    misfit: f64,
 }
 
 impl Smoother {
@@ -139,12 +141,13 @@ impl Smoother {
             assessed.first()
         };
         // Models without noise are always allowed: where none is chosen, no misfit is a number.
-        let (model, variance, _) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
+        let (model, variance, misfit) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
         let surprise = if variance > 0.0 { model.largest_error(&residual) / variance.sqrt() } else { 0.0 };
         let deviation = variance.sqrt() * (surprise / EXPECTED_SURPRISE).max(1.0);
         let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
         let noise_variance = if is_noisy { model.noise_ratio() * variance } else { 0.0 };
-        Fit { smoother: self, model, whitened: model.whitened(&values), centre, deviation, noise_variance }
+        let whitened = model.whitened(&values);
+        Fit { smoother: self, model, whitened, centre, deviation, noise_variance, misfit: misfit / freedom }
     }
 
     /// What the polynomial alone, by ordinary least squares, leaves: the models see the same misfit with less round-off.
@@ -170,6 +173,12 @@ impl Fit<'_> {
     /// Variance of the noise, 0 where the fit passes through the estimates.
     pub fn noise_variance(&self) -> f64 {
         self.noise_variance
+    }
+
+    /// -2 ln likelihood of the values for each degree of freedom: what models of the same values in other scales are compared by, each
+    /// with twice the mean logarithm of the slope of its scale.
+    pub fn misfit(&self) -> f64 {
+        self.misfit
     }
 
     /// Places of [`Fit::at_places`].

@@ -1,26 +1,33 @@
 //! A quantity whose extremes are sought, and what models say of it.
 
+use super::index::{IndexForecast, IndexModel, index_of_either};
 use super::search::{Direction, extreme};
-use super::smooth::index_of_either;
-use super::smoother::Fit;
+use super::smoother::{Fit, Smoother};
 
 /// A quantity known at every point, whose extremes are sought.
 #[derive(Debug, Clone)]
 pub(super) struct Target {
     /// Value at every point; not a number where it is undefined.
     pub values: Vec<f64>,
-    /// The values of which those of the target are made; nothing where it is modelled as it is.
-    pub sides: Option<Sides>,
+    /// How it is modelled.
+    pub kind: TargetKind,
     /// Mean sampling variance of the values.
     pub noise_variance: f64,
     /// Gains below these are not worth a point: of the minimum, of the maximum.
     pub resolutions: [f64; 2],
 }
 
-/// The indices of two events that exclude each other, at every point, where the target is that of either: it has a kink or a
-/// ridge where one takes over from the other, which each of them alone has not.
+/// How a target is modelled.
 #[derive(Debug, Clone)]
-pub(super) struct Sides(pub [Vec<f64>; 2]);
+pub(super) enum TargetKind {
+    /// As it is.
+    Plain,
+    /// As the index of a probability.
+    Index,
+    /// As the index of either of two events that exclude each other, by the indices of both at every point: it has a kink or a ridge
+    /// where one takes over from the other, which each of them alone has not.
+    Either([Vec<f64>; 2]),
+}
 
 impl Target {
     /// Greatest less least value.
@@ -34,9 +41,11 @@ impl Target {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Forecast {
     /// Mean and standard deviation of the target.
-    Alone(f64, f64),
-    /// Those of its two sides.
-    OfSides([(f64, f64); 2]),
+    Plain(f64, f64),
+    /// Of an index.
+    Index(IndexForecast),
+    /// Of the indices of two events.
+    Either([IndexForecast; 2]),
 }
 
 impl Forecast {
@@ -45,22 +54,20 @@ impl Forecast {
         self.moved(0.0)
     }
 
-    /// By how much it moves where its model, or that of each side, errs by one of its standard deviations.
+    /// By how much it moves where its model, or that of each event, errs by one of its standard deviations.
     pub fn deviation(self) -> f64 {
         match self {
-            Self::Alone(_, deviation) => deviation,
-            Self::OfSides(_) => self.moved(1.0) - self.mean(),
+            Self::Plain(_, deviation) => deviation,
+            Self::Index(_) | Self::Either(_) => self.moved(1.0) - self.mean(),
         }
     }
 
-    /// The target where its model, or that of each side, errs by so many of its standard deviations.
+    /// The target where its model, or that of each event, errs by so many of its standard deviations.
     pub fn moved(self, deviations: f64) -> f64 {
         match self {
-            Self::Alone(mean, deviation) => mean + deviations * deviation,
-            Self::OfSides(sides) => {
-                let [a, b] = sides.map(|(mean, deviation)| mean + deviations * deviation);
-                index_of_either(a, b)
-            }
+            Self::Plain(mean, deviation) => mean + deviations * deviation,
+            Self::Index(index) => index.moved(deviations),
+            Self::Either([a, b]) => index_of_either(a.moved(deviations), b.moved(deviations)),
         }
     }
 }
@@ -68,42 +75,58 @@ impl Forecast {
 /// The model of a target on the points at which it is defined.
 pub(super) enum TargetModel<'a> {
     /// Of the target itself.
-    Alone(Fit<'a>),
-    /// Of its two sides.
-    OfSides([Fit<'a>; 2]),
+    Plain(Fit<'a>),
+    /// Of an index.
+    Index(IndexModel<'a>),
+    /// Of the indices of two events.
+    Either([IndexModel<'a>; 2]),
 }
 
-impl TargetModel<'_> {
+impl<'a> TargetModel<'a> {
+    /// The model of `target` on the points of `smoother`, those at which it is `defined`.
+    pub fn new(smoother: &'a Smoother, target: &Target, defined: &[usize]) -> Self {
+        let among = |values: &[f64]| -> Vec<f64> { defined.iter().map(|&point| values[point]).collect() };
+        match &target.kind {
+            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), target.noise_variance)),
+            TargetKind::Index => Self::Index(IndexModel::new(smoother, &among(&target.values))),
+            TargetKind::Either([a, b]) => Self::Either([a, b].map(|own| IndexModel::new(smoother, &among(own)))),
+        }
+    }
+
     /// What it says at `place`.
     pub fn at(&self, place: &[f64]) -> Forecast {
         match self {
-            Self::Alone(fit) => {
+            Self::Plain(fit) => {
                 let (mean, deviation) = fit.at(place);
-                Forecast::Alone(mean, deviation)
+                Forecast::Plain(mean, deviation)
             }
-            Self::OfSides(fits) => Forecast::OfSides([fits[0].at(place), fits[1].at(place)]),
+            Self::Index(model) => Forecast::Index(model.at(place)),
+            Self::Either([a, b]) => Forecast::Either([a.at(place), b.at(place)]),
         }
     }
 
     /// What it says at every one of [`Self::places`].
     pub fn at_places(&self) -> Box<dyn Iterator<Item = Forecast> + '_> {
         match self {
-            Self::Alone(fit) => Box::new(fit.at_places().map(|(mean, deviation)| Forecast::Alone(mean, deviation))),
-            Self::OfSides([a, b]) => Box::new(a.at_places().zip(b.at_places()).map(|(a, b)| Forecast::OfSides([a, b]))),
+            Self::Plain(fit) => Box::new(fit.at_places().map(|(mean, deviation)| Forecast::Plain(mean, deviation))),
+            Self::Index(model) => Box::new(model.at_places().map(Forecast::Index)),
+            Self::Either([a, b]) => Box::new(a.at_places().zip(b.at_places()).map(|(a, b)| Forecast::Either([a, b]))),
         }
     }
 
     /// The candidates, then the points.
     pub fn places(&self) -> &[Vec<f64>] {
-        let (Self::Alone(fit) | Self::OfSides([fit, _])) = self;
-        fit.places()
+        match self {
+            Self::Plain(fit) => fit.places(),
+            Self::Index(model) | Self::Either([model, _]) => model.places(),
+        }
     }
 
-    /// What it takes of the differences between the points for noise, as a variance; of sides, which have none, 0.
+    /// What it takes of the differences between the points for noise, as a variance; of indices, which have none, 0.
     pub fn noise_variance(&self) -> f64 {
         match self {
-            Self::Alone(fit) => fit.noise_variance(),
-            Self::OfSides(_) => 0.0,
+            Self::Plain(fit) => fit.noise_variance(),
+            Self::Index(_) | Self::Either(_) => 0.0,
         }
     }
 
@@ -115,24 +138,27 @@ impl TargetModel<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::Forecast;
+    use super::{Forecast, IndexForecast};
 
-    #[test]
-    fn analytic_two_sides_that_err_join_as_their_probabilities_do() {
-        // Φ(-1.1) + Φ(-0.7) = 0.135666 + 0.241964 = Φ(-0.311766); moved by two deviations, Φ(-0.5) + Φ(-0.3) = 0.690626 = Φ(0.497626).
-        const TOLERANCE: f64 = 2e-6;
-        let compressed = |z: f64| z.asinh();
-        let deviation = |from: f64, to: f64| 0.5 * (compressed(to) - compressed(from));
-        let sides = [(-1.1, -0.5), (-0.7, -0.3)].map(|(from, to)| (compressed(from), deviation(from, to)));
-        let forecast = Forecast::OfSides(sides);
-        assert!((forecast.mean() - compressed(-0.311_712)).abs() < TOLERANCE, "{}", forecast.mean().sinh());
-        assert!((forecast.moved(2.0) - compressed(0.497_626)).abs() < TOLERANCE, "{}", forecast.moved(2.0).sinh());
+    /// An index whose z is `from`, and `to` where its model errs by two of its deviations.
+    fn index(is_compressed: bool, [from, to]: [f64; 2]) -> IndexForecast {
+        let of = |z: f64| if is_compressed { z.asinh() } else { z };
+        IndexForecast { mean: of(from), deviation: 0.5 * (of(to) - of(from)), is_compressed }
     }
 
     #[test]
-    fn identity_sides_that_leave_no_room_for_the_rest_are_certain() {
+    fn analytic_two_events_whose_models_err_join_as_their_probabilities_do() {
+        // Φ(-1.1) + Φ(-0.7) = 0.135666 + 0.241964 = Φ(-0.311712); moved by two deviations, Φ(-0.5) + Φ(-0.3) = 0.690626 = Φ(0.497626).
+        const TOLERANCE: f64 = 2e-6;
+        let forecast = Forecast::Either([index(true, [-1.1, -0.5]), index(false, [-0.7, -0.3])]);
+        assert!((forecast.mean() - (-0.311_712_f64).asinh()).abs() < TOLERANCE, "{}", forecast.mean().sinh());
+        assert!((forecast.moved(2.0) - 0.497_626_f64.asinh()).abs() < TOLERANCE, "{}", forecast.moved(2.0).sinh());
+    }
+
+    #[test]
+    fn identity_events_that_leave_no_room_for_the_rest_are_certain() {
         // Φ(1.3) + Φ(0.4) is more than 1: either happens, whatever the index of the more probable one.
-        let certain = Forecast::OfSides([(1.3_f64.asinh(), 0.0), (0.4_f64.asinh(), 0.0)]).mean();
+        let certain = Forecast::Either([index(true, [1.3, 1.4]), index(false, [0.4, 0.5])]).mean();
         assert!(certain.sinh() > 39.0, "{certain}");
     }
 }
