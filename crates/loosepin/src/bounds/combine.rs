@@ -8,12 +8,15 @@ use super::assemble::{Evidence, Modelled, Part};
 use super::bound::{Bound, BoundError};
 use super::measure::{Event, Measure};
 use super::sample::Sample;
-use super::search::{Direction, SEARCH_RESOLUTION, Search};
+use super::search::{Direction, Search};
 use super::statistic::Statistic;
 use super::target::Target;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
 const MOST_ATTEMPTS: usize = 6;
+
+/// A quantile is located to this share of the range of all runs.
+const QUANTILE_RESOLUTION: f64 = 1e-9;
 
 /// Masses that were divided by their sum add up to 1 within this.
 const MASS_ROUND_OFF: f64 = 1e-12;
@@ -157,7 +160,7 @@ impl Sorted {
 
 impl Sorted {
     /// The same for responses that are smooth in the random inputs, whose distribution functions do not step: halvings of the range of
-    /// all runs and as much again on either side, to the resolution of the search.
+    /// all runs and as much again on either side.
     fn smooth_quantile(&self, samples: &[&Sample], parts: &Parts<'_>, probability: f64, direction: Direction) -> f64 {
         let outward = direction.sign() * f64::INFINITY;
         let (Some(&first), Some(&last)) = (self.all.first(), self.all.last()) else { return outward };
@@ -167,7 +170,7 @@ impl Sorted {
         if probability <= 0.0 || probability >= 1.0 || is_reached(low) || !is_reached(high) {
             return outward;
         }
-        while high - low > SEARCH_RESOLUTION * range {
+        while high - low > QUANTILE_RESOLUTION * range {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
                 break;

@@ -1,6 +1,6 @@
 //! A statistic at every outer point, and the quantities by which its extremes are searched.
 
-use super::index::{Index, index_resolution};
+use super::index::Index;
 use super::moments::{mean, standard_deviation, variance};
 use super::probability::share;
 use super::quantile::quantile;
@@ -242,9 +242,7 @@ fn index_target(samples: &[&Sample], event: Event, shares: &[Estimate], confiden
         TargetKind::Either([0, 1].map(|side| sides.iter().map(|sides| sides[side]).collect()))
     });
     let change = SMOOTH_PROBABILITY_RESOLUTION * range(&shares.iter().map(|share| share.value).collect::<Vec<f64>>());
-    let resolutions =
-        Direction::BOTH.map(|direction| index_resolution(super::search::extreme(&values, direction), change));
-    Some(Target { values, kind, noise_variance: 0.0, resolutions })
+    Some(Target { values, kind, noise_variance: 0.0, resolutions: [change; 2] })
 }
 
 /// Estimates as something to search the extremes of.

@@ -284,7 +284,7 @@ impl<'a> Search<'a> {
                     for &direction in directions {
                         let extreme = extreme_among(&target.values, members.iter().copied(), direction);
                         if let Some(extreme) = extreme {
-                            let resolution = target.resolutions[direction.index()] / element.mass;
+                            let resolution = target.resolution(direction, target.values[extreme]) / element.mass;
                             let around = Around { extreme, region: &element.region, distance, resolution };
                             self.confirm(target, &around, most_points, &mut chosen);
                         }
@@ -334,7 +334,11 @@ impl<'a> Search<'a> {
                             .chain(&chosen)
                             .all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
                         let is_inside = element.region.holds(&place.at);
-                        if gain > target.resolutions[direction.index()] && is_inside && is_new && chosen.len() < count {
+                        if gain > target.resolution(direction, target.values[extreme])
+                            && is_inside
+                            && is_new
+                            && chosen.len() < count
+                        {
                             chosen.push(place);
                         }
                     }
@@ -435,7 +439,7 @@ impl<'a> Search<'a> {
                         .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
                     let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
                         let gain = part.mass * direction.sign() * (value - attained);
-                        let merit = gain / target.resolutions[direction.index()];
+                        let merit = gain / target.resolution(direction, attained);
                         if merit > 1.0 {
                             let place = Place { combination, at };
                             promises.push(Promise { target: index, element, direction, optimism, merit, place });

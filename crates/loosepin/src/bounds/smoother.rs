@@ -143,11 +143,14 @@ impl Smoother {
         // Models without noise are always allowed: where none is chosen, no misfit is a number.
         let (model, variance, misfit) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
         let surprise = if variance > 0.0 { model.largest_error(&residual) / variance.sqrt() } else { 0.0 };
-        let deviation = variance.sqrt() * (surprise / EXPECTED_SURPRISE).max(1.0);
+        let distrust = (surprise / EXPECTED_SURPRISE).max(1.0);
+        let deviation = variance.sqrt() * distrust;
+        // With the variance that is stated in the place of the likeliest one.
+        let misfit = misfit / freedom + 2.0 * libm::log(distrust) + 1.0 / (distrust * distrust);
         let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
         let noise_variance = if is_noisy { model.noise_ratio() * variance } else { 0.0 };
         let whitened = model.whitened(&values);
-        Fit { smoother: self, model, whitened, centre, deviation, noise_variance, misfit: misfit / freedom }
+        Fit { smoother: self, model, whitened, centre, deviation, noise_variance, misfit }
     }
 
     /// What the polynomial alone, by ordinary least squares, leaves: the models see the same misfit with less round-off.

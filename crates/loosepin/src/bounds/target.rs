@@ -1,6 +1,6 @@
 //! A quantity whose extremes are sought, and what models say of it.
 
-use super::index::{IndexForecast, IndexModel, index_of_either};
+use super::index::{IndexForecast, IndexModel, index_of_either, index_resolution};
 use super::search::{Direction, extreme};
 use super::smoother::{Fit, Smoother};
 
@@ -13,7 +13,7 @@ pub(super) struct Target {
     pub kind: TargetKind,
     /// Mean sampling variance of the values.
     pub noise_variance: f64,
-    /// Gains below these are not worth a point: of the minimum, of the maximum.
+    /// Gains below these are not worth a point: of the minimum, of the maximum; of an index, gains of its probability.
     pub resolutions: [f64; 2],
 }
 
@@ -34,6 +34,15 @@ impl Target {
     pub fn range(&self) -> f64 {
         let range = extreme(&self.values, Direction::Maximum) - extreme(&self.values, Direction::Minimum);
         range.max(0.0)
+    }
+
+    /// The least gain that is worth a point where `attained` is the extreme.
+    pub fn resolution(&self, direction: Direction, attained: f64) -> f64 {
+        let least = self.resolutions[direction.index()];
+        match self.kind {
+            TargetKind::Plain => least,
+            TargetKind::Index | TargetKind::Either(_) => index_resolution(attained, least),
+        }
     }
 }
 
