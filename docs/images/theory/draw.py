@@ -80,8 +80,8 @@ def box():
     picture.text(left + width / 2, top + height + 50, "response, for example the largest deviation of the turn", DARK, "middle")
     picture.text(place(-3.9, 0)[0], place(0, 0.62)[1], "share of mechanisms", DARK)
     picture.text(place(-3.9, 0)[0], place(0, 0.55)[1], "that stay below", DARK)
-    picture.text(*place(0.75, 0.17), "a thin curve: the series, if the play", GREY, "start", 14)
-    picture.text(*place(0.75, 0.10), "had one particular value", GREY, "start", 14)
+    picture.text(*place(-3.9, 0.36), "a thin curve: the series", GREY, "start", 14)
+    picture.text(*place(-3.9, 0.29), "at one value of the play", GREY, "start", 14)
     picture.save("box.svg")
 
 
@@ -124,13 +124,13 @@ def play():
     rim = (hole[0] + n[0] * big, hole[1] + n[1] * big)
     picture.arrow(rim, (rim[0] + 46 * n[0], rim[1] + 46 * n[1]), DARK)
     picture.text(rim[0] + 50 * n[0] + 4, rim[1] + 50 * n[1] + 2, "n", DARK, "start", 17, "600")
-    picture.text(200, 284, "bearing (hole), radius R_i", DARK, "middle", 14)
-    picture.text(222, 176, "journal (pin), R_j", BLUE, "middle", 14)
+    picture.text(200, 284, "hole, radius R_i", DARK, "middle", 14)
+    picture.text(222, 176, "pin, radius R_j", BLUE, "middle", 14)
     lines = (
         ("c = R_i − R_j", "radial clearance: the play", DARK),
         ("e", "from the centre of the hole to that of the pin", ORANGE),
         ("|e| &lt; c", "the pin flies free, no force", DARK),
-        ("δ = |e| − c &gt; 0", "contact: a force K δⁿ (1 + χ δ̇/v0)", DARK),
+        ("δ = |e| − c &gt; 0", "contact: a force K δⁿ (1 + χ v_N/v0)", DARK),
         ("", "along −n on the pin, and friction across", DARK),
     )
     for k, (symbol, words, colour) in enumerate(lines):
