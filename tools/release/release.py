@@ -30,7 +30,7 @@ def git(*arguments: str) -> str:
     return output("git", *arguments, cwd=REPOSITORY).decode().strip()
 
 
-def environment(folder: Path) -> dict[str, str]:
+def environment(folder: Path, commit: str) -> dict[str, str]:
     """What makes the bytes depend on the commit and the tools alone."""
     sources, target = folder / "sources", folder / "target"
     cargo_home = Path(os.environ.get("CARGO_HOME", Path.home() / ".cargo"))
@@ -43,20 +43,20 @@ def environment(folder: Path) -> dict[str, str]:
         "CARGO_PROFILE_RELEASE_STRIP": "symbols",
         "CARGO_ENCODED_RUSTFLAGS": "\x1f".join(f"--remap-path-prefix={place}={name}" for place, name in places),
         "CFLAGS": " ".join(f"-ffile-prefix-map={place}={name}" for place, name in places),
-        "LOOSEPIN_COMMIT": git("rev-parse", f"--short={COMMIT_DIGITS}", "HEAD"),
-        "SOURCE_DATE_EPOCH": git("log", "-1", "--format=%ct"),
+        "LOOSEPIN_COMMIT": commit[:COMMIT_DIGITS],
+        "SOURCE_DATE_EPOCH": git("log", "-1", "--format=%ct", commit),
         "ZERO_AR_DATE": "1",
     }
 
 
-def build(folder: Path, quick: bool) -> dict[str, bytes]:
+def build(folder: Path, commit: str, quick: bool) -> dict[str, bytes]:
     """The files of a release by their names."""
     sources = folder / "sources"
     shutil.rmtree(sources, ignore_errors=True)
     sources.mkdir(parents=True)
-    with tarfile.open(fileobj=BytesIO(output("git", "archive", "HEAD", cwd=REPOSITORY))) as archive:
+    with tarfile.open(fileobj=BytesIO(output("git", "archive", commit, cwd=REPOSITORY))) as archive:
         archive.extractall(sources, filter="data")
-    variables = environment(folder)
+    variables = environment(folder, commit)
     if quick:
         variables["CARGO_PROFILE_RELEASE_OPT_LEVEL"] = "0"
     subprocess.run(["cargo", "build", "--release", "--locked", "--package", "loosepin-cli"], cwd=sources, env=variables, check=True)
@@ -88,9 +88,10 @@ def main() -> int:
     if changes := git("status", "--porcelain"):
         print(f"error: the working tree has changes, and the version names the commit\n{changes}\nhint: commit or stash them", file=sys.stderr)
         return 2
+    commit = git("rev-parse", "HEAD")
     try:
-        files = build(FOLDERS[0], options.quick)
-        others = sums(build(FOLDERS[1], options.quick)) if options.twice else None
+        files = build(FOLDERS[0], commit, options.quick)
+        others = sums(build(FOLDERS[1], commit, options.quick)) if options.twice else None
     except subprocess.CalledProcessError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
