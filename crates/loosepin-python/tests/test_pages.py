@@ -4,8 +4,6 @@ A block whose first line begins with `# not run by the tests:` is not run; NOT_R
 """
 
 import re
-import shutil
-from pathlib import Path
 
 import loosepin as lp
 import matplotlib
@@ -56,7 +54,6 @@ def test_the_notebook_runs(tmp_path):
         assert not cell.get("outputs"), "outputs are stripped"
         for stated, fewer in SAMPLES_OF_THE_NOTEBOOK.items():
             cell.source = cell.source.replace(stated, fewer)
-    shutil.copytree(Path(lp.__file__).parent, tmp_path / "loosepin")
     client = nbclient.NotebookClient(
         notebook, timeout=NOTEBOOK_LIMIT_S, resources={"metadata": {"path": str(tmp_path)}}
     )
@@ -64,4 +61,4 @@ def test_the_notebook_runs(tmp_path):
     pictures = [output for cell in notebook.cells for output in cell.get("outputs", []) if "image/png" in output.get("data", {})]
     assert len(pictures) == 7
     text = "".join(output.text for cell in notebook.cells for output in cell.get("outputs", []) if output.output_type == "stream")
-    assert "within 0.45 mm in 95 % of mechanisms:" in text and "probability_only" in text
+    assert "within 0.5 mm in 95 % of mechanisms:" in text and "probability_only" in text
