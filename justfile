@@ -35,6 +35,14 @@ lint:
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
 
+# The documentation as a site with search: target/site/book/index.html.
+site:
+    "{{ python }}" tools/site/site.py
+
+# Program, wheel, manual pages and completions of a release; with --twice also that two builds have the same bytes (docs/release.md).
+release *ARGUMENTS: (tool "maturin")
+    "{{ python }}" tools/release/release.py {{ ARGUMENTS }}
+
 # Who imports whom, file sizes, dependencies named: the rules of docs/architecture.md.
 architecture:
     cargo test --locked --package loosepin --test architecture

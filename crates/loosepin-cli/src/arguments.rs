@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use loosepin::diagnostics::Code;
 use loosepin::model::Rule;
 use loosepin::store::Shard;
@@ -13,7 +14,7 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
 #[derive(Debug, Parser)]
 #[command(
     name = "loosepin",
-    version,
+    version = env!("LOOSEPIN_VERSION"),
     propagate_version = false,
     max_term_width = 110,
     disable_help_subcommand = true,
@@ -46,6 +47,8 @@ pub enum Command {
     Report(ReportArguments),
     Schema(SchemaArguments),
     Explain(ExplainArguments),
+    Completions(CompletionsArguments),
+    Manual(ManualArguments),
 }
 
 /// Write a commented model.toml and study.toml to start from
@@ -359,6 +362,26 @@ pub struct ExplainArguments {
     /// List all codes
     #[arg(long, conflicts_with = "code")]
     pub list: bool,
+}
+
+/// Print what a shell needs to complete commands and flags with the tabulator key
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    loosepin completions bash > ~/.local/share/bash-completion/completions/loosepin\n  \
+    loosepin completions fish > ~/.config/fish/completions/loosepin.fish")]
+pub struct CompletionsArguments {
+    /// Shell
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+/// Print the manual page of loosepin, or of one of its commands, as roff
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  loosepin manual > loosepin.1\n  loosepin manual study | man -l -")]
+pub struct ManualArguments {
+    /// Command [default: loosepin itself]
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
 }
 
 /// The templates by their names.

@@ -29,6 +29,8 @@ fn main() -> ExitCode {
         Command::Cases(cases) => command::cases::run(cases),
         Command::Schema(schema) => command::schema::run(schema),
         Command::Explain(explain) => command::explain::run(explain),
+        Command::Completions(completions) => command::completions::run(completions),
+        Command::Manual(manual) => command::manual::run(manual),
         Command::Report(report) => command::report::run(report),
     };
     ending::exit_code(ending)

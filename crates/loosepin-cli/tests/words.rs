@@ -121,13 +121,42 @@ fn schemas_are_json() {
 #[test]
 fn version_and_help() {
     let desk = Desk::new();
-    assert_eq!(desk.succeed(&["--version"]).output, format!("loosepin {}\n", env!("CARGO_PKG_VERSION")));
+    let said = desk.succeed(&["--version"]).output;
+    let commit = said.trim_end().strip_prefix(concat!("loosepin ", env!("CARGO_PKG_VERSION"))).expect("the version");
+    if let Some(commit) = commit.strip_prefix(" (").map(|rest| rest.trim_end_matches(')')) {
+        assert!(commit.len() >= 7 && commit.chars().all(|digit| digit.is_ascii_hexdigit()), "{said}");
+    } else {
+        assert_eq!(commit, "");
+    }
     assert_eq!(desk.succeed(&["--help"]).output, include_str!("expected/help.txt"));
     assert_eq!(desk.succeed(&["simulate", "--help"]).output, include_str!("expected/help_simulate.txt"));
-    for command in ["new", "check", "motion", "study", "sweep", "cases", "report", "schema", "explain"] {
+    for command in
+        ["new", "check", "motion", "study", "sweep", "cases", "report", "schema", "explain", "completions", "manual"]
+    {
         let help = desk.succeed(&[command, "--help"]).output;
         assert!(help.contains("Example"), "{command} --help ends with examples");
     }
+}
+
+#[test]
+fn completions_and_manual_pages_know_every_command() {
+    let desk = Desk::new();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = desk.succeed(&["completions", shell]).output;
+        for word in ["lyapunov", "small-round"] {
+            assert!(script.contains(word), "{shell} does not complete {word}");
+        }
+    }
+    let page = desk.succeed(&["manual"]).output;
+    assert!(page.contains(".TH loosepin 1"), "{page}");
+    for command in ["new", "import", "check", "motion", "simulate", "study", "merge", "sweep", "cases", "report"] {
+        assert!(page.contains(&format!("loosepin\\-{command}(1)")), "the page of loosepin names {command}");
+        let page = desk.succeed(&["manual", command]).output;
+        assert!(page.contains(".SH OPTIONS") && page.contains("Example"), "{page}");
+    }
+    let said = desk.run(&["manual", "stduy"]);
+    assert_eq!(said.status, 2);
+    assert!(said.messages.starts_with("error: invalid value 'stduy' for '[COMMAND]'"), "{}", said.messages);
 }
 
 #[test]

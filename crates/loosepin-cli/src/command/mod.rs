@@ -2,9 +2,11 @@
 
 pub mod cases;
 pub mod check;
+pub mod completions;
 pub mod explain;
 pub mod import;
 mod inputs;
+pub mod manual;
 pub mod merge;
 pub mod motion;
 pub mod new;
