@@ -6,11 +6,12 @@ use std::time::SystemTime;
 use loosepin::diagnostics::{Complaints, Problem};
 use loosepin::report::study_page;
 use loosepin::results::{Claim, InputsHash, Place, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, STORE_FILE, remove_store};
+use loosepin::store::{Beginning, RunStore};
 use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
 use loosepin::study::runs::RunsTable;
 use loosepin::study::{
-    Concluded, Conducted, Means, SavedSurrogates, Study, StudyError, begin_in_folder, conclude, conduct,
+    Begun, Concluded, Conducted, Means, SavedSurrogates, Study, StudyError, begin_in_folder, conclude, conduct,
+    store_identity,
 };
 
 /// How a folder that holds something is met.
@@ -59,13 +60,12 @@ pub fn conduct_in_folder(
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(study).map_err(|error| error.complaint(study))?;
-    let folder = claim.take().map_err(complain)?;
-    if folder.is_finished() {
-        remove_store(&folder.path().join(STORE_FILE)).map_err(complain)?;
-        return Ok(Ended::Finished(read(&folder)?.into()));
-    }
     let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
-    let (folder, store) = begin_in_folder(folder, &claim.inputs, beginning)?;
+    let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
+    let (folder, store) = match begun {
+        Begun::Open(folder, store) => (folder, store),
+        Begun::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
+    };
     let started = SystemTime::now();
     let outcome = conduct(study, &claim.inputs.to_string(), &Means { store: Some(&store), ..*means });
     match conclude(study, folder, store, outcome, &study_page, (started, means.threads))? {

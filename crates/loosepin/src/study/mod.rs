@@ -39,7 +39,7 @@ pub use file::{
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
-pub use folder::{Concluded, begin_in_folder, conclude, store_identity};
+pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study, study_inputs};
