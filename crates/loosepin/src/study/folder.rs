@@ -107,7 +107,7 @@ pub fn conclude(
             Err(StudyError::TooManyFailed(failed).complaint(study).into())
         }
         // The folder says since it was taken that it is not finished; there may be no room to say it again.
-        Err(error @ StudyError::Store(_)) => Err(error.complaint(study).into()),
+        Err(error @ (StudyError::Store(_) | StudyError::NotMade { .. })) => Err(error.complaint(study).into()),
         Err(error) => {
             store.remove().map_err(complain)?;
             folder.abandon().map_err(complain)?;
