@@ -65,10 +65,15 @@ def maker(client: Any, study: _loosepin.Study, accuracy: tuple[str, ...], budget
                     continue
                 finished = list(done)
                 for future, (made, reasons) in zip(finished, client.gather(finished)):
-                    yield waiting.pop(future), _aligned(made), _aligned(reasons)
+                    first = waiting.pop(future)
+                    # Not when Python happens to collect it: what it holds is memory of a worker.
+                    future.release()
+                    yield first, _aligned(made), _aligned(reasons)
         finally:
             # Nothing is left where all came back; otherwise somebody has interrupted, or something was raised.
             client.cancel(list(waiting))
+            for future in waiting:
+                future.release()
 
     return make
 
