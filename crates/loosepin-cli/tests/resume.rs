@@ -4,10 +4,10 @@
 mod command_line;
 
 use std::fs;
-use std::path::Path;
-use std::process::{Child, Stdio};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use command_line::Desk;
 
@@ -111,23 +111,83 @@ fn identity_a_killed_study_ends_with_the_same_bytes() {
     assert!(!is_there(&desk.path("killed/runs.sqlite")));
 }
 
-#[test]
-fn a_second_process_is_refused_while_the_first_is_at_work() {
-    let desk = desk();
-    let mut first = start(&desk, &["study", "study.toml", "--out", "bounds"]);
-    while !is_there(&desk.path("bounds/runs.sqlite")) {
-        assert!(first.try_wait().expect("it can be asked").is_none(), "it ended without a store");
+/// Every file of a folder with its bytes and when it was written.
+fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>, SystemTime)> {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("readable").path());
+    let mut files: Vec<_> = entries
+        .map(|path| {
+            let written = fs::metadata(&path).and_then(|known| known.modified()).expect("it has a time");
+            (path.clone(), fs::read(&path).expect("readable"), written)
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+/// Starts a process, and sends it a signal as soon as it has kept runs in `folder`.
+fn signalled(desk: &Desk, arguments: &[&str], folder: &str, signal: &str) -> Child {
+    let mut child = start(desk, arguments);
+    let log = desk.path(folder).join("runs.sqlite-wal");
+    while fs::metadata(&log).map_or(0, |found| found.len()) < 20_000 {
+        assert!(child.try_wait().expect("it can be asked").is_none(), "it ended before it had kept runs");
         sleep(Duration::from_millis(3));
     }
-    // The file is made a moment before it is locked.
-    sleep(Duration::from_millis(200));
-    let second = desk.run(&["study", "study.toml", "--out", "bounds", "--resume"]);
-    first.kill().expect("it is at work still");
-    first.wait().expect("it ends");
-    assert_eq!(second.status, 2);
-    assert_eq!(
-        second.messages,
-        "error[E0907]: bounds/runs.sqlite is in use by another loosepin\n\
-         hint: wait for it to end, or give another folder by --out\n"
-    );
+    let sent = Command::new("kill").args([signal, &child.id().to_string()]).status().expect("it can be sent");
+    assert!(sent.success());
+    child
+}
+
+/// A process that is at work in `folder`, where nothing moves any more.
+fn stopped(desk: &Desk, arguments: &[&str], folder: &str) -> Child {
+    let child = signalled(desk, arguments, folder, "-STOP");
+    // Until all of its threads stand still.
+    sleep(Duration::from_millis(100));
+    child
+}
+
+#[test]
+fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
+    let desk = desk();
+    // With other inputs, so that whatever it writes is not the same by chance.
+    desk.write("other.toml", &STUDY.replace("seed = 11", "seed = 12"));
+    let of_other = desk.run(&["study", "other.toml", "--out", "bounds", "--shard", "1/1"]);
+    assert_eq!(of_other.status, 0, "{}", of_other.messages);
+    let shard = |study: &'static str| ["study", study, "--out", "shared", "--shard", "1/2", "--resume"];
+    let mut at_work = [
+        stopped(&desk, &["study", "study.toml", "--out", "bounds"], "bounds"),
+        stopped(&desk, &shard("study.toml"), "shared.shard-1-of-2"),
+    ];
+    let folders = [desk.path("bounds"), desk.path("shared.shard-1-of-2")];
+    let before = folders.each_ref().map(|folder| files(folder));
+    let in_use = |folder: &str| {
+        format!(
+            "error[E0907]: {folder}/runs.sqlite is in use by another loosepin\n\
+             hint: wait for it to end, or give another folder by --out\n"
+        )
+    };
+    let seconds: [(Vec<&str>, &str); 5] = [
+        (vec!["study", "study.toml", "--out", "bounds", "--resume"], "bounds"),
+        (vec!["study", "other.toml", "--out", "bounds", "--force"], "bounds"),
+        (vec!["merge", "bounds.shard-1-of-1", "--force"], "bounds"),
+        (shard("./study.toml").to_vec(), "shared.shard-1-of-2"),
+        (vec!["study", "other.toml", "--out", "shared", "--shard", "1/2", "--force"], "shared.shard-1-of-2"),
+    ];
+    for (arguments, folder) in &seconds {
+        let second = desk.run(arguments);
+        assert_eq!((second.status, second.messages), (2, in_use(folder)), "{arguments:?}");
+        for (folder, before) in folders.iter().zip(&before) {
+            assert!(files(folder) == *before, "{arguments:?} has changed {}", folder.display());
+        }
+    }
+    for child in &mut at_work {
+        child.kill().expect("it is at work still");
+        child.wait().expect("it ends");
+    }
+    // Where it is refused for the runs that are kept, what was shown of them stays as well.
+    let interrupted = signalled(&desk, &["study", "study.toml", "--out", "shown"], "shown", "-INT");
+    interrupted.wait_with_output().expect("it ends");
+    let before = ["loosepin.json", "runs.parquet"].map(|file| bytes(&desk, "shown", file));
+    let refused = desk.run(&["study", "study.toml", "--out", "shown"]);
+    assert!(refused.messages.starts_with("error[E0910]: shown/runs.sqlite holds "), "{}", refused.messages);
+    assert!(["loosepin.json", "runs.parquet"].map(|file| bytes(&desk, "shown", file)) == before);
 }

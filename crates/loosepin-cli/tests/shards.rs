@@ -79,14 +79,24 @@ fn shard(desk: &Desk, out: &str, index: u32, of: u32) -> Said {
 
 /// Joins shards 1 to `of`. Two shards make the studies of the inverse question too, of 80 runs a round; of more the merge does.
 fn merge(desk: &Desk, out: &str, of: u32) -> Said {
+    merge_with(desk, out, of, if of == 2 { 50 } else { 100 })
+}
+
+/// The same, where the merge makes rounds of at most so many runs itself.
+fn merge_with(desk: &Desk, out: &str, of: u32, small_round: u32) -> Said {
     let folders: Vec<String> = (1..=of).map(|index| format!("{out}.shard-{index}-of-{of}")).collect();
-    let mut arguments = vec!["merge", "--small-round", if of == 2 { "50" } else { "100" }];
+    let small_round = small_round.to_string();
+    let mut arguments = vec!["merge", "--small-round", &small_round];
     arguments.extend(folders.iter().map(String::as_str));
     desk.run(&arguments)
 }
 
 /// Shards and merges until the study is finished; gives the last merge and how many there were.
 fn finish(desk: &Desk, out: &str, of: u32) -> (Said, usize) {
+    finish_with(desk, out, of, merge)
+}
+
+fn finish_with(desk: &Desk, out: &str, of: u32, merge: impl Fn(&Desk, &str, u32) -> Said) -> (Said, usize) {
     for merges in 1..100 {
         // Side by side, as they would be on a cluster.
         let shards: Vec<Child> = (1..=of).map(|index| started(desk, out, index, of)).collect();
@@ -135,6 +145,53 @@ fn identity_shards_give_the_bytes_of_the_single_run() {
     assert!(again.messages.starts_with("shared7 holds this study already"), "{}", again.messages);
 }
 
+/// A probability near 1e-4 over an interval: a search for design points in rounds of a few runs, then samples around them in rounds
+/// of hundreds, each of which follows from those before it.
+const RARE: &str = r#"
+name = "shared, a small probability"
+model = "model.toml"
+seed = 7
+
+[cycle]
+transient_turns = 0
+recorded_turns = 0.02
+samples_per_turn = 200
+
+[sampling]
+outer = 5
+inner = 16
+replicates = 4
+
+[random]
+"parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "0.02 mm" } }
+"parameter.rod_length" = { normal = { mean = { interval = ["119.99 mm", "120.01 mm"] }, standard_deviation = "0.03 mm" } }
+
+[[ask]]
+output = "slider"
+of = "dimensional"
+poses = { crank = ["5 deg"] }
+statistics = [{ probability_above = "0.15 mm", method = "importance" }]
+"#;
+
+#[test]
+fn identity_rare_events_by_importance_sampling_are_those_of_the_single_run() {
+    let desk = desk();
+    desk.write("study.toml", RARE);
+    let whole = desk.run(&["study", "study.toml", "--out", "whole"]);
+    assert!(whole.status < 2, "{}", whole.messages);
+    assert!(desk.read("whole/summary.json").contains("\"method\": \"importance\""), "by importance sampling");
+    let mut merges = Vec::new();
+    for of in [1, 2, 7] {
+        let out = format!("rare{of}");
+        // The shards make the samples around the design points, the merge what leads to these.
+        let (said, number) = finish_with(&desk, &out, of, |desk, out, of| merge_with(desk, out, of, 100));
+        assert_eq!((said.status, &said.output), (whole.status, &whole.output), "{}", said.messages);
+        assert_same(&desk, "whole", &out);
+        merges.push(number);
+    }
+    assert!(merges[0] == 1 && merges[1] > 2 && merges[1] == merges[2], "{merges:?}: rounds for the shards");
+}
+
 #[test]
 fn identity_a_killed_shard_goes_on_and_nothing_differs() {
     let desk = desk();
@@ -142,9 +199,10 @@ fn identity_a_killed_shard_goes_on_and_nothing_differs() {
     let whole = desk.run(&["study", "study.toml", "--out", "whole"]);
     assert!(whole.status < 2, "{}", whole.messages);
     let mut killed = started(&desk, "cut", 2, 3);
-    let store = desk.path("cut.shard-2-of-3/runs.sqlite");
-    while !store.exists() {
-        assert!(killed.try_wait().expect("it can be asked").is_none(), "it ended without a store");
+    // Written when the store is open, before the first run.
+    let begun = desk.path("cut.shard-2-of-3/shard.json");
+    while !begun.exists() {
+        assert!(killed.try_wait().expect("it can be asked").is_none(), "it ended without a beginning");
         sleep(Duration::from_millis(1));
     }
     killed.kill().expect("it is at work still");

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{Failure, SampleTable};
-use loosepin::study::{FurtherOutputs, Means, Study, StudyError};
+use loosepin::study::{FurtherOutputs, Means, RunMaker, Study, StudyError};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -12,7 +12,24 @@ use pyo3::types::PyDict;
 
 use crate::error::raise;
 use crate::function_bounds::{Names, answer, requests, unlocked};
+use crate::made_in_python::MadeInPython;
 use crate::waiting::{Told, wait_for};
+
+/// What is asked of a function.
+pub struct Asked<'a> {
+    /// Its columns.
+    pub columns: &'a [String],
+    /// Column, statistic, and its number.
+    pub statistics: &'a [(usize, String, Option<f64>)],
+}
+
+/// Who makes the runs.
+pub struct MadeBy {
+    /// Threads of this process.
+    pub threads: usize,
+    /// Others in their place.
+    pub maker: Option<MadeInPython>,
+}
 
 /// Bounds of the statistics of the columns of `function`, which is given a dict with an array for each input and each recorded
 /// output of a study, and the number of runs, and gives an array with a row for each run.
@@ -20,31 +37,32 @@ pub fn bounds<'py>(
     py: Python<'py>,
     study: &Study,
     function: &Bound<'py, PyAny>,
-    columns: &[String],
-    stated: &[(usize, String, Option<f64>)],
-    threads: usize,
+    asked: &Asked<'_>,
+    by: &MadeBy,
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let Asked { columns, statistics } = *asked;
     let fail = |error: StudyError| match error {
         StudyError::Interrupted { .. } => PyKeyboardInterrupt::new_err("interrupted; nothing is kept"),
         error => raise(error.complaint(study)),
     };
-    let asked = requests(stated)?;
+    let asked = requests(statistics)?;
     let further = unlocked(py, || FurtherOutputs::new(study, columns.len(), asked))?.map_err(fail)?;
     let recorded = further.recorded();
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
     let (stop, told) = (AtomicBool::new(false), Told::default());
-    let means = Means { threads, progress: &told, stop: &stop, store: None };
+    let means = Means { threads: by.threads, progress: &told, stop: &stop, store: None };
     let mut table = SampleTable::new(columns.len());
     loop {
         let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
         if round.is_empty() {
             break;
         }
-        let work = || further.run(&round, table.len(), &means);
+        let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
+        let work = || further.run(&round, table.len(), &means, maker);
         let (runs, raised) = wait_for(py, &stop, |py| told.tell(py, progress), work);
-        if let Some(error) = raised {
+        if let Some(error) = by.maker.as_ref().and_then(MadeInPython::raised).or(raised) {
             return Err(error);
         }
         let runs = runs.map_err(fail)?;

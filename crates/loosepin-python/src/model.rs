@@ -9,7 +9,7 @@ use loosepin::diagnostics::{Complaints, Place};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{self, Rule, measured_argument};
 use loosepin::simulate::record::Override;
-use loosepin::simulate::{Plan, Settings, columns, simulate};
+use loosepin::simulate::{Plan, Settings, columns, simulate_until};
 use loosepin::study::{InputFile, InputFileProblem};
 use loosepin::units::Dimension;
 use pyo3::exceptions::PyValueError;
@@ -107,17 +107,17 @@ impl Model {
             lyapunov_turns: None,
             overrides: overrides(&set),
         };
+        let stop = AtomicBool::new(false);
         let work = || {
             let mechanism = Mechanism::new(&set_values.model, &set_values.values)
                 .map_err(|error| Complaints::from(error.complaint(&set_values.model)))?;
-            let mut simulation = simulate(&mechanism, &set_values.values, &plan)
+            let mut simulation = simulate_until(&mechanism, &set_values.values, &plan, &stop)
                 .map_err(|failure| Complaints::from(failure.complaint(&mechanism.model)))?;
             check_quasi_static(&mechanism, &set_values.values, &mut simulation.record)
                 .map_err(|error| Complaints::from(error.complaint(&mechanism.model)))?;
             Ok(simulation)
         };
-        // One run cannot be stopped in the middle: Ctrl-C is heard when it has ended.
-        let (outcome, raised) = wait_for(py, &AtomicBool::new(false), |_| Ok(()), work);
+        let (outcome, raised) = wait_for(py, &stop, |_| Ok(()), work);
         match raised {
             Some(error) => Err(error),
             None => Ok(Simulation::new(outcome.map_err(|complaints: Complaints| raise(complaints))?)),

@@ -6,11 +6,12 @@ use std::time::SystemTime;
 use loosepin::diagnostics::{Complaints, Problem};
 use loosepin::report::study_page;
 use loosepin::results::{Claim, InputsHash, Place, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, STORE_FILE, remove_store};
+use loosepin::store::{Beginning, RunStore};
 use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
 use loosepin::study::runs::RunsTable;
 use loosepin::study::{
-    Concluded, Conducted, Means, SavedSurrogates, Study, StudyError, begin_in_folder, conclude, conduct,
+    Begun, Concluded, Conducted, Means, RunMaker, SavedSurrogates, Study, StudyError, begin_in_folder, conclude,
+    conduct, conduct_elsewhere, store_identity,
 };
 
 /// How a folder that holds something is met.
@@ -31,8 +32,13 @@ pub enum Ended {
 }
 
 /// Conducts `study` without leaving anything on disk.
-pub fn conduct_in_memory(study: &Study, inputs: &InputsHash, means: &Means<'_>) -> Result<Ended, Complaints> {
-    match conduct(study, &inputs.to_string(), means) {
+pub fn conduct_in_memory(
+    study: &Study,
+    inputs: &InputsHash,
+    means: &Means<'_>,
+    maker: Option<&dyn RunMaker>,
+) -> Result<Ended, Complaints> {
+    match conducted(study, inputs, means, maker) {
         Ok(conducted) => Ok(Ended::Finished(conducted.into())),
         Err(StudyError::Interrupted { finished, most_runs }) => {
             let words = interrupted(&finished, most_runs);
@@ -49,6 +55,7 @@ pub fn conduct_in_folder(
     folder: PathBuf,
     meeting: Meeting,
     means: &Means<'_>,
+    maker: Option<&dyn RunMaker>,
 ) -> Result<Ended, Complaints> {
     let claim = Claim {
         kind: ResultKind::Study,
@@ -59,21 +66,33 @@ pub fn conduct_in_folder(
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(study).map_err(|error| error.complaint(study))?;
-    let folder = claim.take().map_err(complain)?;
-    if folder.is_finished() {
-        remove_store(&folder.path().join(STORE_FILE)).map_err(complain)?;
-        return Ok(Ended::Finished(read(&folder)?.into()));
-    }
     let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
-    let (folder, store) = begin_in_folder(folder, &claim.inputs, beginning)?;
+    let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
+    let (folder, store) = match begun {
+        Begun::Open(folder, store) => (folder, store),
+        Begun::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
+    };
     let started = SystemTime::now();
-    let outcome = conduct(study, &claim.inputs.to_string(), &Means { store: Some(&store), ..*means });
+    let outcome = conducted(study, &claim.inputs, &Means { store: Some(&store), ..*means }, maker);
     match conclude(study, folder, store, outcome, &study_page, (started, means.threads))? {
         Concluded::Finished { conducted, .. } => Ok(Ended::Finished(conducted)),
         Concluded::Interrupted { finished, most_runs, folder } => {
             let (words, path) = (interrupted(&finished, most_runs), folder.display());
             Ok(Ended::Interrupted(format!("{words}; they are kept in {path}: the same call with resume=True goes on")))
         }
+    }
+}
+
+/// Conducts `study` with runs that `maker` makes, or the threads of `means` where there is none.
+fn conducted(
+    study: &Study,
+    inputs: &InputsHash,
+    means: &Means<'_>,
+    maker: Option<&dyn RunMaker>,
+) -> Result<Conducted, StudyError> {
+    match maker {
+        Some(maker) => conduct_elsewhere(study, &inputs.to_string(), means, maker),
+        None => conduct(study, &inputs.to_string(), means),
     }
 }
 

@@ -4,16 +4,18 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::diagnostics::{Complaints, Place};
-use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means, study_inputs};
+use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means, RunMaker, study_inputs};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{Complaint, raise};
-use crate::further_outputs;
+use crate::further_outputs::{self, Asked, MadeBy};
+use crate::made_in_python::MadeInPython;
 use crate::model::Model;
 use crate::result::StudyResult;
 use crate::results_folder::{Ended, Meeting, conduct_in_folder, conduct_in_memory};
+use crate::run_rows::{Texts, stated, study_texts};
 use crate::waiting::{Told, wait_for};
 
 /// Name, SI unit, and angles of the drive in rad where it is a curve.
@@ -83,7 +85,7 @@ impl Study {
 
     /// Conducts it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget))]
+    #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget, maker))]
     fn run(
         &self,
         py: Python<'_>,
@@ -94,24 +96,24 @@ impl Study {
         progress: Option<Py<PyAny>>,
         accuracy: Vec<String>,
         budget: Option<String>,
+        maker: Option<Py<PyAny>>,
     ) -> PyResult<StudyResult> {
         let threads = count_threads(threads)?;
-        let mut study = self.0.clone();
-        for text in &accuracy {
-            study.add_accuracy(text).map_err(raise)?;
-        }
-        if let Some(text) = &budget {
-            study.set_budget(text).map_err(raise)?;
-        }
+        let study = stated(self.0.clone(), &accuracy, budget.as_deref())?;
+        let maker = maker.map(MadeInPython::new);
+        let made = maker.as_ref().map(|maker| maker as &dyn RunMaker);
         let inputs = study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, told) = (AtomicBool::new(false), Told::default());
         let means = Means { threads, progress: &told, stop: &stop, store: None };
         let meeting = Meeting { with_resume: resume, with_force: force };
         let work = || match folder {
-            Some(folder) => conduct_in_folder(&study, inputs, folder, meeting, &means),
-            None => conduct_in_memory(&study, &inputs, &means),
+            Some(folder) => conduct_in_folder(&study, inputs, folder, meeting, &means, made),
+            None => conduct_in_memory(&study, &inputs, &means, made),
         };
         let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress.as_ref()), work);
+        if let Some(error) = maker.as_ref().and_then(MadeInPython::raised) {
+            return Err(error);
+        }
         match (outcome, raised) {
             (Ok(Ended::Interrupted(words)), Some(error)) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
                 Err(PyKeyboardInterrupt::new_err(words))
@@ -126,6 +128,19 @@ impl Study {
             }
         }
     }
+
+    /// The texts that it was read from, by which [`Study::from_texts`] has it again.
+    fn texts(&self) -> Texts {
+        let study::StudyTexts { study, model, model_path, tables } = self.0.texts();
+        (study, model, model_path, tables)
+    }
+
+    /// The study with these texts; no file is opened.
+    #[staticmethod]
+    fn from_texts(texts: Texts) -> PyResult<Self> {
+        study::Study::from_texts(&study_texts(texts)).map(Self).map_err(raise)
+    }
+
     /// What every run records: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
@@ -134,7 +149,8 @@ impl Study {
     }
 
     /// Bounds of a function of what its runs record.
-    #[pyo3(signature = (function, columns, requests, threads, progress))]
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
+    #[pyo3(signature = (function, columns, requests, threads, progress, maker))]
     fn bounds<'py>(
         &self,
         py: Python<'py>,
@@ -143,9 +159,11 @@ impl Study {
         requests: Vec<(usize, String, Option<f64>)>,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
+        maker: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let threads = count_threads(threads)?;
-        further_outputs::bounds(py, &self.0, &function, &columns, &requests, threads, progress.as_ref())
+        let asked = Asked { columns: &columns, statistics: &requests };
+        let by = MadeBy { threads: count_threads(threads)?, maker: maker.map(MadeInPython::new) };
+        further_outputs::bounds(py, &self.0, &function, &asked, &by, progress.as_ref())
     }
 }
 

@@ -50,6 +50,41 @@ def test_ctrl_c_ends_a_long_study_and_keeps_its_runs(tmp_path):
     assert (tmp_path / "kept/runs.sqlite").exists()
 
 
+# A run of minutes, of which only the last of very many turns is recorded: nothing is seen of it until then.
+LONG_RUN = """
+import sys, threading, time
+import loosepin as lp
+
+model = lp.Model.load(sys.argv[1])
+print("running", flush=True)
+try:
+    model.simulate(transient=float(sys.argv[2]), turns=float(sys.argv[3]), samples=10)
+except KeyboardInterrupt:
+    print("stopped", flush=True)
+    sys.exit(130)
+"""
+
+# s; the ticks at which signals are looked for are a tenth of a second apart, a hundred steps of a run milliseconds.
+AT_ONCE_S = 3
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as on Unix")
+@pytest.mark.parametrize("transient, turns", [(90000, 1), (0, 90000)])
+def test_ctrl_c_ends_a_single_long_run_at_once(transient, turns):
+    model = REPOSITORY / "cases/slider_crank_worn_pin/model.toml"
+    child = subprocess.Popen(
+        [sys.executable, "-c", LONG_RUN, str(model), str(transient), str(turns)], stdout=subprocess.PIPE, text=True
+    )
+    assert child.stdout is not None and child.stdout.readline() == "running\n"
+    time.sleep(0.7)
+    assert child.poll() is None, "it ended by itself"
+    sent = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    printed, _ = child.communicate(timeout=SOON_S)
+    assert time.monotonic() - sent < AT_ONCE_S
+    assert (child.returncode, printed) == (130, "stopped\n")
+
+
 def test_identity_an_interrupted_study_goes_on_to_the_same_result(desk, result, tmp_path):
     study = lp.Study.load(desk / "study.toml")
     folder = tmp_path / "kept"

@@ -1,13 +1,16 @@
 //! `loosepin merge`.
 
-use std::path::PathBuf;
+use std::cell::Cell;
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use loosepin::report::study_page;
 use loosepin::results::{Claim, Place, ResultKind, ShardFolders, ShardsError};
-use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard, join_stores, remove_store};
+use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard};
 use loosepin::study::result::StudyResult;
-use loosepin::study::{Means, OpenRound, Part, StudyError, conclude, conduct_part, plan_shards, store_identity};
+use loosepin::study::{
+    Begun, Means, OpenRound, Part, StudyError, begin_in_folder, conclude, conduct_part, plan_shards, store_identity,
+};
 use loosepin::units;
 
 use super::signals::stop_on_signals;
@@ -39,26 +42,26 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     };
     plan_shards(&study).map_err(|error| error.complaint(&study))?;
     let stop = stop_on_signals("Ctrl-C will end this at once; the shards keep what they have made");
-    let mut folder = claim.take()?;
-    let joined = folder.path().join(STORE_FILE);
-    if folder.is_finished() {
-        remove_store(&joined).map_err(|error| Failure::of(&error))?;
-        tell_again(&folder);
-        return show_again::<StudyResult>(&mut folder);
-    }
-    let identity = &store_identity(&claim.inputs);
-    if claim.with_force {
-        // Refused where another process is at work on it.
-        RunStore::begin(&joined, identity, Beginning::Anew).map_err(|error| Failure::of(&error))?;
-    }
     let of = record.of;
     let stores: Vec<(Shard, PathBuf)> = (1..)
         .zip(&shards.folders)
         .filter_map(|(index, folder)| Some((Shard::new(index, of)?, folder.join(STORE_FILE))))
         .collect();
-    let added = join_stores(&joined, identity, &stores).map_err(|error| Failure::of(&error))?;
-    console::message(&format!("{added} new runs of {}", console::counted(of as usize, "shard", "shards")));
-    let store = RunStore::open(&joined, identity).map_err(|error| Failure::of(&error))?;
+    let beginning = if claim.with_force { Beginning::Anew } else { Beginning::GoOn };
+    let added = Cell::new(0);
+    let open = |path: &Path| {
+        let (store, new) = RunStore::begin_joined(path, &store_identity(&claim.inputs), beginning, &stores)?;
+        added.set(new);
+        Ok(store)
+    };
+    let (folder, store) = match begin_in_folder(&claim, open)? {
+        Begun::Open(folder, store) => (folder, store),
+        Begun::Finished(mut folder) => {
+            tell_again(&folder);
+            return show_again::<StudyResult>(&mut folder);
+        }
+    };
+    console::message(&format!("{} new runs of {}", added.get(), console::counted(of as usize, "shard", "shards")));
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::going_on(store.runs_at_start() as usize);

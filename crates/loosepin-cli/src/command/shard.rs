@@ -1,8 +1,12 @@
 //! `loosepin study --shard i/n`: a part of the runs of a study.
 
+use std::path::Path;
+
 use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord, write_whole};
-use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard};
-use loosepin::study::{Means, Part, Study, StudyError, conduct_part, plan_shards, store_identity};
+use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, Shard};
+use loosepin::study::{
+    Begun, Means, Part, Study, StudyError, begin_in_folder, conduct_part, plan_shards, store_identity,
+};
 
 use super::signals::stop_on_signals;
 use super::stored::to_json;
@@ -25,7 +29,6 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     }
     plan_shards(study).map_err(|error| error.complaint(study))?;
     let claim = Claim { place: Place::Folder(shard.folder(&results)), ..whole };
-    let folder = claim.take()?;
     let record = ShardRecord {
         shard: shard.index(),
         of: shard.of(),
@@ -36,14 +39,17 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         inputs_blake3: claim.inputs.to_string(),
         version: loosepin::VERSION.to_owned(),
     };
+    let published = Some(results.join(PUBLISHED_FILE)).filter(|published| published.exists());
+    let beginning = Beginning::stated(claim.with_force, arguments.resume);
+    let identity = store_identity(&claim.inputs);
+    let open = |path: &Path| RunStore::begin_beside(path, published.as_deref(), &identity, beginning);
+    let Begun::Open(folder, store) = begin_in_folder(&claim, open)? else {
+        console::message(&format!("{} holds this study already", claim.path().display()));
+        return Ok(Done::Well);
+    };
     let text = to_json(&record, &folder, SHARD_FILE)?;
     // Not among the files of the result, which go when it is begun again.
     write_whole(&folder.path().join(SHARD_FILE), text.as_bytes())?;
-    let published = Some(results.join(PUBLISHED_FILE)).filter(|published| published.exists());
-    let path = folder.path().join(STORE_FILE);
-    let beginning = Beginning::stated(claim.with_force, arguments.resume);
-    let store = RunStore::begin_beside(&path, published.as_deref(), &store_identity(&claim.inputs), beginning)
-        .map_err(|error| Failure::of(&error))?;
     tell_going_on(&store);
     let stop = stop_on_signals("Ctrl-C will end the shard at once; what was finished until a moment before is kept");
     let bar = Bar::new();

@@ -5,10 +5,12 @@ use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
 use loosepin::results::{Claim, InputsHash, ResultKind, ResultsFolder};
-use loosepin::store::{Beginning, RunStore, STORE_FILE, remove_store};
+use loosepin::store::{Beginning, RunStore, STORE_FILE};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
-use loosepin::study::{Concluded, Means, Study, begin_in_folder, conclude, conduct, study_inputs};
+use loosepin::study::{
+    Begun, Concluded, Means, Study, begin_in_folder, conclude, conduct, store_identity, study_inputs,
+};
 
 use super::inputs::read_study;
 use super::shard;
@@ -38,14 +40,15 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
     let stop = stop_on_signals("Ctrl-C will end the study at once; what was finished until a moment before is kept");
-    let mut folder = claim.take()?;
-    if folder.is_finished() {
-        remove_store(&folder.path().join(STORE_FILE)).map_err(|error| Failure::of(&error))?;
-        tell_again(&folder);
-        return show_again::<StudyResult>(&mut folder);
-    }
     let beginning = Beginning::stated(claim.with_force, arguments.resume);
-    let (folder, store) = begin_in_folder(folder, &claim.inputs, beginning)?;
+    let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
+    let (folder, store) = match begun {
+        Begun::Open(folder, store) => (folder, store),
+        Begun::Finished(mut folder) => {
+            tell_again(&folder);
+            return show_again::<StudyResult>(&mut folder);
+        }
+    };
     tell_going_on(&store);
     let threads = threads(arguments.threads);
     let started = SystemTime::now();

@@ -1,7 +1,7 @@
 """The compiled part of loosepin; what people use is the package `loosepin`."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, final
 
 import numpy as np
@@ -12,6 +12,7 @@ __all__ = [
     "Complaint",
     "LoosepinError",
     "Model",
+    "RunRows",
     "Simulation",
     "Study",
     "StudyResult",
@@ -21,6 +22,10 @@ __all__ = [
     "input_names",
 ]
 __version__: str
+
+_Made = tuple[int, NDArray[np.float64], NDArray[np.int32]]
+_Maker = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[_Made | None]]
+_Texts = tuple[tuple[str, str], tuple[str, str], str, list[tuple[str, str]]]
 
 class LoosepinError(Exception):
     code: str | None
@@ -115,7 +120,11 @@ class Study:
         progress: Callable[[int, int], object] | None,
         accuracy: list[str],
         budget: str | None,
+        maker: _Maker | None,
     ) -> StudyResult: ...
+    def texts(self) -> _Texts: ...
+    @staticmethod
+    def from_texts(texts: _Texts) -> Study: ...
     def recorded(self) -> list[tuple[str, str, list[float] | None]]: ...
     def bounds(
         self,
@@ -124,7 +133,15 @@ class Study:
         requests: list[tuple[int, str, float | None]],
         threads: int | None,
         progress: Callable[[int, int], object] | None,
+        maker: _Maker | None,
     ) -> dict[str, Any]: ...
+
+@final
+class RunRows:
+    def __new__(cls, texts: _Texts, accuracy: list[str], budget: str | None) -> RunRows: ...
+    def make(
+        self, loosened: list[tuple[int, float]], random: NDArray[np.float64], epistemic: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
 
 @final
 class StudyResult:

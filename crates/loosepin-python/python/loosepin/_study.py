@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from . import _loosepin
+from ._cluster import maker
 from ._function_bounds import FunctionBounds, Statistic, requests, table
 from ._model import Model
 from ._progress import Listener, listener
@@ -82,6 +83,7 @@ class Study:
         progress: bool | Listener = True,
         accuracy: Sequence[str] = (),
         budget: str | None = None,
+        client: Any = None,
     ) -> StudyResult:
         """Runs the study on all cores, without the lock of the interpreter. The numbers are the same for any number of threads.
 
@@ -90,13 +92,16 @@ class Study:
         resume: goes on with the runs that an interrupted call left in the folder; force: replaces what is there.
         progress: True shows a line in a terminal or a notebook; a callable is told (finished, at most) runs.
         accuracy, budget: as `--accuracy` and `--budget`, for example accuracy=["slider.mean=1 um"], budget="20000 runs".
+        client: a `distributed.Client`: the runs are made by the workers of its Dask cluster, which have the same version of loosepin
+        installed; the numbers are the same. Rounds, folder and bounds stay here, on `threads` threads.
 
         Ctrl-C ends it after the runs under way. Raises LoosepinError where the study cannot be run.
         """
         told = listener(progress)
         place = None if folder is None else os.fspath(folder)
         try:
-            native = self._native.run(place, resume, force, threads, told, list(accuracy), budget)
+            made = None if client is None else maker(client, self._native, tuple(accuracy), budget)
+            native = self._native.run(place, resume, force, threads, told, list(accuracy), budget, made)
         finally:
             if told is not None:
                 told.close()
@@ -115,6 +120,7 @@ class Study:
         outputs: Sequence[str] = ("y",),
         threads: int | None = None,
         progress: bool | Listener = True,
+        client: Any = None,
     ) -> FunctionBounds:
         """Bounds of a further output: any function of what the runs of the study record, over the same inputs.
 
@@ -124,7 +130,7 @@ class Study:
         `recorded`: of a number one entry for each run, of a curve a row for each run and a column for each pose; SI, and not-a-number
         for runs that failed. It returns an array with an entry for each run, or a row, with a column for each of `outputs`;
         not-a-number is a run that failed. statistics: as for `loosepin.bounds`. The numbers of samples are those that the study states;
-        runs are made anew and not kept.
+        runs are made anew and not kept, by the workers of a Dask cluster where there is a `client`; the function is called here.
         """
         names, told = list(outputs), listener(progress)
 
@@ -132,11 +138,22 @@ class Study:
             return table(function(run), rows, names)
 
         try:
-            record = self._native.bounds(evaluate, names, requests(statistics, len(names)), threads, told)
+            made = None if client is None else maker(client, self._native, (), None)
+            record = self._native.bounds(evaluate, names, requests(statistics, len(names)), threads, told, made)
         finally:
             if told is not None:
                 told.close()
         return FunctionBounds(record, names)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (_loosepin.__version__, self._native.texts())
+
     def __repr__(self) -> str:
         return f"<loosepin.Study {self.name!r} of the model {self.model.name!r}>"
+
+
+def _unpickled(version: str, texts: Any) -> Study:
+    """The study that was pickled by its texts: study, model, and the tables that they name."""
+    if version != _loosepin.__version__:
+        raise ValueError(f"a study of loosepin {version}; this is loosepin {_loosepin.__version__}")
+    return Study(_loosepin.Study.from_texts(texts))

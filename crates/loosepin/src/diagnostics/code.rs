@@ -405,6 +405,11 @@ is wrong with the model or with what is said to be uncertain. The study ends aft
 most_failed under [sampling], a tenth if left out. What was run is kept: in runs.parquet, and in the store, with which --resume \
 --most-failed 0.3 goes on. The command in the complaint repeats one such run."
 
+    RunsNotMade "E0816" "runs were not made elsewhere"
+"A study may leave its runs to other processes, as Study.run(client=...) of the Python package does. They did not come back; the \
+complaint has the words of whoever was to make them. What came back before is in the store of the folder, where one was given, and the \
+same call with resume=True goes on from there."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
 at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \

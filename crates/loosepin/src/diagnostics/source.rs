@@ -8,6 +8,8 @@ use std::sync::Arc;
 pub struct Source {
     name: String,
     text: String,
+    /// Files that were given with it, where those that it names are not to be opened.
+    files: Option<Arc<[Arc<Source>]>>,
 }
 
 /// A byte range of a text.
@@ -28,7 +30,17 @@ impl From<Range<usize>> for Span {
 impl Source {
     /// A text called `name`, usually the path as the person gave it.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Source> {
-        Arc::new(Source { name: name.into(), text: text.into() })
+        Arc::new(Source { name: name.into(), text: text.into(), files: None })
+    }
+
+    /// The same with the files that it may name, by their paths: no other is opened.
+    pub fn with_files(name: impl Into<String>, text: impl Into<String>, files: Arc<[Arc<Source>]>) -> Arc<Source> {
+        Arc::new(Source { name: name.into(), text: text.into(), files: Some(files) })
+    }
+
+    /// The files that were given with it; nothing where those that it names are opened.
+    pub fn files(&self) -> Option<&[Arc<Source>]> {
+        self.files.as_deref()
     }
 
     /// The name it is reported by.

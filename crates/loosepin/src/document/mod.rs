@@ -17,5 +17,5 @@ pub(crate) use keys::{optional, quantity, required};
 pub(crate) use path::EntryPath;
 pub use path::describe_path;
 pub use problem::DocumentProblem;
-pub(crate) use reader::{Reader, parse_toml, read_source, source_from_bytes};
+pub(crate) use reader::{Reader, parse_toml, read_beside, read_source, source_from_bytes};
 pub(crate) use schema::json_schema;

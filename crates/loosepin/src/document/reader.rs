@@ -48,6 +48,20 @@ pub(crate) fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
     source_from_bytes(&name, bytes)
 }
 
+/// Reads the file that a text names as `written`: from the folder of `source`, or among the files that were given with it.
+///
+/// # Errors
+/// As for [`read_source`]; a file that was not given.
+pub(crate) fn read_beside(source: &Source, written: &str) -> Result<Arc<Source>, Complaints> {
+    let path = Path::new(source.name()).parent().unwrap_or(Path::new("")).join(written);
+    let Some(files) = source.files() else { return read_source(&path) };
+    let name = path.display().to_string();
+    files.iter().find(|file| file.name() == name).cloned().ok_or_else(|| {
+        let reason = "it was not given with the text that names it".to_owned();
+        Complaints::one(&DocumentProblem::NotReadable { file: name, reason }, None)
+    })
+}
+
 /// As [`read_source`], from bytes.
 pub(crate) fn source_from_bytes(name: &str, bytes: Vec<u8>) -> Result<Arc<Source>, Complaints> {
     match String::from_utf8(bytes) {

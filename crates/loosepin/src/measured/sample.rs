@@ -29,7 +29,14 @@ impl SampleColumn {
     /// # Errors
     /// Everything that is wrong with it, each with its place.
     pub fn from_path(path: &Path, name: Option<&str>) -> Result<Self, Complaints> {
-        let source = read_source(path)?;
+        Self::from_source(read_source(path)?, name)
+    }
+
+    /// The same of a table that was read already.
+    ///
+    /// # Errors
+    /// As for [`SampleColumn::from_path`].
+    pub fn from_source(source: Arc<Source>, name: Option<&str>) -> Result<Self, Complaints> {
         let mut reader = TableReader { source: Arc::clone(&source), complaints: Complaints::new() };
         match reader.sample(name) {
             Some(column) if !reader.complaints.has_errors() => Ok(column),

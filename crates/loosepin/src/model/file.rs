@@ -53,7 +53,11 @@ impl Model {
         Model::from_source(source_from_bytes(name, bytes)?)
     }
 
-    fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
+    /// Reads a model from a text.
+    ///
+    /// # Errors
+    /// As [`Model::from_text`].
+    pub(crate) fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
         let root = file.reader.root(toml.get_ref(), &MODEL_KEYS);

@@ -1,12 +1,10 @@
 //! Tables of points: in the file itself, or in a CSV file beside it.
 
-use std::path::Path;
-
 use super::file::{ModelReader, UNREAD};
 use super::problem::ModelProblem;
 use super::quantity::{Origin, Quantity, QuantityId};
 use crate::diagnostics::{Complaint, Place, Source};
-use crate::document::{Entry, Key, Kind, Table, optional, read_source};
+use crate::document::{Entry, Key, Kind, Table, optional, read_beside};
 use crate::units::{Dimension, Rule, parse_quantity};
 
 /// The key of a table in a file of its own.
@@ -62,8 +60,7 @@ impl ModelReader {
 
     fn points_of_file(&mut self, entry: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
         let name = self.reader.text(entry)?;
-        let folder = Path::new(self.reader.source.name()).parent().unwrap_or(Path::new(""));
-        let source = match read_source(&folder.join(name)) {
+        let source = match read_beside(&self.reader.source, name) {
             Ok(source) => source,
             Err(complaints) => {
                 // The place that names the file is where a person looks for the slip.

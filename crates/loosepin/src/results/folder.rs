@@ -7,6 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use super::error::ResultsError;
 use super::inputs::InputsHash;
 use super::marker::{MARKER_FILE, Marker, ResultKind};
+use crate::diagnostics::Complaints;
 
 /// Longest part of a folder name that is made from a name in a file, characters.
 const LONGEST_NAME_CHARS: usize = 60;
@@ -58,15 +59,7 @@ impl Claim {
     /// # Errors
     /// The folder holds something else, or cannot be read.
     pub fn is_finished(&self) -> Result<bool, ResultsError> {
-        let path = self.path();
-        if !path.exists() {
-            return Ok(false);
-        }
-        if !path.is_dir() {
-            return Err(ResultsError::NotAFolder { path });
-        }
-        let held = self.held(&path)?;
-        Ok(held.is_some_and(|held| held.is_finished && self.is_same(&held) && !self.with_force))
+        Ok(self.find(&[])?.is_finished)
     }
 
     /// Whether these are results of the same inputs.
@@ -74,8 +67,8 @@ impl Claim {
         held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string()
     }
 
-    /// What the folder `path` holds that may be replaced.
-    fn held(&self, path: &Path) -> Result<Option<Marker>, ResultsError> {
+    /// What the folder `path` holds that may be replaced, `lock_files` aside.
+    fn held(&self, path: &Path, lock_files: &[&str]) -> Result<Option<Marker>, ResultsError> {
         match read_marker(path) {
             Ok(held) if self.is_same(&held) || self.with_force => Ok(Some(held)),
             Ok(held) => Err(ResultsError::HoldsOtherResults {
@@ -86,7 +79,7 @@ impl Claim {
                 inputs_blake3: held.inputs_blake3,
                 version: held.version,
             }),
-            Err(ResultsError::NoMarker { .. }) => match first_entry(path)?.filter(|_| !self.with_force) {
+            Err(ResultsError::NoMarker { .. }) => match first_entry(path, lock_files)?.filter(|_| !self.with_force) {
                 Some(example) => Err(ResultsError::HoldsOtherFiles { folder: path.to_owned(), example }),
                 None => Ok(None),
             },
@@ -102,30 +95,88 @@ impl Claim {
     /// # Errors
     /// The folder holds something else, or the file system refuses.
     pub fn take(&self) -> Result<ResultsFolder, ResultsError> {
+        let found = self.find(&[])?;
+        let made = found.make_folder()?;
+        found.take(self, made)
+    }
+
+    /// The same under a lock, for a result that takes long to make. `lock` is called with the folder before anything in it is
+    /// changed: where it refuses, since another process is at work there, the folder is left as it was. A finished result is
+    /// found without one. `lock_files` are the files that the lock itself may make; alone in a folder they say nothing.
+    ///
+    /// # Errors
+    /// As for [`Claim::take`], and those of `lock`.
+    pub fn take_locked<L>(
+        &self,
+        lock_files: &[&str],
+        lock: impl Fn(&Path) -> Result<L, Complaints>,
+    ) -> Result<(ResultsFolder, Option<L>), Complaints> {
+        let complain = |error: ResultsError| Complaints::one(&error, None);
+        loop {
+            let found = self.find(lock_files).map_err(complain)?;
+            if found.is_finished {
+                return Ok((found.take(self, Vec::new()).map_err(complain)?, None));
+            }
+            let made = found.make_folder().map_err(complain)?;
+            let held = lock(&found.path).inspect_err(|_| remove_folders(&made))?;
+            // Whoever had the lock until now may have finished what was to be made here.
+            if self.find(lock_files).map_err(complain)?.held == found.held {
+                return Ok((found.take(self, made).map_err(complain)?, Some(held)));
+            }
+        }
+    }
+
+    /// What is in the folder now. Nothing is changed.
+    fn find(&self, lock_files: &[&str]) -> Result<Found, ResultsError> {
         let path = self.path();
-        if path.exists() && !path.is_dir() {
+        if !path.exists() {
+            return Ok(Found { path, held: None, is_finished: false });
+        }
+        if !path.is_dir() {
             return Err(ResultsError::NotAFolder { path });
         }
-        let made = path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
-        fs::create_dir_all(&path).map_err(|source| ResultsError::Write { path: path.clone(), source })?;
-        let held = self.held(&path)?;
-        let replaced = match &held {
-            Some(held) if held.is_finished && self.is_same(held) && !self.with_force => {
-                let mut folder = ResultsFolder { path, marker: held.clone(), made };
+        let held = self.held(&path, lock_files)?;
+        let is_finished = held.as_ref().is_some_and(|held| held.is_finished && self.is_same(held) && !self.with_force);
+        Ok(Found { path, held, is_finished })
+    }
+}
+
+/// What stands where a result is to go, and may be replaced.
+struct Found {
+    path: PathBuf,
+    held: Option<Marker>,
+    /// Whether that is the finished result itself.
+    is_finished: bool,
+}
+
+impl Found {
+    /// Makes the folder where there is none; gives the folders that were made, the innermost first.
+    fn make_folder(&self) -> Result<Vec<PathBuf>, ResultsError> {
+        let made = self.path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
+        fs::create_dir_all(&self.path).map_err(|source| ResultsError::Write { path: self.path.clone(), source })?;
+        Ok(made)
+    }
+
+    /// Takes the folder for `claim`.
+    fn take(self, claim: &Claim, made: Vec<PathBuf>) -> Result<ResultsFolder, ResultsError> {
+        let Self { path, held, is_finished } = self;
+        let replaced = match held {
+            Some(marker) if is_finished => {
+                let mut folder = ResultsFolder { path, marker, made };
                 folder.remove_replaced()?;
                 return Ok(folder);
             }
-            Some(held) if held.is_finished => prepare_to_replace(&path, held)?,
+            Some(held) if held.is_finished => prepare_to_replace(&path, &held)?,
             Some(held) => {
                 remove_files(&path, &held.files)?;
-                held.replaced.clone()
+                held.replaced
             }
             None => Vec::new(),
         };
         let marker = Marker {
-            kind: self.kind,
-            name: self.name.clone(),
-            inputs_blake3: self.inputs.to_string(),
+            kind: claim.kind,
+            name: claim.name.clone(),
+            inputs_blake3: claim.inputs.to_string(),
             version: crate::VERSION.to_owned(),
             is_finished: false,
             files: Vec::new(),
@@ -243,12 +294,7 @@ impl ResultsFolder {
         }
         let path = self.path.join(MARKER_FILE);
         fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
-        for folder in &self.made {
-            // A folder with something else in it meanwhile is not empty and stays, as it should.
-            if fs::remove_dir(folder).is_err() {
-                break;
-            }
-        }
+        remove_folders(&self.made);
         Ok(())
     }
 
@@ -346,6 +392,15 @@ fn prepare_to_replace(folder: &Path, held: &Marker) -> Result<Vec<String>, Resul
     Ok(replaced)
 }
 
+/// Removes folders that were made, the innermost first. One with something else in it meanwhile is not empty and stays, as it should.
+fn remove_folders(made: &[PathBuf]) {
+    for folder in made {
+        if fs::remove_dir(folder).is_err() {
+            break;
+        }
+    }
+}
+
 /// Removes files, and nothing outside the folder.
 fn remove_files(folder: &Path, file_names: &[String]) -> Result<(), ResultsError> {
     for path in file_names.iter().filter_map(|file_name| inside(folder, file_name)).filter(|path| path.is_file()) {
@@ -354,13 +409,13 @@ fn remove_files(folder: &Path, file_names: &[String]) -> Result<(), ResultsError
     Ok(())
 }
 
-/// The first entry of a folder by name; none where it is empty.
-fn first_entry(folder: &Path) -> Result<Option<String>, ResultsError> {
+/// The first entry of a folder by name, `lock_files` aside; none where it is empty.
+fn first_entry(folder: &Path, lock_files: &[&str]) -> Result<Option<String>, ResultsError> {
     let not_readable = |source| ResultsError::Read { path: folder.to_owned(), source };
     let mut first: Option<String> = None;
     for entry in fs::read_dir(folder).map_err(not_readable)? {
         let name = entry.map_err(not_readable)?.file_name().to_string_lossy().into_owned();
-        if first.as_ref().is_none_or(|known| name < *known) {
+        if !lock_files.contains(&&name[..]) && first.as_ref().is_none_or(|known| name < *known) {
             first = Some(name);
         }
     }

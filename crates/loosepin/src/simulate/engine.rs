@@ -125,6 +125,9 @@ impl Observer for &mut dyn Observer {
     fn contact_ends(&mut self, separation: &Separation) {
         (**self).contact_ends(separation);
     }
+    fn is_stopped(&self) -> bool {
+        (**self).is_stopped()
+    }
 }
 
 fn run_kinematics(
@@ -174,6 +177,9 @@ fn run_kinematics(
         observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time, outputs: &outputs });
         if let Some(error) = failure {
             return Err(error.into());
+        }
+        if observer.is_stopped() {
+            return Err(RunFailure::Stopped { time_s: end_s });
         }
         match &mut account {
             Some(account) => {

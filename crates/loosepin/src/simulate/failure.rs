@@ -133,13 +133,19 @@ pub enum RunFailure {
         /// Time, s.
         time_s: f64,
     },
+    /// Whoever looked at the run has stopped it.
+    #[error("stopped at {} of its time", format_value(*time_s, Dimension::TIME))]
+    Stopped {
+        /// Time, s.
+        time_s: f64,
+    },
     /// The drives leave nothing free that a neighbouring motion could differ in.
     #[error("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent")]
     NothingIsFree,
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 18] = [
+const CODES: [&str; 19] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -158,6 +164,7 @@ const CODES: [&str; 18] = [
     "joint_jams",
     "slider_leaves_guide",
     "slider_beyond_guide",
+    "stopped",
 ];
 
 impl RunFailure {
@@ -187,6 +194,7 @@ impl RunFailure {
             Self::Jams { .. } => 15,
             Self::LeavesGuide { .. } => 16,
             Self::BeyondGuide { .. } => 17,
+            Self::Stopped { .. } => 18,
         }
     }
 
@@ -210,6 +218,7 @@ impl Problem for RunFailure {
             Self::BeyondLaw { .. } => Code::BeyondContactLaw,
             Self::NothingIsFree => Code::NothingIsFree,
             Self::Jams { .. } => Code::Jams,
+            Self::Stopped { .. } => Code::Interrupted,
         }
     }
 
@@ -229,6 +238,7 @@ impl Problem for RunFailure {
             Self::Jams { .. } => {
                 Some("less friction, a longer guide or a smaller pin; rigid bodies have no motion here".to_owned())
             }
+            Self::Stopped { .. } => None,
             Self::NothingIsFree => Some("leave --lyapunov out, or give a joint some play".to_owned()),
             Self::BeyondGuide { .. } => {
                 Some("give the guide other ends, or none: what overhangs is not computed".to_owned())
@@ -249,9 +259,10 @@ impl RunFailure {
             | Self::BeyondGuide { joint, .. }
             | Self::BeyondLaw { joint, .. }
             | Self::Jams { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
-            Self::StepTooSmall { .. } | Self::NotFinite { .. } | Self::TooManyEvaluations { .. } => {
-                Complaint::error(self, None)
-            }
+            Self::StepTooSmall { .. }
+            | Self::NotFinite { .. }
+            | Self::TooManyEvaluations { .. }
+            | Self::Stopped { .. } => Complaint::error(self, None),
             Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
             Self::NothingIsFree => Complaint::error(self, None),
         }

@@ -19,11 +19,13 @@ use super::search::{Peak, maximum_within};
 use super::sections::SectionRecorder;
 use super::settings::{Settings, Window};
 use super::turns::Turns;
+use super::watched::Watched;
 use crate::dynamics::Dynamics;
 use crate::math::Vec2;
 use crate::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
 use crate::model::{Cycle, CycleInput, CycleSpan, Values};
 use crate::units::DisplayUnits;
+use std::sync::atomic::AtomicBool;
 
 /// What is run and recorded.
 #[derive(Debug, Clone)]
@@ -90,6 +92,19 @@ pub struct BodyStates {
 /// # Errors
 /// The one reason why the run failed.
 pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
+    simulate_until(mechanism, values, plan, &AtomicBool::new(false))
+}
+
+/// The same until `stop` is set, in a moment's time. The run of a Lyapunov exponent goes on to its end.
+///
+/// # Errors
+/// As for [`simulate`]; [`RunFailure::Stopped`].
+pub fn simulate_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &Plan,
+    stop: &AtomicBool,
+) -> Result<Simulation, RunFailure> {
     let rows = plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64;
     if !(rows <= MOST_ROWS as f64) {
         return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
@@ -108,7 +123,8 @@ pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<S
     }
     let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
     let mut recorder = Recorder::new(mechanism, values, reference, input.clone(), plan, &window);
-    let report = run(mechanism, &sample, &window, &plan.settings, &mut recorder)?;
+    let mut watched = Watched { observer: &mut recorder, stop };
+    let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
     }

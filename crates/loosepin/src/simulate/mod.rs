@@ -31,6 +31,7 @@ mod settings;
 mod swing;
 mod tables;
 mod turns;
+mod watched;
 mod work;
 
 pub use batch::{Queue, Run};
@@ -39,7 +40,7 @@ pub use drawing::{add_pose, skeleton};
 pub use engine::{conduct, run};
 pub use failure::RunFailure;
 pub use flight::FlightClock;
-pub use history::{BodyStates, Plan, Simulation, input, simulate};
+pub use history::{BodyStates, Plan, Simulation, input, simulate, simulate_until};
 pub use lyapunov::{ExponentPlan, largest_exponent};
 pub use machine::EquationPrograms;
 pub use observer::{Observer, Onset, Separation, Step};

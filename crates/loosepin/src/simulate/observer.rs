@@ -41,6 +41,10 @@ pub trait Observer {
     fn contact_begins(&mut self, _onset: &Onset) {}
     /// A contact ends.
     fn contact_ends(&mut self, _separation: &Separation) {}
+    /// Whether the run is to be given up; asked every few steps, the transient ones too.
+    fn is_stopped(&self) -> bool {
+        false
+    }
 }
 
 /// An accepted step: the motion between two instants, to be looked at anywhere.

@@ -10,14 +10,18 @@ use super::{Shard, StoreIdentity};
 /// Rows that are written together.
 const ROWS_PER_COMMIT: usize = 4096;
 
-/// Adds the runs of `shards` to the store at `path`, which is made where there is none; gives how many were not there before. Each
-/// row is checked; one that is there already must be the same. Whenever it is stopped it can be done again.
+/// Adds the runs of `shards` to `joined`, the store at `path`; gives how many were not there before. Each row is checked; one that is
+/// there already must be the same. Whenever it is stopped it can be done again.
 ///
 /// # Errors
 /// [`StoreError`]: a store is in use (its shard is at work still), damaged, of another study or version, or holds a run that
 /// is another shard's.
-pub fn join_stores(path: &Path, identity: &StoreIdentity, shards: &[(Shard, PathBuf)]) -> Result<u64, StoreError> {
-    let mut joined = StoreFile::open(path, identity)?;
+pub(super) fn join(
+    joined: &mut StoreFile,
+    path: &Path,
+    identity: &StoreIdentity,
+    shards: &[(Shard, PathBuf)],
+) -> Result<u64, StoreError> {
     let mut added = 0;
     for (shard, of_shard) in shards {
         let part = StoreFile::open(of_shard, identity)?;
@@ -56,8 +60,7 @@ pub fn join_stores(path: &Path, identity: &StoreIdentity, shards: &[(Shard, Path
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::store::{InputsKey, PUBLISHED_FILE, RunStore, STORE_FILE};
-    use std::path::Path;
+    use crate::store::{Beginning, InputsKey, PUBLISHED_FILE, RunStore, STORE_FILE};
 
     /// Rows of a list: not a multiple of the shards.
     const ROWS: u64 = 50;
@@ -85,14 +88,19 @@ mod tests {
         (shard, path)
     }
 
+    /// How many rows of `shards` were new to the store at `path`.
+    fn join_stores(path: &Path, shards: &[(Shard, PathBuf)]) -> Result<u64, StoreError> {
+        RunStore::begin_joined(path, &identity(), Beginning::GoOn, shards).map(|(_, added)| added)
+    }
+
     #[test]
     fn identity_joined_shards_hold_every_row_once() {
         let desk = tempfile::tempdir().unwrap();
         let shards: Vec<(Shard, PathBuf)> = (1..=3).map(|index| shard(desk.path(), index, 3)).collect();
         let joined = desk.path().join(STORE_FILE);
-        assert_eq!(join_stores(&joined, &identity(), &shards[..2]).unwrap(), 2 * 34);
-        assert_eq!(join_stores(&joined, &identity(), &shards).unwrap(), 2 * (ROWS - 34));
-        assert_eq!(join_stores(&joined, &identity(), &shards).unwrap(), 0, "again changes nothing");
+        assert_eq!(join_stores(&joined, &shards[..2]).unwrap(), 2 * 34);
+        assert_eq!(join_stores(&joined, &shards).unwrap(), 2 * (ROWS - 34));
+        assert_eq!(join_stores(&joined, &shards).unwrap(), 0, "again changes nothing");
         let store = RunStore::open(&joined, &identity()).unwrap();
         let published = desk.path().join(PUBLISHED_FILE);
         store.publish(&published).unwrap();
@@ -118,10 +126,10 @@ mod tests {
         let desk = tempfile::tempdir().unwrap();
         let (one, path) = shard(desk.path(), 1, 2);
         let joined = desk.path().join(STORE_FILE);
-        let said = |shards: &[(Shard, PathBuf)]| join_stores(&joined, &identity(), shards).unwrap_err().to_string();
+        let said = |shards: &[(Shard, PathBuf)]| join_stores(&joined, shards).unwrap_err().to_string();
         let other = said(&[(Shard::new(2, 2).unwrap(), path.clone())]);
         assert!(other.ends_with("is damaged: run 0 of list 0 is one of shard 1/2, not of 2/2"), "{other}");
-        join_stores(&joined, &identity(), &[(one, path.clone())]).unwrap();
+        join_stores(&joined, &[(one, path.clone())]).unwrap();
         let store = RunStore::open(&path, &identity()).unwrap();
         let busy = said(&[(one, path.clone())]);
         assert!(busy.ends_with("is in use by another loosepin"), "{busy}");

@@ -36,7 +36,7 @@ use std::thread::JoinHandle;
 
 pub use error::StoreError;
 use file::StoreFile;
-pub use join::join_stores;
+use join::join;
 pub use row::{InputsKey, KeptRun};
 pub use shard::{Shard, ShardError};
 pub use writer::LONGEST_UNSAVED;
@@ -108,6 +108,11 @@ impl RunStore {
     pub fn open_beside(path: &Path, published: Option<&Path>, identity: &StoreIdentity) -> Result<Self, StoreError> {
         let file = StoreFile::open(path, identity)?;
         let published = published.map(|published| StoreFile::open_published(published, identity)).transpose()?;
+        Self::serve(path, file, published)
+    }
+
+    /// The store in `file`, with a thread that serves it.
+    fn serve(path: &Path, file: StoreFile, published: Option<StoreFile>) -> Result<Self, StoreError> {
         let runs_at_start = file.runs()?;
         let (requests, inbox) = channel();
         let is_broken = Arc::new(AtomicBool::new(false));
@@ -151,6 +156,24 @@ impl RunStore {
             }
             (_, opened) => opened,
         }
+    }
+
+    /// Opens the store at `path` with the runs of `shards` added, and gives how many of them were not there before. Each row is
+    /// checked; one that is there already must be the same. Whenever it is stopped it can be done again.
+    ///
+    /// # Errors
+    /// As for [`RunStore::begin`]; a store of a shard is in use (the shard is at work still), damaged, of another study or version, or
+    /// holds a run that is another shard's.
+    pub fn begin_joined(
+        path: &Path,
+        identity: &StoreIdentity,
+        beginning: Beginning,
+        shards: &[(Shard, PathBuf)],
+    ) -> Result<(Self, u64), StoreError> {
+        drop(Self::begin(path, identity, beginning)?);
+        let mut file = StoreFile::open(path, identity)?;
+        let added = join(&mut file, path, identity, shards)?;
+        Ok((Self::serve(path, file, None)?, added))
     }
 
     /// Where it is.

@@ -293,16 +293,17 @@ fn seed(study: &Study, is_confirmation: bool) -> u64 {
 
 /// The requirements of the study with other values of some inputs.
 fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
-    let mut study = runner.study.clone();
+    let place = |allowance: &Allowance| {
+        runner.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
+    };
+    let loosened: Vec<(usize, f64)> = set.iter().map(|(allowance, value)| (place(allowance), *value)).collect();
+    let mut study = with_loosened(runner.study, &loosened)?;
     study.seed = seed;
-    study.asks.clear();
-    for (allowance, value) in set {
-        loosen(&mut study, allowance, *value)?;
-    }
     let response = StudyResponse::new(&study)?;
     let plan = DoubleLoop::try_new(problem(&study, &response))?;
     let mut table = SampleTable::new(response.row_length());
-    let own = Runner { study: &study, response: &response, list: runner.keeping.begin(), ..*runner };
+    let own =
+        Runner { study: &study, response: &response, list: runner.keeping.begin(), loosened: &loosened, ..*runner };
     let mut round = plan.next_round(&table)?;
     while !round.is_empty() {
         own.run(&round, &mut table)?;
@@ -319,6 +320,24 @@ fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answ
     };
     runner.advance(table.len());
     Ok(Answer { outcomes: requirements(&material), runs: table.len() })
+}
+
+/// `study` with other values of some inputs, by the places of their allowances, and nothing asked but its requirements.
+///
+/// # Errors
+/// An input cannot have that value.
+pub(super) fn with_loosened(study: &Study, set: &[(usize, f64)]) -> Result<Study, StudyError> {
+    let mut loosened = study.clone();
+    loosened.asks.clear();
+    for &(place, value) in set {
+        let unknown = || StudyError::Loosened {
+            path: format!("allowance {place}"),
+            value_si: value,
+            reason: format!("there are {}", study.allowances.len()),
+        };
+        loosen(&mut loosened, study.allowances.get(place).ok_or_else(unknown)?, value)?;
+    }
+    Ok(loosened)
 }
 
 fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), StudyError> {

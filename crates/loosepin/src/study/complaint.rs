@@ -38,6 +38,7 @@ impl Problem for StudyError {
             Self::TooManyFailed(_) => Code::TooManyFailed,
             Self::Interrupted { .. } => Code::Interrupted,
             Self::RoundOpen(_) => Code::RoundOpen,
+            Self::NotMade { .. } => Code::RunsNotMade,
         }
     }
 
@@ -73,6 +74,7 @@ impl Problem for StudyError {
                 ))
             }
             Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
+            Self::NotMade { .. } => Some("what was made is kept: the same command with --resume goes on".to_owned()),
             Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
             Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
@@ -121,6 +123,7 @@ impl StudyError {
             | Self::Store(_)
             | Self::Table(_)
             | Self::RoundOpen(_)
+            | Self::NotMade { .. }
             | Self::TooManyFailed(_)
             | Self::TimeOfShards
             | Self::Interrupted { .. } => Complaint::error(self, None),

@@ -4,6 +4,7 @@ use super::accuracy::{Ended, record};
 use super::allow::{allocation, allowances};
 use super::assemble::{Extra, Material, assemble, failures, runs_table};
 use super::contributors::contributors;
+use super::elsewhere::RunMaker;
 use super::file::Study;
 use super::keep::Keeping;
 use super::part::{OpenRound, Part, refuse_time};
@@ -81,6 +82,12 @@ pub enum StudyError {
     /// A round waits for runs that are made elsewhere; what was made here is in the store.
     #[error("{0}")]
     RoundOpen(OpenRound),
+    /// Runs that were to be made outside of this process; what was made is in the store.
+    #[error("the runs could not be made: {reason}")]
+    NotMade {
+        /// Why, in the words of whoever was to make them.
+        reason: String,
+    },
     /// A budget of time where shards make the runs.
     #[error("a budget of time cannot be shared by shards, which run at different times")]
     TimeOfShards,
@@ -181,6 +188,29 @@ pub fn conduct_part(study: &Study, input_hash: &str, means: &Means<'_>, part: Pa
     if part != Part::Whole {
         refuse_time(study)?;
     }
+    conduct_with(study, input_hash, means, part, None)
+}
+
+/// [`conduct`] with runs that `maker` makes outside of this process. The result is the same.
+///
+/// # Errors
+/// See [`StudyError`]; [`StudyError::NotMade`] where `maker` does not go on.
+pub fn conduct_elsewhere(
+    study: &Study,
+    input_hash: &str,
+    means: &Means<'_>,
+    maker: &dyn RunMaker,
+) -> Result<Conducted, StudyError> {
+    conduct_with(study, input_hash, means, Part::Whole, Some(maker))
+}
+
+fn conduct_with(
+    study: &Study,
+    input_hash: &str,
+    means: &Means<'_>,
+    part: Part,
+    maker: Option<&dyn RunMaker>,
+) -> Result<Conducted, StudyError> {
     let Means { threads, progress, stop, store } = *means;
     let response = StudyResponse::new(study)?;
     let plans = Plans::new(study, &response)?;
@@ -197,6 +227,8 @@ pub fn conduct_part(study: &Study, input_hash: &str, means: &Means<'_>, part: Pa
         keeping: &keeping,
         list: keeping.begin(),
         part,
+        maker,
+        loosened: &[],
     };
     progress.runs(0, runner.most_runs);
     let mut table = plans.table();

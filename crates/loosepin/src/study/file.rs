@@ -91,6 +91,11 @@ impl Study {
         read(&Source::new(name, text), |written| Ok((model, PathBuf::from(written))))
     }
 
+    /// Reads a study of `model`, which stands at `model_path`.
+    pub(super) fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Complaints> {
+        read(source, |_| Ok((model, model_path.to_owned())))
+    }
+
     /// The file that the study was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source

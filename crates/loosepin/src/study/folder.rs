@@ -1,6 +1,6 @@
 //! A study in its folder of results: what is opened there before its runs, and what is left there after them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use super::Study;
@@ -12,8 +12,8 @@ use super::files::{
 use super::result::StudyResult;
 use super::runs::RunsTable;
 use crate::diagnostics::{Complaints, Problem};
-use crate::results::{InputsHash, REPORT_FILE, ResultsFolder};
-use crate::store::{Beginning, RunStore, STORE_FILE, StoreIdentity};
+use crate::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
+use crate::store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
 
 /// What became of a study in a folder.
 pub enum Concluded {
@@ -40,24 +40,40 @@ pub fn store_identity(inputs: &InputsHash) -> StoreIdentity {
     StoreIdentity { version: crate::VERSION.to_owned(), inputs: inputs.to_string() }
 }
 
-/// Opens the store of finished runs in `folder`. Where that is refused and no runs are kept there, the folder is given back as it was.
+/// A study whose folder was asked for.
+pub enum Begun {
+    /// Its results are there already.
+    Finished(ResultsFolder),
+    /// The folder is taken, and the store is open.
+    Open(ResultsFolder, RunStore),
+}
+
+/// Opens the store of finished runs in the folder that `claim` asks for by `open`, and takes the folder. The store comes first, since
+/// it is locked while it is open: whoever is refused has changed nothing in the folder.
 ///
 /// # Errors
-/// The store cannot be used, or holds runs and nobody said what is to become of them.
+/// The folder holds something else; the store cannot be used, or holds runs and nobody said what is to become of them.
 pub fn begin_in_folder(
-    folder: ResultsFolder,
-    inputs: &InputsHash,
-    beginning: Beginning,
-) -> Result<(ResultsFolder, RunStore), Complaints> {
-    let path = folder.path().join(STORE_FILE);
-    match RunStore::begin(&path, &store_identity(inputs), beginning) {
-        Ok(store) => Ok((folder, store)),
-        Err(error) => {
-            // Where runs are kept, or another process is at work on them, the folder stays as it is.
-            if !path.exists() {
-                folder.abandon().map_err(complain)?;
+    claim: &Claim,
+    open: impl Fn(&Path) -> Result<RunStore, StoreError>,
+) -> Result<Begun, Complaints> {
+    let lock = |folder: &Path| {
+        let path = folder.join(STORE_FILE);
+        let was_there = path.exists();
+        open(&path).map_err(|error| {
+            // What was made and cannot be used goes; what another process has made meanwhile is his.
+            if !was_there && !matches!(error, StoreError::InUse { .. }) {
+                let _ = remove_store(&path);
             }
-            Err(complain(error))
+            complain(error)
+        })
+    };
+    let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
+    match claim.take_locked(&store_files, lock)? {
+        (folder, Some(store)) => Ok(Begun::Open(folder, store)),
+        (folder, None) => {
+            remove_store(&folder.path().join(STORE_FILE)).map_err(complain)?;
+            Ok(Begun::Finished(folder))
         }
     }
 }
@@ -91,7 +107,7 @@ pub fn conclude(
             Err(StudyError::TooManyFailed(failed).complaint(study).into())
         }
         // The folder says since it was taken that it is not finished; there may be no room to say it again.
-        Err(error @ StudyError::Store(_)) => Err(error.complaint(study).into()),
+        Err(error @ (StudyError::Store(_) | StudyError::NotMade { .. })) => Err(error.complaint(study).into()),
         Err(error) => {
             store.remove().map_err(complain)?;
             folder.abandon().map_err(complain)?;

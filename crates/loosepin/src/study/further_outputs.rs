@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicUsize;
 use super::assemble::{curve_name, scalar_name};
 use super::columns::Spot;
 use super::conduct::{Means, StudyError, all_failed};
+use super::elsewhere::RunMaker;
 use super::file::{Study, Where};
 use super::keep::Keeping;
 use super::part::Part;
@@ -89,11 +90,17 @@ impl<'s> FurtherOutputs<'s> {
     }
 
     /// Makes the runs of a round, `before` of which were made in the rounds before it: what they record, in their order. The store
-    /// of `means` is not used.
+    /// of `means` is not used; `maker` makes the runs in place of its threads, where there is one.
     ///
     /// # Errors
-    /// It was interrupted, or all runs of the first round failed.
-    pub fn run(&self, round: &[RunInputs], before: usize, means: &Means<'_>) -> Result<SampleTable, StudyError> {
+    /// It was interrupted, all runs of the first round failed, or `maker` does not go on.
+    pub fn run(
+        &self,
+        round: &[RunInputs],
+        before: usize,
+        means: &Means<'_>,
+        maker: Option<&dyn RunMaker>,
+    ) -> Result<SampleTable, StudyError> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(means.threads).build()?;
         let keeping = Keeping::new(None);
         let runner = Runner {
@@ -107,6 +114,8 @@ impl<'s> FurtherOutputs<'s> {
             keeping: &keeping,
             list: keeping.begin(),
             part: Part::Whole,
+            maker,
+            loosened: &[],
         };
         let mut table = SampleTable::new(self.response.row_length());
         runner.run(round, &mut table)?;

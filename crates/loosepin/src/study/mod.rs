@@ -8,6 +8,7 @@ mod complaint;
 mod conduct;
 mod contributors;
 mod distribution_words;
+mod elsewhere;
 mod file;
 pub mod files;
 mod folder;
@@ -29,17 +30,19 @@ pub mod runs;
 mod saved_surrogates;
 mod simultaneous;
 mod surrogate;
+mod texts;
 mod time_a_run;
 mod widest_play;
 
-pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_part};
+pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_elsewhere, conduct_part};
 pub use distribution_words::distribution_words;
+pub use elsewhere::{AskedRuns, RunMaker, RunRows};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
     StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
 };
-pub use folder::{Concluded, begin_in_folder, conclude, store_identity};
+pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study, study_inputs};
@@ -47,4 +50,5 @@ pub use iso_286::FitError;
 pub use part::{OpenRound, Part, plan_shards};
 pub use plans::plan_runs;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
+pub use texts::{NamedText, StudyTexts};
 pub use time_a_run::time_a_run_s;

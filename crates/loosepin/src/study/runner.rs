@@ -1,6 +1,7 @@
 //! Running a round of a study on all threads, with progress, an emergency stop, and a store.
 
 use super::conduct::{Progress, StudyError};
+use super::elsewhere::{RunMaker, made_elsewhere};
 use super::file::Study;
 use super::keep::{Keeping, KeptList};
 use super::part::{OpenRound, Part};
@@ -34,6 +35,10 @@ pub(super) struct Runner<'s> {
     pub list: KeptList<'s>,
     /// Which of the runs are made here.
     pub part: Part,
+    /// Makes the runs in place of the threads.
+    pub maker: Option<&'s dyn RunMaker>,
+    /// What the inverse question has loosened, as [`super::elsewhere::AskedRuns::loosened`].
+    pub loosened: &'s [(usize, f64)],
 }
 
 impl Runner<'_> {
@@ -69,7 +74,14 @@ impl Runner<'_> {
             };
             let is_stopped = || self.stop.load(Ordering::Relaxed) || self.list.is_broken();
             let work = Work { batch, is_waiting: &is_waiting, response: self.response };
-            let outcomes = self.pool.install(|| evaluate(&work, kept, &is_stopped, &note));
+            let outcomes = match self.maker {
+                None => self.pool.install(|| evaluate(&work, kept, &is_stopped, &note)),
+                Some(maker) => {
+                    let made = made_elsewhere(maker, &work, kept, self.loosened, &is_stopped, &note);
+                    // What came back before something went wrong is kept.
+                    made.or_else(|error| self.list.settle().and(Err(error)))?
+                }
+            };
             if self.list.is_broken() {
                 self.list.settle()?;
             }
@@ -109,10 +121,10 @@ impl Runner<'_> {
 pub(super) type Row = Result<Vec<f64>, Failure>;
 
 /// A batch of runs, and which of them are to be made.
-struct Work<'w> {
-    batch: &'w [RunInputs],
-    is_waiting: &'w [bool],
-    response: &'w StudyResponse,
+pub(super) struct Work<'w> {
+    pub batch: &'w [RunInputs],
+    pub is_waiting: &'w [bool],
+    pub response: &'w StudyResponse,
 }
 
 /// The rows of a batch, those that are `kept` as they are; nothing for runs that are not to be made, or that a stop has kept from
@@ -120,7 +132,7 @@ struct Work<'w> {
 ///
 /// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
 /// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another.
-fn evaluate(
+pub(super) fn evaluate(
     work: &Work<'_>,
     kept: Vec<Option<Row>>,
     is_stopped: &(dyn Fn() -> bool + Sync),

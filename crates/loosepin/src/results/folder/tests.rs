@@ -195,3 +195,41 @@ fn a_crash_while_files_are_renamed_loses_nothing() {
     assert!(claim(&path, "a", false).take().expect("ours").is_finished());
     assert_eq!(contents(&path), before);
 }
+
+#[test]
+fn a_lock_that_is_refused_changes_nothing() {
+    let root = tempfile::tempdir().expect("a folder");
+    let refuse = |_: &Path| -> Result<(), Complaints> {
+        Err(Complaints::one(&ResultsError::NoSuchFolder { folder: "busy".into() }, None))
+    };
+    let fresh = root.path().join("a/b/out");
+    claim(&fresh, "a", false).take_locked(&[], refuse).expect_err("busy");
+    assert!(first_entry(root.path(), &[]).expect("readable").is_none(), "folders that were made for it are gone");
+    finished(&fresh, "a");
+    let before = fs::read(fresh.join(MARKER_FILE)).expect("the marker");
+    claim(&fresh, "b", true).take_locked(&[], refuse).expect_err("busy");
+    assert_eq!(fs::read(fresh.join(MARKER_FILE)).expect("the marker"), before);
+    assert!(fresh.join("history.csv").exists());
+    assert!(claim(&fresh, "a", false).take_locked(&[], refuse).expect("finished").1.is_none(), "without the lock");
+}
+
+#[test]
+fn what_is_finished_while_the_lock_is_waited_for_is_found() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    let lock = |folder: &Path| -> Result<(), Complaints> {
+        if !folder.join(MARKER_FILE).exists() {
+            finished(folder, "a");
+        }
+        Ok(())
+    };
+    let (folder, held) = claim(&path, "a", false).take_locked(&["lock"], lock).expect("finished meanwhile");
+    assert!(folder.is_finished() && held.is_none());
+    // What a process leaves that was killed between lock and marker says nothing of the folder.
+    let left = root.path().join("left");
+    fs::create_dir(&left).expect("writable");
+    fs::write(left.join("lock"), "").expect("writable");
+    let take = |lock_files: &[&str]| claim(&left, "a", false).take_locked(lock_files, |_| Ok(()));
+    take(&[]).expect_err("a file of somebody's");
+    take(&["lock"]).expect("nobody's");
+}

@@ -39,6 +39,8 @@ const LEAST_ENERGY_SHARE: f64 = 1e-3;
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
 /// Largest growth from one step to the next.
 const LARGEST_GROWTH: f64 = 6.0;
+/// Steps after which a run is asked whether it is stopped: a millisecond or so.
+const STEPS_PER_QUESTION: u64 = 64;
 
 /// A run that waits for a lane.
 pub struct Run<O> {
@@ -416,6 +418,11 @@ impl<'a, T: Lanes> Batch<'a, T> {
         if run.counters.evaluations > self.settings.largest_evaluations {
             let limit = self.settings.largest_evaluations;
             return self.finish(lane, Err(RunFailure::TooManyEvaluations { time_s, limit }), queue);
+        }
+        if run.counters.steps.is_multiple_of(STEPS_PER_QUESTION)
+            && queue.observer(run.observer).is_some_and(|observer| observer.is_stopped())
+        {
+            return self.finish(lane, Err(RunFailure::Stopped { time_s }), queue);
         }
         if run.reaches_stop {
             return self.stop(lane, queue);

@@ -1,7 +1,5 @@
 //! Random inputs, however their distribution is stated: by a family, a sample, a tolerance or a fit.
 
-use std::path::Path;
-
 use super::StudyReader;
 use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
 use super::keys::{DISCRETE_KEYS, EXPONENTIAL_KEYS, FITTED, GAMMA_KEYS, GUMBEL_KEYS, TRUNCATED_KEYS, WEIBULL_KEYS};
@@ -9,7 +7,7 @@ use super::problem::StudyProblem;
 use super::random_problem::{RandomProblem, short_number};
 use super::tolerance::parse_tolerance;
 use crate::diagnostics::{Complaint, Complaints};
-use crate::document::{Entry, Table};
+use crate::document::{Entry, Table, read_beside};
 use crate::measured::SampleColumn;
 use crate::model::QuantityId;
 use crate::uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
@@ -209,8 +207,8 @@ impl StudyReader {
             Some(column) => Some(column?),
             None => None,
         };
-        let folder = Path::new(self.reader.source.name()).parent().unwrap_or(Path::new(""));
-        let column = match SampleColumn::from_path(&folder.join(file), column) {
+        let read = read_beside(&self.reader.source, file);
+        let column = match read.and_then(|source| SampleColumn::from_source(source, column)) {
             Ok(column) => column,
             Err(complaints) => {
                 self.adopt(&complaints, entry);
