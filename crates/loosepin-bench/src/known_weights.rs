@@ -51,7 +51,7 @@ fn beside(f: impl Fn(f64) -> f64) -> f64 {
 
 /// Mean of f over offsets that are spread as `of` is over a period.
 fn spread(of: impl Fn(f64) -> f64, f: impl Fn(f64) -> f64) -> f64 {
-    const STEPS: i32 = 400;
+    const STEPS: i32 = 128;
     (0..STEPS).map(|k| f(of((f64::from(k) + 0.5) / f64::from(STEPS)))).sum::<f64>() / f64::from(STEPS)
 }
 
@@ -82,7 +82,7 @@ fn case(
         Statistic::Quantile(probability) => {
             let quantile = |u: &[f64]| {
                 let (mut low, mut high) = (-9.0, 16.0);
-                for _ in 0..60 {
+                for _ in 0..46 {
                     let middle = 0.5 * (low + high);
                     if (known.distribution)(middle, u) < probability { low = middle } else { high = middle }
                 }

@@ -24,6 +24,9 @@ const PLACES_OF_CURVES: usize = 24;
 /// The worth of weights is seen from this many points at a place, at most.
 const MOST_POINTS_AT_A_PLACE: usize = 256;
 
+/// Places that were looked at since the first ones, by combination and coordinates.
+type LookedAt = BTreeMap<(usize, Vec<u64>), Arc<Seen>>;
+
 /// What is known of the runs and places before any column is looked at.
 #[derive(Debug)]
 pub struct Ground {
@@ -52,8 +55,8 @@ pub struct Ground {
     members: Vec<Vec<RandomVariable>>,
     /// All outer points, then the places that they are compared with.
     pub seen: Vec<Arc<Seen>>,
-    /// Places that were looked at since, which columns share.
-    more: Mutex<BTreeMap<(usize, Vec<u64>), Arc<Seen>>>,
+    /// Those that were looked at since; columns share them.
+    more: Mutex<LookedAt>,
 }
 
 impl Ground {
