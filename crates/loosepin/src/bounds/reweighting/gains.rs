@@ -187,7 +187,7 @@ impl Weighted {
         kish(&self.ground.layout.by_row(|run| own[run]))
     }
 
-    /// How far E h(Y) may go at the outer point `witness` by the runs of all points; for means and variances.
+    /// How far E h(Y) may go at the outer point `witness` by the runs of all points; not for quantiles.
     pub fn outermost(
         &self,
         sought: Sought,
@@ -203,7 +203,8 @@ impl Weighted {
                 let centre = average(&plain);
                 self.expectation(&at, |y| (y - centre) * (y - centre))
             }
-            Sought::Quantile(_) | Sought::Probability(_) => return None,
+            Sought::Probability(event) => self.expectation(&at, |y| f64::from(event.holds(y))),
+            Sought::Quantile(_) => return None,
         };
         let none = vec![0.0; of_replicates.len()];
         Some(direction.sign() * beyond(&of_replicates, &none, direction, confidence))

@@ -206,7 +206,7 @@ impl Pooled {
 
     /// How far `h` of the response may go in `direction` at the outer point `witness` itself, in units of what is searched, by the runs of
     /// all points: those at this point alone may agree by chance (each replicate of a stratified sample meets a jump as often as the
-    /// others). Nothing where polynomials stand for the response, and for shares, whose errors know that.
+    /// others), or hit a rare event too often. Nothing where polynomials stand for the response, and for quantiles.
     pub fn outermost(
         &self,
         sought: Sought,
