@@ -11,6 +11,8 @@ use crate::bounds::search::Direction;
 const LEAST_PER_REPLICATE: usize = 2;
 /// So many draws must make up the spread of what is averaged: where fewer do, that of the replicates says nothing of its error.
 const LEAST_CONTRIBUTORS: f64 = 4.0;
+/// A spread below this share of what is averaged is round-off.
+const NEGLIGIBLE_SPREAD: f64 = 1e-12;
 /// Halvings of the range in which a quantile may lie.
 const HALVINGS: usize = 30;
 
@@ -54,7 +56,7 @@ impl Weighted {
             .collect()
     }
 
-    /// Whether enough draws make up the spread of what is averaged.
+    /// Whether enough draws make up the spread of what is averaged, if there is any.
     fn is_spread_over_many(&self, at: &At<'_>, h: impl Fn(f64) -> f64) -> bool {
         let weights = &at.seen.weights;
         let change = |run: usize| h(self.values[run]) - h(self.explained[run]);
@@ -66,7 +68,10 @@ impl Weighted {
             .into_iter()
             .map(|change| change * change)
             .collect();
-        kish(&squares) >= LEAST_CONTRIBUTORS
+        // What does not scatter needs none: a constant response, or one that the polynomials follow.
+        let size: f64 = weights.iter().zip(&self.values).map(|(w, y)| w * h(*y).abs()).sum();
+        let is_negligible = squares.iter().sum::<f64>() <= (NEGLIGIBLE_SPREAD * size).powi(2);
+        is_negligible || kish(&squares) >= LEAST_CONTRIBUTORS
     }
 
     /// By how much E h(Y) may lie beyond that at `witness`.

@@ -164,7 +164,7 @@ impl Ground {
         let own = self.variables(place)?;
         let mut weights: Vec<f64> =
             self.drawn.iter().zip(&self.densities).map(|(values, q)| density(&own, values) / q).collect();
-        let kish = kish(&self.layout.by_row(|run| weights[run]));
+        let [draws, values] = [kish(&self.layout.by_row(|run| weights[run])), kish(&weights)];
         // Where the pool does not go the weights of its runs say nothing: the same from points at u itself.
         let at_place = |(_, levels): &(Vec<f64>, Vec<Level>)| {
             let values: Vec<f64> = own.iter().zip(levels).map(|(v, &level)| v.at(level)).collect();
@@ -172,12 +172,13 @@ impl Ground {
         };
         let some = || self.asked.iter().step_by(self.asked.len().div_ceil(MOST_POINTS_AT_A_PLACE));
         let expected = some().map(at_place).sum::<f64>() / some().count() as f64;
-        let effective = kish.min(weights.len() as f64 / expected);
+        let worth = |kish: f64| Some(kish.min(weights.len() as f64 / expected)).filter(|worth| worth.is_finite());
+        let [effective, covering] = [draws, values].map(|kish| worth(kish).unwrap_or(0.0));
         let sum: f64 = weights.iter().sum();
         for weight in &mut weights {
             *weight /= sum;
         }
-        Some(Seen { place: place.clone(), weights, effective: if effective.is_finite() { effective } else { 0.0 } })
+        Some(Seen { place: place.clone(), weights, effective, covering })
     }
 
     /// What the polynomials of every replicate give at its first `count` points at a place; not beyond the values of the runs where

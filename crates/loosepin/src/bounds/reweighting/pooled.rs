@@ -133,8 +133,9 @@ impl Pooled {
         let seen = &self.ground.seen;
         let needed = self.needed(sought);
         let places: Vec<usize> = (0..seen.len()).filter(|&k| region.holds(&seen[k].place.at)).collect();
-        let least = places.iter().min_by(|&&a, &&b| seen[a].effective.total_cmp(&seen[b].effective));
-        if let Some(unseen) = least.filter(|&&place| seen[place].effective < needed) {
+        let worth = |place: usize| if self.is_smooth() { seen[place].covering } else { seen[place].effective };
+        let least = places.iter().min_by(|&&a, &&b| worth(a).total_cmp(&worth(b)));
+        if let Some(unseen) = least.filter(|&&place| worth(place) < needed) {
             return Err(seen[*unseen].place.clone());
         }
         let found = match &self.by {

@@ -10,6 +10,9 @@ pub struct Seen {
     pub weights: Vec<f64>,
     /// Independent runs that would know as much.
     pub effective: f64,
+    /// The same where runs with the same random numbers count by themselves: they have different values, each of which a polynomial is
+    /// fitted to.
+    pub covering: f64,
 }
 
 /// How the runs of the pool lie behind one another: replicate by replicate, in each outer point by outer point.
