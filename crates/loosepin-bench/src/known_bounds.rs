@@ -7,7 +7,8 @@ use loosepin::uncertainty::{
 use std::f64::consts::{E, FRAC_PI_3, TAU};
 use std::sync::Arc;
 
-use crate::known_pairings::{pairings, weighted};
+use crate::known_pairings::{box_weighted, pairings};
+use crate::known_weights::weighted;
 
 /// A response Y = g(X, u) with one column.
 pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
@@ -74,7 +75,7 @@ impl KnownCase {
     pub fn all() -> Vec<Self> {
         let own =
             [sum(), product(), power(), challenge(), inside_four(), ridge(), jump(), slider_crank_with_play(FRAC_PI_3)];
-        own.into_iter().chain(pairings()).chain(weighted()).collect()
+        own.into_iter().chain(pairings()).chain(box_weighted()).chain(weighted()).collect()
     }
 }
 
@@ -325,7 +326,7 @@ fn expectation(f: impl Fn(f64) -> f64) -> f64 {
 
 /// The least and the greatest value of `f` over a box of up to three intervals: a grid, then grids around its extremes, each
 /// half as large as the one before.
-fn extremes(f: &dyn Fn(&[f64]) -> f64, intervals: &[(f64, f64)]) -> (f64, f64) {
+pub(crate) fn extremes(f: &dyn Fn(&[f64]) -> f64, intervals: &[(f64, f64)]) -> (f64, f64) {
     let per_axis = if intervals.len() > 2 { 21 } else { 37 };
     let search = |sign: f64| {
         let mut centre: Vec<f64> = intervals.iter().map(|(low, high)| 0.5 * (low + high)).collect();

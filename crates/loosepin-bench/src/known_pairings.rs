@@ -99,7 +99,7 @@ pub fn pairings() -> Vec<KnownCase> {
 
 /// Probability boxes alone, from runs at few distributions weighted for all others: beside a normal variable, two of them, and one
 /// beside what no polynomial follows, sin(40 Z)/2 with a mean of 0 and a variance of 1/8.
-pub fn weighted() -> Vec<KnownCase> {
+pub fn box_weighted() -> Vec<KnownCase> {
     let weighted = |case: KnownCase| KnownCase { name: format!("{}, weighted", case.name), is_weighted: true, ..case };
     let box_alone = pairing(Kind::Random, Kind::ProbabilityBox);
     let two = pairing(Kind::ProbabilityBox, Kind::ProbabilityBox);

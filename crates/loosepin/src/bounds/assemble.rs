@@ -50,7 +50,7 @@ impl DoubleLoop {
             return Err(PlanError::NoRuns);
         }
         self.check_points(&pool)?;
-        let pool = pool.with_polynomials(self.inner_basis()).with_weights(self);
+        let pool = pool.with_polynomials(self.inner_basis()).with_weights(self, table);
         let evidence = Evidence::new(self, &pool, table);
         let mut levels = evidence.levels();
         let pairs = levels.first().map(|level| level.pairs.clone()).unwrap_or_default();
@@ -411,7 +411,7 @@ impl<'a> Modelled<'a> {
 
     /// The outer point in `part` at which the statistic, smoothed where its differences are partly noise, goes furthest; and the
     /// sampling error there: how far its confidence interval, or that of any other point in `part`, reaches beyond it.
-    fn witness(&self, direction: Direction, part: &Part<'_>) -> Option<(usize, f64)> {
+    pub fn witness(&self, direction: Direction, part: &Part<'_>) -> Option<(usize, f64)> {
         let measure = self.measure;
         let estimates = match direction {
             Direction::Minimum => &measure.low,

@@ -305,7 +305,7 @@ impl DoubleLoop {
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
         let is_curve = self.searched().len() > MOST_LOCATED_TARGETS;
         let outer = if is_curve { outer } else { outer.with_polynomials(self.inner_basis()) };
-        let outer = outer.with_weights(self);
+        let outer = outer.with_weights(self, table);
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));

@@ -28,6 +28,8 @@ pub(super) struct PoolPoint {
     pub random: Vec<f64>,
     /// Number of runs.
     pub runs: usize,
+    /// Where they lie in the table, in the order of the samples.
+    pub rows: Vec<usize>,
     samples: Vec<Sample>,
 }
 
@@ -52,14 +54,16 @@ impl Pool {
                 let sample = |&column: &usize| {
                     Sample::new(replicates.values().map(|runs| runs.iter().map(move |&run| table.values(run)[column])))
                 };
-                let count = replicates.values().map(Vec::len).sum();
-                let first = &table.inputs()[replicates.values().flatten().next().copied().unwrap_or(0)];
+                let rows: Vec<usize> = replicates.values().flatten().copied().collect();
+                let count = rows.len();
+                let first = &table.inputs()[rows.first().copied().unwrap_or(0)];
                 PoolPoint {
                     purpose,
                     point,
                     epistemic: first.epistemic.clone(),
                     random: if count == 1 { first.random.clone() } else { Vec::new() },
                     runs: count,
+                    rows,
                     samples: slots.keys().map(sample).collect(),
                 }
             })

@@ -3,7 +3,9 @@
 use super::exact_cases::{Function, check, problem};
 use super::{Bounds, NotReweighted, PlanError, Problem, ProblemError, Sampling, Statistic, evaluate};
 use crate::bounds::DoubleLoop;
-use crate::uncertainty::{Distribution, EpistemicParameter, Interval, Parameter, normal_cdf, normal_quantile};
+use crate::uncertainty::{
+    Distribution, EpistemicParameter, Interval, Parameter, RandomVariable, normal_cdf, normal_quantile,
+};
 
 const MEANS: (f64, f64) = (-0.5, 0.75);
 const DEVIATIONS: (f64, f64) = (0.4, 1.2);
@@ -79,6 +81,53 @@ fn analytic_a_response_that_no_polynomial_follows_is_weighted() {
         // A quarter of the points that the search without weights may take.
         assert!(told.points <= 16, "{told:?}");
     }
+}
+
+#[test]
+fn analytic_draws_that_all_points_share_count_once() {
+    // Nearly one distribution: the runs at all points are those at one, which are 512.
+    let mut problem = normal_box(&STATISTICS[..1], true, 9);
+    problem.epistemic = [(0.125, 0.1251), (0.8, 0.8001)].map(|(a, b)| Interval::try_new(a, b).unwrap().into()).to_vec();
+    let bounds = evaluate(problem, &Function(|x: &[f64], _: &[f64]| x[0] + 0.5 * (40.0 * x[1]).sin())).unwrap();
+    let effective = bounds.reweighted.unwrap().least_effective;
+    assert!(effective > 500.0 && effective <= 512.0 + 1e-6, "{effective}");
+}
+
+#[test]
+fn analytic_quantiles_and_shares_of_a_response_with_a_jump() {
+    // Y = X, and 2 more above 0.6: the quantile jumps with the parameters, between a deviation of 0.858 and one beyond that.
+    const EDGE: f64 = 0.6;
+    let above = |m: f64, s: f64| normal_cdf((m - 1.0) / s);
+    let nine_tenths = normal_quantile(0.9);
+    let low = MEANS.0 + nine_tenths * DEVIATIONS.0;
+    let high = MEANS.1 + nine_tenths * DEVIATIONS.1 + 2.0;
+    assert!(low < EDGE);
+    let exact = [(low, high), (above(MEANS.0, DEVIATIONS.0), above(MEANS.1, DEVIATIONS.1))];
+    for (statistic, exact) in [Statistic::Quantile(0.9), Statistic::ProbabilityAbove(3.0)].into_iter().zip(exact) {
+        for seed in [6, 31] {
+            let bounds = bounds(&[statistic], true, seed, |x, _| x + if x > EDGE { 2.0 } else { 0.0 });
+            check(&bounds.pairs[0], exact, 0.3 * (exact.1 - exact.0));
+            let told = bounds.reweighted.unwrap();
+            assert!(told.untold == 0 && told.points <= 16, "{told:?}");
+        }
+    }
+}
+
+#[test]
+fn analytic_a_support_that_moves_with_the_parameters() {
+    // Uniform on [a, b]: mean (a + b)/2, variance (b - a)²/12 and 1/8 more. Every support lies within that of the widest corner.
+    let (lower, upper) = ((0.1, 0.4), (0.9, 1.4));
+    let mut problem = normal_box(&STATISTICS[..2], true, 12);
+    problem.random[0] = RandomVariable::try_new(Distribution::Uniform { lower: 0.2, upper: 1.0 }).unwrap();
+    for (parameter, of) in [Parameter::Lower, Parameter::Upper].into_iter().zip(&mut problem.parameters) {
+        of.parameter = parameter;
+    }
+    problem.epistemic = [lower, upper].map(|(a, b)| Interval::try_new(a, b).unwrap().into()).to_vec();
+    let bounds = evaluate(problem, &Function(|x: &[f64], _: &[f64]| x[0] + 0.5 * (40.0 * x[1]).sin())).unwrap();
+    let deviation = |width: f64| (width * width / 12.0 + 0.125).sqrt();
+    check(&bounds.pairs[0], (0.5 * (lower.0 + upper.0), 0.5 * (lower.1 + upper.1)), 0.4);
+    check(&bounds.pairs[1], (deviation(upper.0 - lower.1), deviation(upper.1 - lower.0)), 0.2);
+    assert!(bounds.reweighted.is_some());
 }
 
 #[test]

@@ -22,14 +22,24 @@
 //! The bound keeps the value of the runs at w itself. At every u the weights must be worth enough independent runs,
 //!
 //! ```text
-//! n = min((Σ w)²/Σ w²,  N/E_u(w)),   the first from the pool (L. Kish 1965), the second from points at u: it also sees what the pool misses
+//! n = min((Σ W)²/Σ W²,  N/E_u(w)),   the first from the pool (L. Kish 1965), the second from points at u: it also sees what the pool misses
 //! ```
 //!
-//! else nothing is said there: more runs are made at such a u, and where that does not help the search goes by its models alone.
+//! where W is the sum of the weights of the runs that one point of the unit cube was mapped to, one at each outer point: these share
+//! their random numbers and are one draw. No draw weighs more than 1/√n then. Of quantiles enough draws must lie in the lesser part, and
+//! enough must make up the spread of what a mean or variance averages; else nothing is said there: more runs are made at such a u, and
+//! where that does not help the search goes by its models alone.
+//!
+//! Since a look at another u costs no run, u is searched by what is conceded itself: at corners, faces and inside, then by steps up from
+//! the furthest places, and what a parabola may rise between the last steps is conceded.
 
+mod climb;
+mod gains;
 mod ground;
 mod next_points;
 mod pooled;
+mod stand_in;
+mod weights;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -38,11 +48,22 @@ use rayon::prelude::*;
 
 use super::plan::DoubleLoop;
 use super::pool::Pool;
+use super::search_box::Place;
+use super::table::SampleTable;
 use ground::Ground;
 pub(super) use pooled::Pooled;
 
 /// More columns than this are those of curves.
 const MANY_COLUMNS: usize = 8;
+
+/// A place beyond an extreme, as far as is known.
+#[derive(Debug, Clone)]
+pub(super) struct Beyond {
+    /// How far the statistic may lie beyond that at the outer point, in units of what is searched; 0 where it does not.
+    pub gain: f64,
+    /// Where.
+    pub place: Place,
+}
 
 /// How runs were weighted for values of the epistemic inputs at which none were made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,12 +90,13 @@ impl Pool {
         let first = self.points.first()?;
         let pooled: Vec<&Pooled> =
             self.column_numbers().filter_map(|column| self.samples(column).first()?.pooled()).collect();
-        let view = pooled.first()?.view();
-        debug_assert_eq!(view.runs * view.replicates, first.runs * self.points.len());
+        let ground = &pooled.first()?.ground;
+        let outer = ground.layout.outer;
+        debug_assert_eq!(ground.layout.rows(), first.runs);
         Some(Reweighted {
-            points: view.outer,
-            places: view.seen.len() - view.outer,
-            least_effective: view.seen.iter().fold(f64::INFINITY, |least, seen| least.min(seen.effective)),
+            points: outer,
+            places: ground.seen.len() - outer,
+            least_effective: ground.seen.iter().fold(f64::INFINITY, |least, seen| least.min(seen.effective)),
             polynomials: pooled.iter().filter(|pooled| pooled.is_smooth()).count(),
             columns: self.columns(),
             told,
@@ -83,18 +105,17 @@ impl Pool {
     }
 
     /// The same with all runs weighted for other u, column by column, where the plan allows that and no run failed.
-    pub fn with_weights(mut self, plan: &DoubleLoop) -> Self {
+    pub fn with_weights(mut self, plan: &DoubleLoop, table: &SampleTable) -> Self {
         if self.points.len() > plan.most_reweighted() || self.points.is_empty() {
             return self;
         }
         let many = self.columns() > MANY_COLUMNS;
-        let Some(ground) = Ground::new(plan, &self, many).map(Arc::new) else { return self };
+        let Some(ground) = Ground::new(plan, table, &self, many).map(Arc::new) else { return self };
         let designs = ground.designs();
-        let view = Arc::new(ground.view());
         let columns: Vec<usize> = self.column_numbers().collect();
         let pooled: Vec<Option<Arc<Pooled>>> = columns
             .par_iter()
-            .map(|&column| Pooled::new(&ground, &designs, &view, &self.samples(column)).map(Arc::new))
+            .map(|&column| Pooled::new(&ground, &designs, &self.samples(column)).map(Arc::new))
             .collect();
         let pooled: BTreeMap<usize, Arc<Pooled>> =
             columns.into_iter().zip(pooled).filter_map(|(column, pooled)| Some((column, pooled?))).collect();
