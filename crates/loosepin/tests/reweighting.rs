@@ -16,8 +16,9 @@ impl Progress for Silent {
 }
 
 const MM: f64 = 1e-3;
-/// Ends of the mean and of the standard deviation of the crank's length, m.
-const MEANS_M: [f64; 2] = [49.97 * MM, 50.05 * MM];
+/// Ends of the mean and of the standard deviation of the crank's length, m. It is longer than the nominal one in all runs, so that the
+/// greatest error of the cycle, which every study reports, is as smooth as the error itself: of rough responses the tails take runs.
+const MEANS_M: [f64; 2] = [50.97 * MM, 51.05 * MM];
 const DEVIATIONS_M: [f64; 2] = [0.04 * MM, 0.11 * MM];
 
 fn conducted() -> StudyResult {
@@ -31,7 +32,7 @@ fn conducted() -> StudyResult {
         replicates = 8
         reweighting = \"always\"
         [random]
-        \"parameter.crank_length\" = { normal = { mean = { interval = [\"49.97 mm\", \"50.05 mm\"] }, \
+        \"parameter.crank_length\" = { normal = { mean = { interval = [\"50.97 mm\", \"51.05 mm\"] }, \
          standard_deviation = { interval = [\"0.04 mm\", \"0.11 mm\"] } } }
         [[ask]]
         output = \"slider\"
