@@ -10,12 +10,16 @@ use std::sync::Arc;
 
 use crate::known_bounds::{Function, KnownCase, extremes};
 
+/// A number that the parameters determine.
+type OfParameters = Box<dyn Fn(&[f64]) -> f64>;
+/// P(Y <= y), of y and the parameters.
+type DistributionFunction = Box<dyn Fn(f64, &[f64]) -> f64>;
+
 /// What is known of the response for all values of the parameters.
 struct Known {
-    mean: Box<dyn Fn(&[f64]) -> f64>,
-    variance: Box<dyn Fn(&[f64]) -> f64>,
-    /// P(Y <= y).
-    distribution: Box<dyn Fn(f64, &[f64]) -> f64>,
+    mean: OfParameters,
+    variance: OfParameters,
+    distribution: DistributionFunction,
 }
 
 /// A normal variable with mean and deviation in intervals; a fixed one.

@@ -53,7 +53,7 @@ impl Index {
 /// Φ⁻¹(Φ(z_a) + Φ(z_b)),   the greater of the two where numbers are too small for the sum, the largest one where there is no rest
 /// ```
 pub(super) fn index_of_either(a: f64, b: f64) -> f64 {
-    let [most, least] = [a.max(b), a.min(b)].map(|index| libm::sinh(index));
+    let [most, least] = [a.max(b), a.min(b)].map(libm::sinh);
     let share = normal_cdf(most) + normal_cdf(least);
     // What neither has, without the round-off of 1 - Φ.
     let rest = normal_cdf(-most) - normal_cdf(least);
