@@ -78,16 +78,6 @@ impl Bound {
     }
 }
 
-impl Direction {
-    /// The other one.
-    fn opposite(self) -> Self {
-        match self {
-            Self::Minimum => Self::Maximum,
-            Self::Maximum => Self::Minimum,
-        }
-    }
-}
-
 /// The event whose probability tells whether `y` is an end of a quantile: up to y for the upper end, below y for the lower.
 fn quantile_event(y: f64, direction: Direction) -> Event {
     match direction {

@@ -72,6 +72,14 @@ impl Direction {
         }
     }
 
+    /// The other one.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Minimum => Self::Maximum,
+            Self::Maximum => Self::Minimum,
+        }
+    }
+
     /// Whether `value` lies beyond `other`.
     pub fn is_beyond(self, value: f64, other: f64) -> bool {
         self.sign() * value > self.sign() * other

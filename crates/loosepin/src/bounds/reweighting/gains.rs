@@ -39,16 +39,27 @@ impl Weighted {
         }
     }
 
+    /// What h(Y) has beyond that of the polynomials at every run, and its weighted mean at a place.
+    fn changes(&self, at: &At<'_>, h: impl Fn(f64) -> f64) -> (Vec<f64>, f64) {
+        let changes: Vec<f64> = self.values.iter().zip(&self.explained).map(|(y, p)| h(*y) - h(*p)).collect();
+        let total = at.seen.weights.iter().zip(&changes).map(|(w, change)| w * change).sum();
+        (changes, total)
+    }
+
     /// E h(Y) at a place as each replicate sees it.
     fn expectation(&self, at: &At<'_>, h: impl Fn(f64) -> f64) -> Vec<f64> {
+        let changes = self.changes(at, &h);
+        self.expectation_by(at, h, &changes)
+    }
+
+    /// The same from [`Self::changes`].
+    fn expectation_by(&self, at: &At<'_>, h: impl Fn(f64) -> f64, (changes, total): &(Vec<f64>, f64)) -> Vec<f64> {
         let (layout, points) = (self.ground.layout, self.ground.points);
         let (weights, runs) = (&at.seen.weights, layout.runs());
-        let change = |run: usize| h(self.values[run]) - h(self.explained[run]);
-        let total: f64 = weights.iter().enumerate().map(|(run, w)| w * change(run)).sum();
         (0..layout.replicates)
             .map(|replicate| {
                 let own = replicate * runs..(replicate + 1) * runs;
-                let beyond: f64 = own.map(|run| weights[run] * (change(run) - total)).sum();
+                let beyond: f64 = own.map(|run| weights[run] * (changes[run] - total)).sum();
                 let asked = &at.expected[replicate * points..(replicate + 1) * points];
                 let expected = asked.iter().map(|&value| h(value)).sum::<f64>() / points as f64;
                 expected + total + layout.replicates as f64 * beyond
@@ -57,14 +68,12 @@ impl Weighted {
     }
 
     /// Whether enough draws make up the spread of what is averaged, if there is any.
-    fn is_spread_over_many(&self, at: &At<'_>, h: impl Fn(f64) -> f64) -> bool {
+    fn is_spread_over_many(&self, at: &At<'_>, h: impl Fn(f64) -> f64, (changes, total): &(Vec<f64>, f64)) -> bool {
         let weights = &at.seen.weights;
-        let change = |run: usize| h(self.values[run]) - h(self.explained[run]);
-        let total: f64 = weights.iter().enumerate().map(|(run, w)| w * change(run)).sum();
         let squares: Vec<f64> = self
             .ground
             .layout
-            .by_row(|run| weights[run] * (change(run) - total))
+            .by_row(|run| weights[run] * (changes[run] - total))
             .into_iter()
             .map(|change| change * change)
             .collect();
@@ -86,8 +95,9 @@ impl Weighted {
         let at_witness = self.expectation(&own, h(&own));
         Box::new(move |at| {
             let h = h(at);
-            let is_known = at.is_witness || self.is_spread_over_many(at, &h);
-            is_known.then(|| beyond(&self.expectation(at, h), &at_witness, direction, confidence))
+            let changes = self.changes(at, &h);
+            let is_known = at.is_witness || self.is_spread_over_many(at, &h, &changes);
+            is_known.then(|| beyond(&self.expectation_by(at, h, &changes), &at_witness, direction, confidence))
         })
     }
 
@@ -156,10 +166,10 @@ impl Weighted {
             if self.beyond_quantile(at, probability) < LEAST_BEYOND {
                 return None;
             }
-            let opposite = if direction == Direction::Maximum { Direction::Minimum } else { Direction::Maximum };
             // F(x) at the place less that of `value` at the witness, which is the probability.
-            let is_reached =
-                |x: f64| beyond(&self.expectation(at, indicator(x)), &at_witness, opposite, confidence) <= 0.0;
+            let is_reached = |x: f64| {
+                beyond(&self.expectation(at, indicator(x)), &at_witness, direction.opposite(), confidence) <= 0.0
+            };
             if is_reached(value) {
                 return Some(0.0);
             }
