@@ -4,7 +4,7 @@ use loosepin::bounds::{Failure, Problem, Reading, Request, Response, Sampling, S
 use loosepin::uncertainty::{
     Distribution, EpistemicParameter, EpistemicVariable, Interval, RandomVariable, normal_cdf,
 };
-use std::f64::consts::{E, FRAC_PI_3, TAU};
+use std::f64::consts::{E, FRAC_PI_3, PI, TAU};
 use std::sync::Arc;
 
 use crate::known_pairings::{box_weighted, pairings};
@@ -283,10 +283,12 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         0.5 * (low + high)
     };
     let beyond = move |limit: f64, u: &[f64]| above(limit, u) + 1.0 - above(-limit, u);
-    let intervals = [CLEARANCE_MM, (0.0, TAU)];
+    // The search of the exact extremes does not know that the direction goes round. They lie near 0, ±π/2 and π, so it is given a
+    // little more than a turn, with ends away from these.
+    let intervals = [CLEARANCE_MM, (-0.7 * PI, 1.8 * PI)];
     let deviations = extremes(&variance, &intervals);
     KnownCase {
-        name: "slider-crank with play".into(),
+        name: format!("slider-crank with play, {:.0}°", crank_angle_rad.to_degrees()),
         random: [CRANK_MM, ROD_MM]
             .map(|[mean, standard_deviation]| Distribution::Normal { mean, standard_deviation })
             .to_vec(),
