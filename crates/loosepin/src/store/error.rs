@@ -71,6 +71,10 @@ impl StoreError {
                 Self::Damaged { path, reason: error.to_string() }
             }
             Some(ErrorCode::DiskFull) => Self::NotUsable { path, reason: "the disk is full".to_owned() },
+            // The file may be written, and says that a later version has written it.
+            Some(ErrorCode::ReadOnly) if extended == Some(ffi::SQLITE_READONLY) && is_writable(&path) => {
+                Self::Damaged { path, reason: "its header is of another version of SQLite".to_owned() }
+            }
             Some(ErrorCode::ReadOnly | ErrorCode::PermissionDenied) => {
                 Self::NotUsable { path, reason: "it is not permitted to write".to_owned() }
             }
@@ -79,6 +83,10 @@ impl StoreError {
             None => Self::Damaged { path, reason: error.to_string() },
         }
     }
+}
+
+fn is_writable(path: &Path) -> bool {
+    std::fs::OpenOptions::new().write(true).open(path).is_ok()
 }
 
 impl Problem for StoreError {

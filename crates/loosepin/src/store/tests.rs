@@ -142,20 +142,22 @@ fn tables_that_are_not_those_of_a_store_are_refused_before_they_are_read() {
     }
 }
 
-/// The header of the file says by what format its tables are described.
+/// The header of the file says by what version it may be written and by what format its tables are described.
 #[test]
 fn a_file_of_a_format_that_does_not_exist_is_damaged() {
-    const SCHEMA_FORMAT: usize = 47;
-    let (_folder, path) = folder();
-    fill(&path);
-    let mut bytes = fs::read(&path).unwrap();
-    bytes[SCHEMA_FORMAT] = 9;
-    fs::write(&path, bytes).unwrap();
-    let error = RunStore::open(&path, &identity()).unwrap_err();
-    assert!(
-        matches!(&error, StoreError::Damaged { reason, .. } if reason.contains("unsupported file format")),
-        "{error}"
-    );
+    for (place, expected) in [(18, "its header is of another version of SQLite"), (47, "unsupported file format")] {
+        let (_folder, path) = folder();
+        fill(&path);
+        let mut bytes = fs::read(&path).unwrap();
+        bytes[place] = 9;
+        fs::write(&path, bytes).unwrap();
+        let written = RunStore::open(&path, &identity()).and_then(|store| {
+            store.keep(0, ROWS, run(0, ROWS));
+            store.settle()
+        });
+        let error = written.unwrap_err();
+        assert!(matches!(&error, StoreError::Damaged { reason, .. } if reason.contains(expected)), "{place}: {error}");
+    }
 }
 
 /// Opens what is left of a store and reads all of it: every row that comes back must be the right one.
