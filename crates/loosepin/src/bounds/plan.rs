@@ -51,10 +51,12 @@ const MIXTURE: u64 = 0x006d_6978_7475;
 pub struct DoubleLoop {
     problem: Problem,
     confidence: Confidence,
-    /// Every inner run.
-    inner: Vec<InnerRun>,
-    /// Polynomials on them; nothing where they are too few.
-    inner_basis: Option<Arc<InnerBasis>>,
+    /// Points of the inner runs.
+    inner_sobol: ScrambledSobol,
+    /// Every inner run, worked out when they are needed: a sample of millions is planned in no time.
+    inner: OnceLock<Vec<InnerRun>>,
+    /// Polynomials on them, worked out when they are needed; nothing where they are too few.
+    inner_basis: OnceLock<Option<Arc<InnerBasis>>>,
     /// The random inputs whose values differ from one u to another, since parameters are among the epistemic inputs.
     moving: Vec<usize>,
     epistemic_box: SearchBox,
@@ -169,8 +171,9 @@ impl DoubleLoop {
         };
         Ok(Self {
             confidence: Confidence::new(sampling.confidence, sampling.replicates),
-            inner_basis: inner_basis(&problem)?.map(Arc::new),
-            inner: inner_runs(&problem)?,
+            inner_sobol: ScrambledSobol::try_new(hash(sampling.seed, INNER), problem.random.len())?,
+            inner: OnceLock::new(),
+            inner_basis: OnceLock::new(),
             moving: problem.inputs_with_parameters(),
             candidates: epistemic_candidates,
             joint_candidates: candidates(joint)?,
@@ -267,12 +270,12 @@ impl DoubleLoop {
         let outer = if self.epistemic_box.dimensions() == 0 { self.first_outer.len() } else { sampling.outer };
         let mixture = if self.has_mixture() { sampling.mixture } else { 0 };
         let extreme = if self.has_extremes() { sampling.extreme } else { 0 };
-        outer * self.inner.len() + mixture + extreme
+        outer.saturating_mul(self.inner_runs()).saturating_add(mixture + extreme)
     }
 
     /// Inner runs at each outer point.
     pub fn inner_runs(&self) -> usize {
-        self.inner.len()
+        if self.problem.random.is_empty() { 1 } else { self.problem.sampling.inner }
     }
 
     /// The runs of the next round, in their order; empty when the plan is finished.
@@ -315,7 +318,7 @@ impl DoubleLoop {
                 self.next_outer(table, &outer, count)
             };
             for place in places {
-                let point = (outer.points.len() + runs.len() / self.inner.len()) as u32;
+                let point = (outer.points.len() + runs.len() / self.inner_runs()) as u32;
                 runs.extend(self.runs_at(round, point, self.epistemic_box.values_at(&place)));
             }
         }
@@ -334,15 +337,28 @@ impl DoubleLoop {
         Ok(runs)
     }
 
-    fn first_round(&self) -> Vec<RunInputs> {
-        let mut runs: Vec<RunInputs> = Vec::new();
+    /// How many runs the first round has.
+    pub fn first_round_runs(&self) -> usize {
+        let mixture = if self.has_mixture() { self.problem.sampling.mixture } else { 0 };
+        let extreme = if self.has_extremes() { self.first_extreme.len() } else { 0 };
+        self.first_places().count().saturating_mul(self.inner_runs()).saturating_add(mixture + extreme)
+    }
+
+    /// The outer points of the first round.
+    fn first_places(&self) -> impl Iterator<Item = &Place> {
         let (structural, each) = (
             structural_point_count(self.epistemic_box.dimensions()),
             self.first_outer.len() / self.epistemic_box.combinations(),
         );
         // Weights see what lies between corners and centre.
-        let is_first = |&(index, _): &(usize, &Place)| !self.problem.sampling.reweighting || index % each < structural;
-        for (point, (_, place)) in self.first_outer.iter().enumerate().filter(is_first).enumerate() {
+        let is_first =
+            move |&(index, _): &(usize, &Place)| !self.problem.sampling.reweighting || index % each < structural;
+        self.first_outer.iter().enumerate().filter(is_first).map(|(_, place)| place)
+    }
+
+    fn first_round(&self) -> Vec<RunInputs> {
+        let mut runs: Vec<RunInputs> = Vec::new();
+        for (point, place) in self.first_places().enumerate() {
             runs.extend(self.runs_at(0, point as u32, self.epistemic_box.values_at(place)));
         }
         if self.has_mixture() {
@@ -485,7 +501,11 @@ impl DoubleLoop {
 
     /// Polynomials on the inner points; nothing where these are too few.
     pub(super) fn inner_basis(&self) -> Option<&InnerBasis> {
-        self.inner_basis.as_deref()
+        self.known_inner_basis().as_deref()
+    }
+
+    fn known_inner_basis(&self) -> &Option<Arc<InnerBasis>> {
+        self.inner_basis.get_or_init(|| inner_basis(&self.problem, &self.inner_sobol).map(Arc::new))
     }
 
     /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop where that is the same;
@@ -510,15 +530,14 @@ impl DoubleLoop {
 
     /// The same, to be kept.
     pub(super) fn inner_basis_shared(&self) -> Option<Arc<InnerBasis>> {
-        self.inner_basis.clone()
+        self.known_inner_basis().clone()
     }
 
     /// Points of the unit cube of the random inputs, replicate by replicate, `count` in each: first those of the inner runs.
     pub(super) fn inner_cube(&self, count: usize) -> Vec<Vec<f64>> {
         let replicates = self.problem.sampling.replicates;
         let sampling = Sampling { inner: count * replicates, ..self.problem.sampling };
-        let wider = Problem { sampling, ..self.problem.clone() };
-        inner_points(&wider).map_or_else(|_| Vec::new(), |points| points.into_iter().map(|(_, _, at)| at).collect())
+        inner_points(&sampling, &self.inner_sobol).map(|(_, _, at)| at).collect()
     }
 
     /// In what a response may be smooth, random input by random input.
@@ -560,7 +579,8 @@ impl DoubleLoop {
     pub(super) fn runs_at(&self, round: u32, point: u32, epistemic: Vec<f64>) -> impl Iterator<Item = RunInputs> {
         let moved: Vec<(usize, Option<RandomVariable>)> =
             self.moving.iter().map(|&input| (input, self.problem.variable_at(input, &epistemic))).collect();
-        self.inner.iter().map(move |run| {
+        let inner = self.inner.get_or_init(|| inner_runs(&self.problem, &self.inner_sobol));
+        inner.iter().map(move |run| {
             let mut random = run.random.clone();
             for ((input, variable), &level) in moved.iter().zip(&run.levels) {
                 random[*input] = variable.as_ref().map_or(f64::NAN, |variable| variable.at(level));
@@ -624,14 +644,14 @@ impl DoubleLoop {
                 [replicates.max(inputs.replicate + 1), each.max(inputs.index + 1)]
             });
         let is_whole = known.runs == replicates as usize * each as usize;
-        let is_smaller = known.runs < self.inner.len() && replicates as usize <= self.problem.sampling.replicates;
+        let is_smaller = known.runs < self.inner_runs() && replicates as usize <= self.problem.sampling.replicates;
         let is_same = |point: &PoolPoint| point.runs == known.runs;
         (is_whole && is_smaller && pool.points.iter().all(is_same)).then_some([replicates, each])
     }
 
     /// Whether every outer point of `pool` has all its inner runs.
     pub(super) fn check_points(&self, pool: &Pool) -> Result<(), PlanError> {
-        let expected = self.inner.len();
+        let expected = self.inner_runs();
         match pool.points.iter().find(|point| point.runs != expected) {
             Some(point) => Err(PlanError::UnfinishedPoint { point: point.point, found: point.runs, expected }),
             None => Ok(()),
@@ -673,9 +693,9 @@ fn first_divided(
 }
 
 /// Every inner run; a single one where nothing is random.
-fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
+fn inner_runs(problem: &Problem, sobol: &ScrambledSobol) -> Vec<InnerRun> {
     if problem.random.is_empty() {
-        return Ok(vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), levels: Vec::new() }]);
+        return vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), levels: Vec::new() }];
     }
     let moving = problem.inputs_with_parameters();
     let run = |(replicate, index, point): (u32, u32, Vec<f64>)| {
@@ -687,21 +707,19 @@ fn inner_runs(problem: &Problem) -> Result<Vec<InnerRun>, SobolError> {
             levels: moving.iter().map(|&input| levels[input]).collect(),
         }
     };
-    Ok(inner_points(problem)?.into_iter().map(run).collect())
+    inner_points(&problem.sampling, sobol).map(run).collect()
 }
 
 /// Replicate, index and point of the unit cube of every inner run.
-fn inner_points(problem: &Problem) -> Result<Vec<(u32, u32, Vec<f64>)>, SobolError> {
-    let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, INNER), problem.random.len())?;
-    let replicates = problem.sampling.replicates;
-    let per_replicate = (problem.sampling.inner / replicates) as u32;
-    let indices = (0..replicates as u32).flat_map(|replicate| (0..per_replicate).map(move |index| (replicate, index)));
-    let points = indices.map(|(replicate, index)| {
-        let mut point = vec![0.0; problem.random.len()];
+fn inner_points(sampling: &Sampling, sobol: &ScrambledSobol) -> impl Iterator<Item = (u32, u32, Vec<f64>)> {
+    let replicates = sampling.replicates as u32;
+    let per_replicate = (sampling.inner / sampling.replicates) as u32;
+    let indices = (0..replicates).flat_map(move |replicate| (0..per_replicate).map(move |index| (replicate, index)));
+    indices.map(|(replicate, index)| {
+        let mut point = vec![0.0; sobol.dimensions()];
         sobol.write_point(replicate, index, &mut point);
         (replicate, index, point)
-    });
-    Ok(points.collect())
+    })
 }
 
 /// In what a response may be smooth: a uniform input in its own probability; what else there is, and what is correlated, in the standard
@@ -715,13 +733,13 @@ fn random_axes(problem: &Problem) -> impl Iterator<Item = Axis> {
 
 /// Polynomials of the random inputs on the inner points; none where an input takes single values only: runs do not show what a response
 /// does at one that was never drawn.
-fn inner_basis(problem: &Problem) -> Result<Option<InnerBasis>, SobolError> {
+fn inner_basis(problem: &Problem, sobol: &ScrambledSobol) -> Option<InnerBasis> {
     if problem.random.is_empty() || problem.random.iter().any(RandomVariable::has_atoms) {
-        return Ok(None);
+        return None;
     }
     let axes: Vec<Axis> = random_axes(problem).collect();
-    let points: Vec<Vec<f64>> = inner_points(problem)?.into_iter().map(|(_, _, point)| point).collect();
-    Ok(InnerBasis::new(&axes, &points, problem.sampling.replicates))
+    let points: Vec<Vec<f64>> = inner_points(&problem.sampling, sobol).map(|(_, _, point)| point).collect();
+    InnerBasis::new(&axes, &points, problem.sampling.replicates)
 }
 
 #[cfg(test)]

@@ -77,14 +77,14 @@ impl SampleTable {
         Self { columns, ..Self::default() }
     }
 
-    /// An empty table with room for `runs` runs, so that adding them never needs room for a second copy.
+    /// An empty table with room for `runs` runs, so that adding them never needs room for a second copy. Where there is no such room
+    /// now, it is looked for when it is needed: a plan may come to fewer runs.
     pub fn with_capacity(columns: usize, runs: usize) -> Self {
-        Self {
-            columns,
-            inputs: Vec::with_capacity(runs),
-            failures: Vec::with_capacity(runs),
-            values: Vec::with_capacity(columns * runs),
-        }
+        let mut table = Self::new(columns);
+        let _ = table.inputs.try_reserve_exact(runs);
+        let _ = table.failures.try_reserve_exact(runs);
+        let _ = table.values.try_reserve_exact(columns.saturating_mul(runs));
+        table
     }
 
     /// Adds a run.

@@ -1,5 +1,6 @@
 //! The layer between TOML and meaning: every accessor either gives the value or leaves a complaint at its place.
 
+use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -43,7 +44,10 @@ pub(crate) fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
         if size_bytes > LARGEST_FILE_BYTES { Err(Complaints::one(&problem, None)) } else { Ok(()) }
     };
     check_size(size_bytes)?;
-    let bytes = std::fs::read(path).map_err(not_readable)?;
+    // What the system makes up as it is read, as below /proc, says that it has no bytes.
+    let mut bytes = Vec::with_capacity(size_bytes);
+    let file = std::fs::File::open(path).map_err(not_readable)?;
+    file.take(LARGEST_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(not_readable)?;
     check_size(bytes.len())?;
     source_from_bytes(&name, bytes)
 }

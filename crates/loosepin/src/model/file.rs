@@ -53,11 +53,12 @@ impl Model {
         Model::from_source(source_from_bytes(name, bytes)?)
     }
 
-    /// Reads a model from a text.
+    /// Reads a model from a text with its name and, where [`Source::with_files`] gave them, the tables that it may name: no other
+    /// file is opened then.
     ///
     /// # Errors
     /// As [`Model::from_text`].
-    pub(crate) fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
+    pub fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
         let root = file.reader.root(toml.get_ref(), &MODEL_KEYS);

@@ -202,6 +202,13 @@ impl QuantityTable {
         self.orders.iter().try_for_each(|order| self.check_order(*order, values))
     }
 
+    /// Whether nothing else depends on the value of `id`: no expression uses it, and it has not to be below or above another.
+    pub fn stands_alone(&self, id: QuantityId) -> bool {
+        let is_used = |quantity: &Quantity| matches!(&quantity.origin, Origin::Expression { depends_on } if depends_on.contains(&id));
+        !self.quantities.iter().any(is_used)
+            && !self.orders.iter().any(|order| order.smaller == id || order.larger == id)
+    }
+
     fn check_order(&self, order: Order, values: &Values) -> Result<(), QuantityError> {
         let (value_si, limit_si) = (values[order.smaller], values[order.larger]);
         if value_si < limit_si {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use rusqlite::ErrorCode;
+use rusqlite::{ErrorCode, ffi};
 use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
@@ -58,12 +58,23 @@ impl StoreError {
     /// What SQLite says of the store at `path`.
     pub(super) fn of(path: &Path, error: &rusqlite::Error) -> Self {
         let path = path.to_owned();
+        let extended = error.sqlite_error().map(|error| error.extended_code);
         match error.sqlite_error_code() {
+            // A file of another format, or without the tables: what is asked of it here is always the same, and right.
+            Some(ErrorCode::Unknown) => Self::Damaged { path, reason: error.to_string() },
+            // It ends within a page.
+            Some(ErrorCode::SystemIoFailure) if extended == Some(ffi::SQLITE_IOERR_SHORT_READ) => {
+                Self::Damaged { path, reason: error.to_string() }
+            }
             Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => Self::InUse { path },
             Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => {
                 Self::Damaged { path, reason: error.to_string() }
             }
             Some(ErrorCode::DiskFull) => Self::NotUsable { path, reason: "the disk is full".to_owned() },
+            // The file may be written, and says that a later version has written it.
+            Some(ErrorCode::ReadOnly) if extended == Some(ffi::SQLITE_READONLY) && is_writable(&path) => {
+                Self::Damaged { path, reason: "its header is of another version of SQLite".to_owned() }
+            }
             Some(ErrorCode::ReadOnly | ErrorCode::PermissionDenied) => {
                 Self::NotUsable { path, reason: "it is not permitted to write".to_owned() }
             }
@@ -72,6 +83,10 @@ impl StoreError {
             None => Self::Damaged { path, reason: error.to_string() },
         }
     }
+}
+
+fn is_writable(path: &Path) -> bool {
+    std::fs::OpenOptions::new().write(true).open(path).is_ok()
 }
 
 impl Problem for StoreError {

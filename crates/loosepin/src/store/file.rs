@@ -16,9 +16,12 @@ const APPLICATION: i32 = 0x4c50_494e;
 /// Of the tables below; another one is refused.
 const FORMAT: i32 = 1;
 
-const TABLES: &str = "
-CREATE TABLE identity (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-CREATE TABLE run (
+/// The tables, by name, as SQLite keeps the statements that made them.
+const TABLES: [(&str, &str); 2] = [
+    ("identity", "CREATE TABLE identity (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"),
+    (
+        "run",
+        "CREATE TABLE run (
     list INTEGER NOT NULL,
     place INTEGER NOT NULL,
     inputs BLOB NOT NULL,
@@ -26,8 +29,24 @@ CREATE TABLE run (
     numbers BLOB NOT NULL,
     checksum BLOB NOT NULL,
     PRIMARY KEY (list, place)
-) WITHOUT ROWID;
-";
+) WITHOUT ROWID",
+    ),
+];
+
+/// What SQLite advises for files that somebody else may have written: nothing in the file may call functions, and every cell of a
+/// page is looked at before it is used.
+fn harden(connection: &Connection) -> rusqlite::Result<()> {
+    connection.pragma_update(None, "trusted_schema", false)?;
+    connection.pragma_update(None, "cell_size_check", true)
+}
+
+/// Characters of a name of the file that are shown.
+const SHOWN_CHARS: usize = 40;
+
+/// A name as it is shown.
+fn shortened(name: &str) -> String {
+    name.chars().take(SHOWN_CHARS).collect()
+}
 
 /// An open, locked, checked file.
 pub(super) struct StoreFile {
@@ -47,6 +66,7 @@ impl StoreFile {
         connection.pragma_update(None, "journal_mode", "WAL").map_err(of)?;
         connection.pragma_update(None, "synchronous", "FULL").map_err(of)?;
         connection.execute_batch("BEGIN EXCLUSIVE; COMMIT").map_err(of)?;
+        harden(&connection).map_err(of)?;
         let store = Self { path: path.to_owned(), connection };
         let number =
             |name: &str| store.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)).map_err(of);
@@ -64,6 +84,7 @@ impl StoreFile {
     pub fn open_published(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
         let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let connection = Connection::open_with_flags(path, flags).map_err(|error| StoreError::of(path, &error))?;
+        harden(&connection).map_err(|error| StoreError::of(path, &error))?;
         let store = Self { path: path.to_owned(), connection };
         store.check(identity)?;
         Ok(store)
@@ -78,7 +99,9 @@ impl StoreFile {
     fn begin(&self, identity: &StoreIdentity) -> Result<(), StoreError> {
         let written = || -> rusqlite::Result<()> {
             let transaction = self.connection.unchecked_transaction()?;
-            transaction.execute_batch(TABLES)?;
+            for (_, made) in TABLES {
+                transaction.execute(made, [])?;
+            }
             for (name, value) in [("version", &identity.version), ("inputs", &identity.inputs)] {
                 transaction.execute("INSERT INTO identity VALUES (?1, ?2)", params![name, value])?;
             }
@@ -104,6 +127,7 @@ impl StoreFile {
                 return Err(StoreError::Damaged { path: self.path.clone(), reason });
             }
         }
+        self.check_tables()?;
         let said = self.connection.query_row("PRAGMA quick_check(1)", [], |row| row.get::<_, String>(0));
         let said = self.or_told(said)?;
         if said != "ok" {
@@ -122,6 +146,29 @@ impl StoreFile {
             }
         }
         Ok(())
+    }
+
+    /// That it has the tables that were made, and nothing else. A view in the place of a table, a column or an index that is worked out, or
+    /// a trigger would run whatever was written into the file: without end, or with all memory there is. So they are looked for
+    /// before anything is read of them, the structure included ("Defense Against The Dark Arts",
+    /// <https://www.sqlite.org/security.html>).
+    fn check_tables(&self) -> Result<(), StoreError> {
+        let damaged = |reason: String| StoreError::Damaged { path: self.path.clone(), reason };
+        let statement = self.connection.prepare("SELECT name, sql FROM sqlite_schema");
+        let mut statement = self.or_told(statement)?;
+        let mut rows = self.or_told(statement.query([]))?;
+        let mut found = [false; TABLES.len()];
+        while let Some(row) = self.or_told(rows.next())? {
+            let (name, made): (String, String) = self.or_told(row.get(0).and_then(|name| Ok((name, row.get(1)?))))?;
+            match TABLES.iter().position(|table| *table == (name.as_str(), made.as_str())) {
+                Some(table) => found[table] = true,
+                None => return Err(damaged(format!("'{}' in it is no table of a store", shortened(&name)))),
+            }
+        }
+        match TABLES.iter().zip(found).find(|(_, is_there)| !is_there) {
+            Some(((name, _), _)) => Err(damaged(format!("it has no table '{name}'"))),
+            None => Ok(()),
+        }
     }
 
     /// How many runs it holds.

@@ -113,6 +113,53 @@ fn a_file_of_something_else_is_refused() {
     assert!(error.to_string().ends_with("it is a database, but not one of loosepin"), "{error}");
 }
 
+/// Whoever writes a file that is opened here could have whatever he likes run, without end or with all memory there is.
+#[test]
+fn tables_that_are_not_those_of_a_store_are_refused_before_they_are_read() {
+    let endless = "WITH RECURSIVE n(k) AS (SELECT 0 UNION ALL SELECT k + 1 FROM n) SELECT";
+    for (change, expected) in [
+        (
+            format!("DROP TABLE run; CREATE VIEW run AS {endless} 0 AS list, k AS place FROM n"),
+            "'run' in it is no table of a store",
+        ),
+        (
+            format!("DROP TABLE identity; CREATE VIEW identity AS {endless} 'version' AS name, k AS value FROM n"),
+            "'identity' in it is no table of a store",
+        ),
+        ("ALTER TABLE run ADD COLUMN more AS (zeroblob(900000000))".to_owned(), "'run' in it is no table of a store"),
+        (
+            "CREATE TRIGGER grow AFTER INSERT ON run BEGIN DELETE FROM run; END".to_owned(),
+            "'grow' in it is no table of a store",
+        ),
+        ("CREATE INDEX by_key ON run (hex(inputs))".to_owned(), "'by_key' in it is no table of a store"),
+        ("DROP TABLE run".to_owned(), "it has no table 'run'"),
+    ] {
+        let (_folder, path) = folder();
+        fill(&path);
+        rusqlite::Connection::open(&path).unwrap().execute_batch(&change).unwrap();
+        let error = RunStore::open(&path, &identity()).unwrap_err();
+        assert!(matches!(&error, StoreError::Damaged { reason, .. } if reason == expected), "{change}: {error}");
+    }
+}
+
+/// The header of the file says by what version it may be written and by what format its tables are described.
+#[test]
+fn a_file_of_a_format_that_does_not_exist_is_damaged() {
+    for (place, expected) in [(18, "its header is of another version of SQLite"), (47, "unsupported file format")] {
+        let (_folder, path) = folder();
+        fill(&path);
+        let mut bytes = fs::read(&path).unwrap();
+        bytes[place] = 9;
+        fs::write(&path, bytes).unwrap();
+        let written = RunStore::open(&path, &identity()).and_then(|store| {
+            store.keep(0, ROWS, run(0, ROWS));
+            store.settle()
+        });
+        let error = written.unwrap_err();
+        assert!(matches!(&error, StoreError::Damaged { reason, .. } if reason.contains(expected)), "{place}: {error}");
+    }
+}
+
 /// Opens what is left of a store and reads all of it: every row that comes back must be the right one.
 fn read_what_is_left(path: &Path) -> Result<usize, StoreError> {
     let store = RunStore::open(path, &identity())?;

@@ -23,6 +23,8 @@ impl Problem for StudyError {
                 PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
                 | PrepareError::TooManyPoses { .. }
+                | PrepareError::TooManyTurns { .. }
+                | PrepareError::TooManyLaws { .. }
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Code::AskNotPossible,
@@ -31,6 +33,7 @@ impl Problem for StudyError {
             | Self::Surrogate(_)
             | Self::AccuracyOfSurrogate
             | Self::TimeOfShards
+            | Self::TooManyNumbers { .. }
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
             Self::Store(error) => error.code(),
@@ -56,12 +59,20 @@ impl Problem for StudyError {
             Self::Prepare(PrepareError::TooManyPoses { .. }) => {
                 Some("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve".to_owned())
             }
+            Self::Prepare(PrepareError::TooManyTurns { .. }) => {
+                Some("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model".to_owned())
+            }
+            Self::Prepare(PrepareError::TooManyLaws { .. }) => Some("shorten the lists of laws".to_owned()),
             Self::Prepare(PrepareError::PoseNotRecorded { .. }) => {
                 Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
             }
             Self::BudgetTooSmall { least, .. } => Some(format!(
                 "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
             )),
+            Self::TooManyNumbers { .. } => Some(
+                "smaller outer and inner under [sampling] need fewer runs; poses need fewer numbers than curves"
+                    .to_owned(),
+            ),
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Store(error) => error.hint(),
             Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
@@ -95,7 +106,11 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::AccuracyOfSurrogate => {
+            Self::Plan(_)
+            | Self::Contributors(_)
+            | Self::Surrogate(_)
+            | Self::AccuracyOfSurrogate
+            | Self::TooManyNumbers { .. } => {
                 let key = if matches!(self, Self::Surrogate(_) | Self::AccuracyOfSurrogate) {
                     "surrogate"
                 } else {
@@ -115,6 +130,8 @@ impl StudyError {
                 | PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
                 | PrepareError::TooManyPoses { .. }
+                | PrepareError::TooManyTurns { .. }
+                | PrepareError::TooManyLaws { .. }
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),

@@ -91,6 +91,18 @@ pub enum StudyError {
     /// A budget of time where shards make the runs.
     #[error("a budget of time cannot be shared by shards, which run at different times")]
     TimeOfShards,
+    /// More numbers than a computer holds.
+    #[error("{runs} runs of {numbers} numbers each are {size_gib:.0} GiB; must be at most {most_gib:.0} GiB")]
+    TooManyNumbers {
+        /// Runs of the study at most.
+        runs: usize,
+        /// Numbers of each, its inputs included.
+        numbers: usize,
+        /// What they take.
+        size_gib: f64,
+        /// What they may take.
+        most_gib: f64,
+    },
     /// More runs failed than may; what was run is in the table, and in the store.
     #[error("{0}")]
     TooManyFailed(Box<TooManyFailed>),

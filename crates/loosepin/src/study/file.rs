@@ -91,8 +91,12 @@ impl Study {
         read(&Source::new(name, text), |written| Ok((model, PathBuf::from(written))))
     }
 
-    /// Reads a study of `model`, which stands at `model_path`.
-    pub(super) fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Complaints> {
+    /// Reads a study of `model`, which stands at `model_path`, from a text with its name and, where [`Source::with_files`] gave
+    /// them, the tables that it may name: no other file is opened then, and the model that the text names is not opened either.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, each with its place.
+    pub fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Complaints> {
         read(source, |_| Ok((model, model_path.to_owned())))
     }
 

@@ -18,6 +18,9 @@ const EXTREME_RUNS: usize = 128;
 const EXTREME_RUNS_PER_INPUT: usize = 8;
 /// Each random input is cut at this many standard deviations where it is taken as an interval.
 const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
+/// The numbers of all runs are in memory; what no computer holds is refused at once, not after hours.
+const MOST_GIB: f64 = 256.0;
+const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
 /// Confidence of every sampling error.
 const CONFIDENCE: f64 = 0.99;
 
@@ -55,11 +58,13 @@ impl Plans {
         let surrogate_runs = surrogate.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
         let rare = most_rare_runs(direct) * requests(&response.shared.plan.asks).count();
-        let allowed = most_studies(study) * runs_of_a_study(study);
-        let beside = contributors.as_ref().map_or(0, ContributorPlan::runs) + rare + allowed + surrogate_runs;
+        let allowed = most_studies(study).saturating_mul(runs_of_a_study(study));
+        let contributing = contributors.as_ref().map_or(0, ContributorPlan::runs);
+        let beside = [contributing, rare, allowed, surrogate_runs].into_iter().fold(0, usize::saturating_add);
         let (stated_runs, reserved) =
-            if is_surrogate_alone { (surrogate_runs, 0) } else { (direct.most_runs() + beside, beside) };
+            if is_surrogate_alone { (surrogate_runs, 0) } else { (direct.most_runs().saturating_add(beside), beside) };
         let budget = budget(study, stated_runs, row_length);
+        check_size(study, row_length, Watch::new(budget, reserved).most_runs(stated_runs).min(stated_runs))?;
         Ok(Self { refinement, contributors, surrogate, is_surrogate_alone, budget, stated_runs, reserved, row_length })
     }
 
@@ -90,16 +95,25 @@ impl Plans {
     }
 }
 
+/// That a computer can hold the numbers of all runs.
+fn check_size(study: &Study, row_length: usize, runs: usize) -> Result<(), StudyError> {
+    let numbers = row_length + study.random.len() + study.epistemic.len();
+    let size_gib = runs as f64 * numbers as f64 * size_of::<f64>() as f64 / BYTES_PER_GIB;
+    if size_gib <= MOST_GIB {
+        return Ok(());
+    }
+    Err(StudyError::TooManyNumbers { runs, numbers, size_gib, most_gib: MOST_GIB })
+}
+
 /// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.
 ///
 /// # Errors
 /// The study cannot begin, its sampling is not possible, or its budget does not suffice for anything.
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
-    let mut plans = Plans::new(study, &response)?;
+    let plans = Plans::new(study, &response)?;
     if matches!(plans.budget, Some(Budget::Runs(_))) && !plans.is_surrogate_alone {
-        let table = SampleTable::new(response.row_length());
-        let first = plans.refinement.next_round(&table)?.len();
+        let first = plans.refinement.plan(&SampleTable::new(response.row_length())).first_round_runs();
         if !plans.watch().allows(first, 0, 0) {
             return Err(plans.budget_too_small(first));
         }

@@ -14,6 +14,13 @@ use crate::uncertainty::EpistemicVariable;
 /// Poses of a curve, at most: every one has bounds of its own.
 pub const LARGEST_POSES: f64 = 2000.0;
 
+/// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
+const MOST_TURNS: f64 = 10_000.0;
+/// Recorded ones, at most: each has a table of the ideal motion.
+const MOST_RECORDED_TURNS: f64 = 1000.0;
+/// Combinations of contact laws, at most: each is a mechanism of its own.
+const MOST_LAWS: usize = 64;
+
 /// Why a study cannot begin.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PrepareError {
@@ -52,6 +59,22 @@ pub enum PrepareError {
     TooManyPoses {
         /// Recorded turns times samples a turn.
         poses: f64,
+    },
+    /// More turns than a run of a study may have.
+    #[error("{turns} turns are {what}; must be at most {most}")]
+    TooManyTurns {
+        /// Turns of a run.
+        turns: f64,
+        /// What is done with them.
+        what: &'static str,
+        /// How many there may be.
+        most: f64,
+    },
+    /// More mechanisms than are made.
+    #[error("{combinations} combinations of contact laws; must be at most {MOST_LAWS}")]
+    TooManyLaws {
+        /// How many there are.
+        combinations: usize,
     },
     /// The nominal run.
     #[error("the nominal mechanism, epistemic inputs in the middle of their intervals: {0}")]
@@ -203,6 +226,7 @@ impl StudyResponse {
             })
             .collect();
         check_drive(study)?;
+        check_turns(study)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
         if poses > LARGEST_POSES && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
             return Err(PrepareError::TooManyPoses { poses });
@@ -319,7 +343,7 @@ impl Response for StudyResponse {
 
 /// The model with each combination of laws, those of the first contact changing fastest; the model alone where no law is
 /// uncertain.
-fn models_with_laws(study: &Study) -> Result<Vec<Model>, LawError> {
+fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
     let lists: Vec<(ContactId, &[NormalDescription])> = study
         .epistemic
         .iter()
@@ -329,16 +353,30 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, LawError> {
         })
         .collect();
     let combinations = lists.iter().fold(1_usize, |product, (_, laws)| product.saturating_mul(laws.len()));
-    (0..combinations)
-        .map(|combination| {
-            let mut rest = combination;
-            lists.iter().try_fold(study.model.clone(), |model, (contact, laws)| {
-                let law = laws[rest % laws.len()];
-                rest /= laws.len();
-                model.with_law(*contact, law)
-            })
+    if combinations > MOST_LAWS {
+        return Err(PrepareError::TooManyLaws { combinations });
+    }
+    let of = |combination: usize| {
+        let mut rest = combination;
+        lists.iter().try_fold(study.model.clone(), |model, (contact, laws)| {
+            let law = laws[rest % laws.len()];
+            rest /= laws.len();
+            model.with_law(*contact, law)
         })
-        .collect()
+    };
+    Ok((0..combinations).map(of).collect::<Result<Vec<Model>, LawError>>()?)
+}
+
+/// A run must end in a person's time.
+fn check_turns(study: &Study) -> Result<(), PrepareError> {
+    let (transient, recorded) = (study.cycle.transient_turns, study.cycle.recorded_turns);
+    for (turns, what, most) in [(recorded, "recorded", MOST_RECORDED_TURNS), (transient + recorded, "run", MOST_TURNS)]
+    {
+        if turns > most {
+            return Err(PrepareError::TooManyTurns { turns, what, most });
+        }
+    }
+    Ok(())
 }
 
 /// The drive that the cycle counts must start where it always starts, and turn one way.

@@ -147,20 +147,29 @@ impl StudyReader {
     }
 
     fn impossible_share_of(&self, input: &RandomInput, variable: &RandomVariable) -> Option<StudyProblem> {
-        let mut values = self.model.quantities.nominal();
+        let quantities = &self.model.quantities;
+        let mut values = quantities.nominal();
+        let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
+        let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();
+        let stands_alone = quantities.stands_alone(input.quantity);
         for fraction in [0.0, 0.5, 1.0] {
             let epistemic = self.epistemic.iter();
             let mut set: Vec<(QuantityId, f64)> =
                 epistemic.filter_map(|input| Some((input.quantity()?, input.variable.at(fraction)))).collect();
             set.push((input.quantity, f64::NAN));
+            let mut possible = |value_si: f64| {
+                if let Some(last) = set.last_mut() {
+                    last.1 = value_si;
+                }
+                quantities.evaluate_into(&set, &mut values)
+            };
+            // Where the other values are possible with one of these, and nothing depends on it, its own rule is all there is.
+            let is_own_rule = stands_alone && drawn.iter().any(|&value_si| possible(value_si).is_ok());
             let mut impossible = 0;
             let mut first = None;
-            for quantile in 0..QUANTILES {
-                let probability = (quantile as f64 + 0.5) / QUANTILES as f64;
-                if let Some(last) = set.last_mut() {
-                    last.1 = variable.quantile(probability);
-                }
-                if let Err(error) = self.model.quantities.evaluate_into(&set, &mut values) {
+            for &value_si in &drawn {
+                let tried = if is_own_rule { quantities[input.quantity].check(value_si) } else { possible(value_si) };
+                if let Err(error) = tried {
                     impossible += 1;
                     first.get_or_insert(error);
                 }
