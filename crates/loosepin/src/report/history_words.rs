@@ -7,6 +7,8 @@ use crate::study::result::{ResponsePoint, SurrogateOutput, SurrogateVerdict};
 /// Where less of the variance of a history is explained and the rest does not fall with more runs, its statistics are those of the
 /// rest: what is left scatters by a third of the whole, and only direct runs tell how.
 const LEARNED_SHARE: f64 = 0.9;
+/// Doublings of the runs within which an error that falls must leave that little: more than 32 times the runs are a direct study.
+const MOST_DOUBLINGS: f64 = 5.0;
 
 /// The sentences of such a history, a value at a pose or a curve, with what stands beside it; of anything else only that it is noise, where
 /// it is.
@@ -19,6 +21,7 @@ pub(super) fn history_words(
     let is_lost = match output.verdict? {
         SurrogateVerdict::Nothing => true,
         SurrogateVerdict::Floor | SurrogateVerdict::Jump => output.q2? < LEARNED_SHARE,
+        SurrogateVerdict::Falling => falls_too_slowly(output),
         _ => false,
     };
     if !is_history || !is_lost {
@@ -45,11 +48,19 @@ pub(super) fn history_words(
     Some(format!("The surrogate saves nothing for such a history. {what_instead}"))
 }
 
+/// Whether an error that goes on to fall as it did from half to all of the runs stays too large.
+fn falls_too_slowly(output: &SurrogateOutput) -> bool {
+    let (Some(q2), [.., half, all]) = (output.q2, &output.learning[..]) else { return false };
+    let each = (all.held_out_si / half.held_out_si) * (all.held_out_si / half.held_out_si);
+    let left = (1.0 - q2) * libm::pow(each, MOST_DOUBLINGS);
+    left > 1.0 - LEARNED_SHARE
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::study::Reduction;
-    use crate::study::result::DeviationKind;
+    use crate::study::result::{DeviationKind, SurrogateLearning};
     use crate::units::{DisplayUnits, SiUnit};
 
     fn output(at: ResponsePoint, q2: f64, verdict: SurrogateVerdict) -> SurrogateOutput {
@@ -107,6 +118,19 @@ mod tests {
             words(&output(rms, 0.02, SurrogateVerdict::Nothing), &all).as_deref(),
             Some("The surrogate saves nothing for it: rely on the direct bounds.")
         );
+    }
+
+    #[test]
+    fn an_error_that_falls_must_fall_fast_enough() {
+        let falling = |half: f64| SurrogateOutput {
+            learning: [(40, half), (80, 0.11e-3)]
+                .map(|(runs, held_out_si)| SurrogateLearning { runs, held_out_si })
+                .into(),
+            ..output(ResponsePoint::Whole, 0.53, SurrogateVerdict::Falling)
+        };
+        // 0.47 (0.11/0.12)^10 is 0.20, 0.47 (0.11/0.13)^10 is 0.09: less than a tenth.
+        assert!(words(&falling(0.12e-3), &[]).is_some());
+        assert_eq!(words(&falling(0.13e-3), &[]), None);
     }
 
     #[test]
