@@ -212,6 +212,12 @@ fn surrogate_studies(
             verdicts[place].extend(verdict);
         }
         all_agree += usize::from(is_agreeing);
+        eprintln!(
+            "{} {kind} seed {seed}: {} runs, {}",
+            regime.name,
+            result.counts.runs,
+            if is_agreeing { "all agree" } else { "not all agree" }
+        );
     }
     let ratio = direct_runs as f64 / most_runs as f64;
     let title = format!(

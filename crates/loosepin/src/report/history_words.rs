@@ -86,7 +86,8 @@ mod tests {
 
     fn words(output: &SurrogateOutput, all: &[SurrogateOutput]) -> Option<String> {
         let units = DisplayUnits::default();
-        history_words(output, all, &NumberWriter::for_terminal(&units))
+        let words = history_words(output, all, &NumberWriter::for_terminal(&units))?;
+        Some(words.replace('\u{a0}', " "))
     }
 
     #[test]
@@ -95,7 +96,7 @@ mod tests {
         let mean = ResponsePoint::Reduced { reduction: Reduction::Mean };
         let all = [
             output(ResponsePoint::Whole, 0.03, SurrogateVerdict::Nothing),
-            output(rms, 0.974, SurrogateVerdict::Floor),
+            output(rms, 0.9747, SurrogateVerdict::Floor),
             output(mean, 0.74, SurrogateVerdict::Floor),
             SurrogateOutput { output: "rocker".into(), ..output(rms, 0.99, SurrogateVerdict::Falling) },
         ];
