@@ -206,3 +206,18 @@ fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
          and at most the 64 inner runs"
     );
 }
+
+#[test]
+fn a_single_run_to_learn_from_is_refused_at_its_place() {
+    let study = study("[surrogate]\ntraining_runs = 1").unwrap_or_else(|complaints| panic!("{complaints}"));
+    let error =
+        conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+            .err()
+            .expect("one run is not enough");
+    let complaint = error.complaint(&study).to_string();
+    assert!(
+        complaint.starts_with("study.toml:4:10: error[E0611]: surrogate: 1 training runs; must be at least 4"),
+        "{complaint}"
+    );
+    assert!(complaint.contains("hint: 30 for each uncertain input are a start"), "{complaint}");
+}

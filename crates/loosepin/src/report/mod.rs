@@ -8,6 +8,7 @@ mod cases_page;
 mod chart;
 mod contributors_text;
 mod glossary;
+mod history_words;
 mod inverse;
 mod measured_figures;
 mod mechanism_figure;

@@ -1,6 +1,7 @@
 //! What surrogates learned and what they save: sentences and tables for pages and terminals.
 
 use super::answer::output_unit;
+use super::history_words::history_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::bound_value;
 use super::terminal::{push_table, table, wrapped};
@@ -42,10 +43,14 @@ pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, w
     };
     // What nothing was learned of has no bounds, and is said all the same.
     let shown = record.outputs.iter().filter(|output| output.problem.is_some() || is_asked(output));
-    shown.map(|output| output_sentence(result, output, writer)).collect()
+    shown.map(|output| output_sentence(result, (output, &record.outputs), writer)).collect()
 }
 
-fn output_sentence(result: &StudyResult, output: &SurrogateOutput, writer: &NumberWriter) -> String {
+fn output_sentence(
+    result: &StudyResult,
+    (output, all): (&SurrogateOutput, &[SurrogateOutput]),
+    writer: &NumberWriter,
+) -> String {
     let subject = format!(
         "{}, {}, {}",
         output_words(&output.output, &result.outputs),
@@ -67,6 +72,9 @@ fn output_sentence(result: &StudyResult, output: &SurrogateOutput, writer: &Numb
         size(output.held_out_si),
         verdict_words(output, &size, writer)
     );
+    if let Some(words) = history_words(output, all, writer) {
+        sentence.push_str(&format!(" {words}"));
+    }
     if output.missing > 0 {
         sentence.push_str(&format!(" {} gave no value.", counted(output.missing, "training run", writer)));
     }
@@ -110,8 +118,7 @@ fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer:
              and is part of its scatter here."
         ),
         Some(SurrogateVerdict::Nothing) => format!(
-            "Nothing was learned{learned}: as a function of the inputs this is noise, and the surrogate saves nothing for it. Ask \
-             for statistics of the cycle (reduce = \"rms\" or \"mean\") instead of single poses, or rely on the direct bounds."
+            "Nothing was learned{learned}: as a function of the inputs this is noise. What is drawn from are the runs themselves."
         ),
         Some(SurrogateVerdict::Jump) => format!(
             "A few errors are large and most are small{learned}: the response jumps, and near the jump the surrogate is wrong. What \

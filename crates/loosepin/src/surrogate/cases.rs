@@ -128,6 +128,37 @@ fn analytic_white_noise_is_recognised_and_kept() {
 }
 
 #[test]
+fn analytic_a_curve_of_white_noise_is_recognised_and_its_places_stay_together() {
+    const PLACES: usize = 7;
+    let at = points(&mixed_inputs(), 11, 0, 80);
+    // The same number at every place, with a factor: what is drawn must be such a curve again.
+    let row = |run: usize| (1..=PLACES).map(|place| 3.0 + 0.4 * place as f64 * noise(run)).collect();
+    let output = TrainingOutput::curve("y", (0..80).map(|run| Some(row(run))).collect());
+    let data = TrainingData::try_new(mixed_inputs(), at.clone(), vec![output]).unwrap();
+    let surrogate = Surrogate::fit(&data, &Options { most_neurons: 6, ..Options::default() }).unwrap();
+    let output = &surrogate.outputs()[0];
+    assert_eq!(output.residual.verdict, Verdict::Nothing);
+    const TOLERANCE: f64 = 1e-9; // round-off of one mode
+    let drawn = surrogate.residual(0, &at[7], 0.37).unwrap().unwrap();
+    for (place, value) in drawn.iter().enumerate() {
+        assert!((value - (place + 1) as f64 * drawn[0]).abs() < TOLERANCE, "{drawn:?}");
+    }
+}
+
+#[test]
+fn analytic_a_step_along_a_curve_is_kept_as_scatter() {
+    let inputs = || mixed_inputs()[..2].to_vec();
+    let at = points(&inputs(), 11, 0, 100);
+    let row =
+        |x: &Vec<f64>| (0..5).map(|place| if x[1] > 0.83 { 2.7 } else { 0.3 } + 0.1 * place as f64 * x[0]).collect();
+    let output = TrainingOutput::curve("y", at.iter().map(|x| Some(row(x))).collect());
+    let data = TrainingData::try_new(inputs(), at.clone(), vec![output]).unwrap();
+    let options = Options { choice: Choice::Only(Kind::Kriging), ..Options::default() };
+    let verdict = Surrogate::fit(&data, &options).unwrap().outputs()[0].residual.verdict;
+    assert!(verdict.keeps_residual(), "{verdict:?}");
+}
+
+#[test]
 fn analytic_noise_on_a_smooth_response_is_a_floor_of_its_size() {
     const TOLERANCE: f64 = 0.3; // of the deviation: 120 numbers, and what the surrogate does not know yet
     let at = points(&mixed_inputs(), 11, 0, 120);

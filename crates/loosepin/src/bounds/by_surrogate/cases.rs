@@ -8,7 +8,7 @@ use super::{
     ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateSettings,
 };
 use crate::surrogate::{Choice, Kind, SurrogateError, Verdict};
-use crate::uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash};
+use crate::uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash, normal_cdf};
 
 /// Of numbers about 1.
 const ROUND_OFF: f64 = 1e-12;
@@ -137,6 +137,42 @@ fn analytic_a_step_is_recognised_and_its_bounds_hold() {
     let found = bounds(of, settings(Kind::Kriging, 80), &step);
     assert!(found.groups[0].learned.keeps_residual(), "{:?}", verdict(&found.groups[0]));
     holds(&found.groups[0].pairs[0], (0.4, 2.3));
+}
+
+#[test]
+fn analytic_a_step_in_a_random_input_is_said_and_its_bounds_hold() {
+    let limit = |u: f64| 0.4 + 0.2 * u;
+    let statistics = [Statistic::Mean, Statistic::ProbabilityAbove(1.7)];
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
+    let step = Function(move |x: &[f64], u: &[f64]| if x[0] > limit(u[0]) { 2.3 } else { 0.4 });
+    let found = bounds(of, settings(Kind::Kriging, 80), &step);
+    assert!(found.groups[0].learned.keeps_residual(), "{:?}", verdict(&found.groups[0]));
+    let probability = |u: f64| normal_cdf(-limit(u));
+    for (pair, (offset, height)) in found.groups[0].pairs.iter().zip([(0.4, 1.9), (0.0, 1.0)]) {
+        holds(pair, (offset + height * probability(0.7), offset + height * probability(-1.5)));
+    }
+}
+
+#[test]
+fn analytic_points_that_repeat_are_enough_where_four_differ() {
+    const TOLERANCE: f64 = 1e-3; // of a process through five points without noise
+    let (values, probabilities) = (vec![-1.2, -0.3, 0.4, 0.9, 1.7], vec![0.1, 0.3, 0.25, 0.2, 0.15]);
+    let square: f64 = values.iter().zip(&probabilities).map(|(x, p)| p * x * x).sum();
+    let with = |values: &[f64], probabilities: &[f64]| {
+        let distribution = Distribution::Discrete { values: values.to_vec(), probabilities: probabilities.to_vec() };
+        let mut of = small(problem(&[distribution], &[], &[Statistic::Mean]), 3);
+        of.epistemic.push(Members::try_new(vec![2.0, 7.0]).unwrap().into());
+        bounds(of, settings(Kind::Kriging, 40), &Function(|x: &[f64], u: &[f64]| x[0] * x[0] + u[0]))
+    };
+    let found = with(&values, &probabilities);
+    let pair = &found.groups[0].pairs[0].pair;
+    // What is sampled of five values is not their distribution: the sampling error is part of the answer.
+    holds(&found.groups[0].pairs[0], (2.0 + square, 7.0 + square));
+    let error = pair.upper.error.sampling + pair.upper.error.optimisation + TOLERANCE;
+    assert!((pair.upper.value - 7.0 - square).abs() < error, "{pair:?}");
+    let coin = with(&[-0.3, 0.9], &[0.4, 0.6]);
+    let problem = coin.groups[0].learned.surrogates.as_ref().err().unwrap();
+    assert!(matches!(problem, SurrogateError::TooFewRuns { different: 2, runs: 40, missing: 0, .. }), "{problem}");
 }
 
 #[test]
