@@ -9,7 +9,7 @@ use loosepin::study::files::{read_json, surrogates_json, to_json};
 use loosepin::study::result::{
     BoundRecord, GuaranteeKind, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict,
 };
-use loosepin::study::{Means, Progress, SavedSurrogates, Study, conduct};
+use loosepin::study::{Means, Progress, SavedSurrogates, Study, conduct, export_networks};
 use loosepin::templates::find_template;
 
 struct Silent;
@@ -168,6 +168,19 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
         let quality = |saved: &SavedSurrogates| saved.outputs[output].surrogate.outputs()[0].quality.clone();
         assert_eq!(quality(&saved), quality(&loaded));
     }
+    // Polynomials are not made of layers.
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("surrogates.json"), &text).expect("a file");
+    let error = export_networks(folder.path(), &[], &folder.path().join("onnx")).expect_err("polynomials").to_string();
+    assert!(
+        error.contains(
+            "surrogates.json: output 'slider dimensional' is learned by polynomial chaos; neural networks alone can be \
+             written as ONNX\nhint: its coefficients stand in surrogates.json; or learn networks, kind = \"network\" under \
+             [surrogate]"
+        ),
+        "{error}"
+    );
+    assert!(!folder.path().join("onnx").exists());
     values.insert("parameter.rod_length".to_owned(), 0.1215);
     let error = loaded.predict(0, &values).expect_err("beyond the interval").to_string();
     assert!(error.starts_with("'parameter.rod_length' is 0.1215 m; learned was from 0.1195 to 0.1207 m"), "{error}");

@@ -8,6 +8,7 @@ use super::saved_surrogates::SavedSurrogateError;
 use crate::bounds::{EvaluateError, PlanError};
 use crate::diagnostics::{Code, Complaint, Place, Problem};
 use crate::document::parse_toml;
+use crate::surrogate::SurrogateError;
 use crate::units::format_value;
 
 /// The middle of an interval is the value of the model where they differ by less than this share.
@@ -186,7 +187,10 @@ impl Problem for FilesError {
 
 impl Problem for SavedSurrogateError {
     fn code(&self) -> Code {
-        Code::NoSurrogateAnswer
+        match self {
+            Self::Surrogate(SurrogateError::NotNetworks { .. }) => Code::SurrogateNotExported,
+            _ => Code::NoSurrogateAnswer,
+        }
     }
 }
 
