@@ -30,7 +30,6 @@ impl Problem for StudyError {
             Self::Plan(_)
             | Self::Contributors(_)
             | Self::Surrogate(_)
-            | Self::AccuracyOfSurrogate
             | Self::TimeOfShards
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
             Self::Threads(_) => Code::NoThreads,
@@ -77,7 +76,6 @@ impl Problem for StudyError {
             Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
             Self::NotMade { .. } => Some("what was made is kept: the same command with --resume goes on".to_owned()),
             Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
-            Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
@@ -96,12 +94,8 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::AccuracyOfSurrogate => {
-                let key = if matches!(self, Self::Surrogate(_) | Self::AccuracyOfSurrogate) {
-                    "surrogate"
-                } else {
-                    "sampling"
-                };
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) => {
+                let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
                 let within = if let Self::Plan(PlanError::Problem(problem)) = self { problem.key() } else { None };
                 let mut complaint = Complaint::error(self, Some(place_within(key, within, study)));
                 // These errors bring their way out with them.

@@ -97,9 +97,12 @@ impl Plans {
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let mut plans = Plans::new(study, &response)?;
-    if matches!(plans.budget, Some(Budget::Runs(_))) && !plans.is_surrogate_alone {
+    if matches!(plans.budget, Some(Budget::Runs(_))) {
         let table = SampleTable::new(response.row_length());
-        let first = plans.refinement.next_round(&table)?.len();
+        let first = match &plans.surrogate {
+            Some(surrogate) if plans.is_surrogate_alone => surrogate.most_runs(),
+            _ => plans.refinement.next_round(&table)?.len(),
+        };
         if !plans.watch().allows(first, 0, 0) {
             return Err(plans.budget_too_small(first));
         }
