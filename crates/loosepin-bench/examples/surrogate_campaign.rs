@@ -108,7 +108,7 @@ fn bounds(case: &impl Response, problem: Problem, settings: &SurrogateSettings) 
     let mut table = SampleTable::new(plan.problem().columns);
     execute(plan.training_round(0).expect("few inputs"), case, &mut table).expect("rows fit");
     let learned = plan.learn(&table);
-    let confirmation = plan.confirmation(&learned, 1).expect("the surrogate can be searched");
+    let confirmation = plan.confirmation(&learned, 1, &table).expect("the surrogate can be searched");
     execute(confirmation.round.clone(), case, &mut table).expect("rows fit");
     plan.results(learned, &confirmation, &table).expect("the surrogate can be searched")
 }

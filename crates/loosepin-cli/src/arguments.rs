@@ -45,6 +45,7 @@ pub enum Command {
     Sweep(SweepArguments),
     Cases(CasesArguments),
     Report(ReportArguments),
+    Export(ExportArguments),
     Schema(SchemaArguments),
     Explain(ExplainArguments),
     Completions(CompletionsArguments),
@@ -332,6 +333,26 @@ pub struct ReportArguments {
     /// Folder of results
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+}
+
+/// Write the neural networks that a study has learned as ONNX files, for other programs
+#[derive(Debug, Args)]
+#[command(
+    after_help = "One file for each number or curve: \"inputs\", one row a mechanism, its values in SI units in the order of the \
+    metadata entry `inputs`, to \"values\", SI. A row with an input outside of the range that was learned gives not-a-number, since \
+    nothing is extrapolated. The standard deviation of the error, and what is left of noise, do not go along; the metadata hold the held-out \
+    error.\n\nExamples:\n  loosepin export results/worn-pin/1a2b3c4d\n  loosepin export bounds/surrogates.json networks --output slider"
+)]
+pub struct ExportArguments {
+    /// Folder of results, or its surrogates.json
+    #[arg(value_name = "RESULTS")]
+    pub results: PathBuf,
+    /// Folder to write into, made where there is none
+    #[arg(value_name = "DIR", default_value = "onnx")]
+    pub folder: PathBuf,
+    /// Write this output alone; may be repeated [default: all]
+    #[arg(long = "output", value_name = "NAME")]
+    pub outputs: Vec<String>,
 }
 
 /// Print the JSON Schema of model or study files, for editors

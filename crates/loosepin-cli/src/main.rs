@@ -32,6 +32,7 @@ fn main() -> ExitCode {
         Command::Completions(completions) => command::completions::run(completions),
         Command::Manual(manual) => command::manual::run(manual),
         Command::Report(report) => command::report::run(report),
+        Command::Export(export) => command::export::run(export),
     };
     ending::exit_code(ending)
 }

@@ -295,3 +295,17 @@ fn a_forced_shard_begins_anew_whatever_was_published() {
     assert_eq!(forced.status, 0, "{}", forced.messages);
     assert!(!forced.messages.contains("going on with"), "{}", forced.messages);
 }
+
+#[test]
+fn identity_rounds_of_a_surrogate_that_stands_alone_are_those_of_the_single_run() {
+    let desk = desk();
+    let study = with_surrogate().replace("confirming_runs = 8 }", "confirming_runs = 8, direct = \"confirming\" }");
+    let study = study.replace(", \"contributors\"", "").replace("training_runs = 40", "training_runs = 16");
+    desk.write("study.toml", &study);
+    let whole = desk.run(&["study", "study.toml", "--out", "whole"]);
+    assert!(whole.status < 2, "{}", whole.messages);
+    let (said, merges) = finish_with(&desk, "shared2", 2, |desk, out, of| merge_with(desk, out, of, 0));
+    assert_eq!((said.status, &said.output), (whole.status, &whole.output), "{}", said.messages);
+    assert_same(&desk, "whole", "shared2");
+    assert!(merges > 3, "{merges}: each step has runs to learn from and runs to hold against");
+}

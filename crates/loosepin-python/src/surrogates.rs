@@ -8,6 +8,7 @@ use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::error::raise_problem;
 
@@ -60,6 +61,13 @@ impl Surrogates {
         of_each.collect()
     }
 
+    /// Output number `output` as the bytes of an ONNX file.
+    fn to_onnx<'py>(&self, py: Python<'py>, output: usize) -> PyResult<Bound<'py, PyBytes>> {
+        self.places(output)?;
+        let bytes = self.0.to_onnx(output).map_err(|error| raise_problem(&error))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
     /// Values and standard deviations of their errors, a row for each row of `values`, whose columns are those of `paths`.
     fn predict<'py>(
         &self,
@@ -68,10 +76,7 @@ impl Surrogates {
         paths: Vec<String>,
         values: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
-        let Some(places) = self.0.outputs.get(output).map(|output| output.at.len()) else {
-            let count = self.0.outputs.len();
-            return Err(PyIndexError::new_err(format!("output {output}; there are {count}, counted from 0")));
-        };
+        let places = self.places(output)?;
         let values = values.as_array();
         let rows = values.nrows();
         let (mut predicted, mut deviations) = (Array2::zeros((rows, places)), Array2::zeros((rows, places)));
@@ -84,5 +89,14 @@ impl Surrogates {
             }
         }
         Ok([predicted.into_pyarray(py), deviations.into_pyarray(py)])
+    }
+}
+
+impl Surrogates {
+    /// How many places output number `output` has.
+    fn places(&self, output: usize) -> PyResult<usize> {
+        let count = self.0.outputs.len();
+        let places = self.0.outputs.get(output).map(|output| output.at.len());
+        places.ok_or_else(|| PyIndexError::new_err(format!("output {output}; there are {count}, counted from 0")))
     }
 }

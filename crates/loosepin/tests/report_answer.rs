@@ -151,6 +151,7 @@ fn sum_of_normal_and_interval() -> StudyResult {
         coverage_maximum,
         coverage_error: 0.0,
         coverage_at: vec![CoveragePoint { at: BTreeMap::new(), coverage: coverage_minimum }],
+        ends: None,
     };
     let mut result = worn_pin();
     result.treatments = vec![TreatmentComparison {

@@ -7,9 +7,10 @@ use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::{read_json, surrogates_json, to_json};
 use loosepin::study::result::{
-    BoundRecord, GuaranteeKind, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict,
+    AccuracyStop, BoundRecord, GuaranteeKind, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict,
+    TreatmentComparison,
 };
-use loosepin::study::{Means, Progress, SavedSurrogates, Study, conduct};
+use loosepin::study::{Means, Progress, SavedSurrogates, Study, StudyError, conduct, export_networks};
 use loosepin::templates::find_template;
 
 struct Silent;
@@ -71,6 +72,25 @@ fn both(result: &StudyResult, statistic: StatisticKind) -> [&BoundRecord; 2] {
     })
 }
 
+/// The treatments of direct runs and of a surrogate, of which the ends have their errors.
+fn treatments_agree(direct: &[TreatmentComparison], learned: &[TreatmentComparison]) {
+    const TOLERANCE_M: f64 = 2e-6; // sampling of 64 stratified runs of a scatter of 10 µm
+    assert_eq!((direct.len(), learned.len()), (1, 1));
+    for (direct, learned) in direct[0].bands.iter().zip(&learned[0].bands) {
+        assert_eq!(direct.treatment, learned.treatment);
+        assert!(direct.ends.is_none() && direct.lower_si < direct.upper_si);
+        let [lower, upper] = learned.ends.as_ref().expect("a band by a surrogate has the errors of its ends");
+        for (end, value, of_direct, sign) in
+            [(lower, learned.lower_si, direct.lower_si, -1.0), (upper, learned.upper_si, direct.upper_si, 1.0)]
+        {
+            assert!((value - of_direct).abs() < TOLERANCE_M + end.error.surrogate_si, "{learned:?} {direct:?}");
+            assert!(sign * (end.widened_si - value) >= end.error.surrogate_si && end.error.surrogate_si < 1e-5);
+        }
+        let apart = (learned.coverage_minimum - direct.coverage_minimum).abs();
+        assert!(apart <= learned.coverage_error + direct.coverage_error, "{learned:?} {direct:?}");
+    }
+}
+
 #[test]
 fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     // A slider moves with its rod by 0.92 of it: the bounds of the mean are 1.2 mm apart.
@@ -78,7 +98,8 @@ fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     let result = conducted("surrogate = { training_runs = 40, confirming_runs = 16 }");
     let record = result.surrogate.as_ref().expect("a surrogate was asked for");
     assert_eq!(record.training_runs, 40);
-    assert!(record.confirming_runs > 0 && record.confirming_runs.is_multiple_of(16));
+    // Sixteen at each witness, and one at both ends of the interval-only band.
+    assert!(record.confirming_runs > 2 && (record.confirming_runs - 2).is_multiple_of(16));
     assert_eq!((record.failed, record.direct_runs), (0, result.counts.runs - 40 - record.confirming_runs));
     for statistic in [StatisticKind::Mean, StatisticKind::Quantile { probability: 0.9 }] {
         let [direct, learned] = both(&result, statistic);
@@ -108,8 +129,10 @@ fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     );
     let picture = curve.picture.as_ref().expect("what was learned is drawn");
     assert_eq!((picture.path.as_str(), picture.run_input_si.len()), ("parameter.rod_length", 40));
+    treatments_agree(&result.treatments, &record.treatments);
     let page = study_page(&result);
     assert!(page.contains("The same by surrogate") && page.contains("held-out-0"));
+    assert!(page.contains("Share inside"));
     let text = study_text(&result);
     assert!(text.contains("The same by surrogate") && text.contains("by surrogate"), "{text}");
     let again: StudyResult = read_json(&to_json(&result).expect("json"), "summary.json").expect("summary");
@@ -134,7 +157,8 @@ fn identity_a_surrogate_alone_makes_no_other_runs_and_agrees_with_the_direct_bou
     let record = alone.surrogate.as_ref().expect("a surrogate was asked for");
     assert_eq!((alone.counts.runs, record.direct_runs), (30 + record.confirming_runs, 0));
     assert!(10 * alone.counts.runs < direct.counts.runs, "{} {}", alone.counts.runs, direct.counts.runs);
-    assert!(alone.bounds.len() == direct.bounds.len() && alone.boxes.is_empty() && alone.treatments.is_empty());
+    assert!(alone.bounds.len() == direct.bounds.len() && alone.boxes.is_empty() && record.treatments.is_empty());
+    treatments_agree(&direct.treatments, &alone.treatments);
     for (own, direct) in alone.bounds.iter().zip(&direct.bounds) {
         assert_eq!((own.at, own.statistic), (direct.at, direct.statistic));
         if own.statistic == StatisticKind::Mean {
@@ -168,6 +192,19 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
         let quality = |saved: &SavedSurrogates| saved.outputs[output].surrogate.outputs()[0].quality.clone();
         assert_eq!(quality(&saved), quality(&loaded));
     }
+    // Polynomials are not made of layers.
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("surrogates.json"), &text).expect("a file");
+    let error = export_networks(folder.path(), &[], &folder.path().join("onnx")).expect_err("polynomials").to_string();
+    assert!(
+        error.contains(
+            "surrogates.json: output 'slider dimensional' is learned by polynomial chaos; neural networks alone can be \
+             written as ONNX\nhint: its coefficients stand in surrogates.json; or learn networks, kind = \"network\" under \
+             [surrogate]"
+        ),
+        "{error}"
+    );
+    assert!(!folder.path().join("onnx").exists());
     values.insert("parameter.rod_length".to_owned(), 0.1215);
     let error = loaded.predict(0, &values).expect_err("beyond the interval").to_string();
     assert!(error.starts_with("'parameter.rod_length' is 0.1215 m; learned was from 0.1195 to 0.1207 m"), "{error}");
@@ -220,4 +257,50 @@ fn a_single_run_to_learn_from_is_refused_at_its_place() {
         "{complaint}"
     );
     assert!(complaint.contains("hint: 30 for each uncertain input are a start"), "{complaint}");
+}
+
+/// A surrogate that stands alone, from few runs, whose bounds of means are to be 0.03 µm near.
+fn approached(budget: &str) -> Result<StudyResult, StudyError> {
+    let text = "[surrogate]\nkind = \"kriging\"\ntraining_runs = 8\nconfirming_runs = 8\ndirect = \"confirming\"";
+    let mut study = study(text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    study.add_accuracy("slider.mean = 0.03 um").unwrap_or_else(|complaint| panic!("{complaint:?}"));
+    if !budget.is_empty() {
+        study.set_budget(budget).unwrap_or_else(|complaint| panic!("{complaint:?}"));
+    }
+    let means = Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None };
+    conduct(&study, "", &means).map(|conducted| conducted.result)
+}
+
+#[test]
+fn identity_an_accuracy_adds_runs_to_a_surrogate_alone() {
+    let reached = approached("").unwrap_or_else(|error| panic!("{error}"));
+    let record = reached.accuracy.as_ref().expect("an accuracy was asked for");
+    assert_eq!(record.stop, AccuracyStop::Reached, "{record:#?}");
+    assert!(record.targets.len() == 2 && record.targets.iter().all(|target| target.reached_si <= 3e-8), "{record:#?}");
+    let (first, last) = (record.steps[0], record.steps[record.steps.len() - 1]);
+    assert!(first.training == 8 && first.share > 1.0 && last.share <= 1.0, "{record:#?}");
+    assert!(last.training + last.confirming > first.training + first.confirming, "{record:#?}");
+    assert_eq!((record.runs, record.rounds as usize), (reached.counts.runs, record.steps.len()));
+    // The direct bounds of the mean lie within what is stated.
+    let direct = conducted("");
+    for (own, direct) in
+        reached.bounds.iter().zip(&direct.bounds).filter(|(own, _)| own.statistic == StatisticKind::Mean)
+    {
+        assert!((own.lower.value_si - direct.lower.value_si).abs() < 3e-8 + direct.lower.error.sampling_si, "{own:?}");
+        assert!((own.upper.value_si - direct.upper.value_si).abs() < 3e-8 + direct.upper.error.sampling_si, "{own:?}");
+    }
+    assert!(study_text(&reached).contains("All bounds are as near as asked, after "));
+    // As many rounds as a budget make the same runs again; one round says what is left.
+    let again = approached(&format!("{} rounds", record.rounds)).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(again.bounds, reached.bounds);
+    let one = approached("1 rounds").unwrap_or_else(|error| panic!("{error}"));
+    let record = one.accuracy.as_ref().expect("an accuracy was asked for");
+    assert_eq!((record.stop, record.rounds, record.steps.len()), (AccuracyStop::Budget, 1, 1));
+    let text = study_text(&one);
+    assert!(text.contains("surrogate does not know") && text.contains("gone beyond the budget of 1 round"), "{text}");
+    let error = approached("50 runs").expect_err("eight runs to learn from, and eight at each of some bounds");
+    // Ten ends of what is asked, eight of what is drawn of the curve and narrows it, and both extremes of a band.
+    let least = 8 + 8 * 18 + 2;
+    let expected = format!("a budget of 50 runs; the first round and what follows it take at most {least}");
+    assert_eq!(error.to_string(), expected);
 }

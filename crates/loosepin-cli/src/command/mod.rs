@@ -4,6 +4,7 @@ pub mod cases;
 pub mod check;
 pub mod completions;
 pub mod explain;
+pub mod export;
 pub mod import;
 mod inputs;
 pub mod manual;

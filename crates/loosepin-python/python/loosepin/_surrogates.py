@@ -79,5 +79,15 @@ class Surrogates:
         predicted, deviations = self._native.predict(output, paths, np.ascontiguousarray(table))
         return predicted.reshape(*shape, -1), deviations.reshape(*shape, -1)
 
+    def to_onnx(self, output: int) -> bytes:
+        """Output number `output`, made of neural networks, as an ONNX file in double precision: from `inputs`, a row a point in the order
+        of `Surrogates.inputs`, SI, to `values`, a column a place, SI.
+
+        Not-a-number where an input lies outside of what was learned. The standard deviations of `predict`, and what is left of noise, do
+        not go along; the metadata of the file hold the ranges and the held-out error. Raises LoosepinError for polynomials and Kriging,
+        whose coefficients stand in `surrogates.json`.
+        """
+        return self._native.to_onnx(output)
+
     def __repr__(self) -> str:
         return f"<loosepin.Surrogates of {self.study!r}: {len(self.outputs)} outputs of {', '.join(self.inputs)}>"

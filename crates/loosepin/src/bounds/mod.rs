@@ -60,8 +60,9 @@ mod trend;
 
 pub use bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading, Treatment, Witness};
 pub use by_surrogate::{
-    ColumnGroup, Confirmation, GroupBounds, Learned, LearnedGroup, MOST_WITNESSES, SurrogateBounds, SurrogateInput,
-    SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateSection, SurrogateSettings,
+    ColumnGroup, Confirmation, GroupBounds, Learned, LearnedComparison, LearnedGroup, LearnedTreatments,
+    MOST_WITNESSES, SurrogateBounds, SurrogateInput, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
+    SurrogateSection, SurrogateSettings,
 };
 pub use coverage::{Coverage, CoveragePoint};
 pub use evaluate::{EvaluateError, Response, evaluate, execute};

@@ -43,6 +43,10 @@ pub struct Assessment {
     pub outer: usize,
     /// Inner runs at each.
     pub inner: usize,
+    /// Runs to learn from, where the bounds are those of surrogates.
+    pub training: usize,
+    /// Direct runs at the witnesses of such bounds.
+    pub confirming: usize,
     /// The largest widening over what is allowed; 1 or less where all goals are reached.
     pub share: f64,
     /// The largest sampling error over what is allowed, among bounds that are too wide.
@@ -193,6 +197,8 @@ impl Refinement {
             runs: bounds.runs,
             outer: bounds.outer_points.len(),
             inner: self.plan.inner_runs(),
+            training: 0,
+            confirming: 0,
             share,
             sampling_share,
             optimisation_share,

@@ -462,6 +462,10 @@ shards that are missing."
 "A surrogates.json answers for its own inputs, all of them, and within the ranges that were learned: beyond them nothing is known, and \
 nothing is extrapolated. A file of another version, or that is not whole, is refused."
 
+    SurrogateNotExported "E0921" "a surrogate cannot be written for other programs"
+"`loosepin export` writes neural networks as ONNX. Polynomials and Gaussian processes are not made of layers; all of their coefficients \
+stand in surrogates.json. An output of the name that was given by --output must be among those that were learned."
+
     MeasuredTable "E1001" "a table of measured values cannot be used"
 "A table of measured curves is comma-separated text. Its first line names each column with its unit, `angle [deg], slider [mm]`; \
 the first column is a time or an angle of the drive that goes upwards, the others are outputs of the model. An empty cell is a \

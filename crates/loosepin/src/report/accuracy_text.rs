@@ -61,8 +61,14 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
             )
         }
         AccuracyStop::Exhausted => format!(
-            "Not as near as asked: {}. The study ended after {made}, since more runs are not possible or do not help.",
-            of_accuracies(missing, record.targets.len())
+            "Not as near as asked: {}. The study ended after {made}, since {}.",
+            of_accuracies(missing, record.targets.len()),
+            if record.is_learned() {
+                "more runs to learn from do not help, or hardly, and direct runs at the bounds do not make up for it; the direct double \
+                 loop may come nearer (direct = \"double-loop\")"
+            } else {
+                "more runs are not possible or do not help"
+            }
         ),
     }
 }
@@ -96,8 +102,13 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
         ),
         None => "More runs have hardly helped so far, so that nothing can be foreseen.".to_owned(),
     };
+    let surrogate = if record.is_learned() {
+        format!(", {} from what the surrogate does not know", value(target.surrogate_si))
+    } else {
+        String::new()
+    };
     format!(
-        "{subject}: bounds widened by up to {}, asked {asked}; {} from the finite samples, {} from the search. {foreseen}",
+        "{subject}: bounds widened by up to {}, asked {asked}; {} from the finite samples, {} from the search{surrogate}. {foreseen}",
         value(target.reached_si),
         value(target.sampling_si),
         value(target.optimisation_si),

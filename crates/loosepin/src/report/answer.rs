@@ -368,7 +368,13 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
                 }
                 TreatmentKind::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
             };
-            let kept = if band.coverage_minimum >= 1.0 {
+            let kept = if band.is_promise_unknown(promised) {
+                format!(
+                    "Whether its band keeps the promise of {promise} the surrogate does not tell: where the truth is unkind, {least} \
+                     ± {} lie inside",
+                    writer.percent(band.coverage_error.min(1.0), Rounding::Up)
+                )
+            } else if band.coverage_minimum >= 1.0 {
                 "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
             } else if keeps && band.coverage_minimum < promised {
                 format!(

@@ -5,9 +5,12 @@ use super::history_words::history_words;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::bound_value;
 use super::terminal::{push_table, table, wrapped};
-use super::wording::{count, counted, deviation_words, listed, output_words, place_words, statistic_words};
+use super::wording::{
+    band_digits, count, counted, deviation_words, listed, output_words, place_words, statistic_words, treatment_words,
+};
 use crate::study::result::{
-    BoundRecord, ResponsePoint, StudyResult, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
+    BoundRecord, ResponsePoint, StudyResult, SurrogateOutput, SurrogateRecord, SurrogateVerdict, TreatmentBand,
+    TreatmentComparison,
 };
 
 /// Rows of a table; the others stand in `summary.json`.
@@ -162,6 +165,65 @@ pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> Str
     }
 }
 
+/// "-0.55 mm to 0.55 mm", to the digits that tell the bands of `comparison` from each other.
+pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    let digits = band_digits(comparison);
+    format!(
+        "{} to {}",
+        writer.rounded(band.lower_si, &comparison.unit, digits, Rounding::Down),
+        writer.rounded(band.upper_si, &comparison.unit, digits, Rounding::Up)
+    )
+}
+
+/// The share inside a band by a surrogate with its error.
+pub(super) fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
+    format!(
+        "{} ± {}",
+        writer.percent_range(band.coverage_minimum, band.coverage_maximum),
+        writer.percent(band.coverage_error.min(1.0), Rounding::Up)
+    )
+}
+
+/// Treatment, direct band, band by surrogate, what the surrogate does not know of its ends, share inside: a row a treatment.
+pub(super) fn treatment_rows(
+    result: &StudyResult,
+    comparison: &TreatmentComparison,
+    writer: &NumberWriter,
+) -> Vec<[String; 5]> {
+    let is_same =
+        |of: &&TreatmentComparison| (&of.output, of.of, of.at) == (&comparison.output, comparison.of, comparison.at);
+    let direct = result.treatments.iter().find(is_same);
+    let row = |band: &TreatmentBand| {
+        let of_direct = direct.and_then(|of| Some((of.bands.iter().find(|own| own.treatment == band.treatment)?, of)));
+        [
+            treatment_words(band.treatment).to_owned(),
+            of_direct.map_or("–".to_owned(), |(band, of)| band_words(band, of, writer)),
+            band_words(band, comparison, writer),
+            band.surrogate_error_si().map_or(String::new(), |error| writer.error(error, &comparison.unit)),
+            share_words(band, writer),
+        ]
+    };
+    comparison.bands.iter().map(row).collect()
+}
+
+/// Which response the treatments are of.
+pub(super) fn treatments_title(
+    result: &StudyResult,
+    comparison: &TreatmentComparison,
+    writer: &NumberWriter,
+) -> String {
+    format!(
+        "{}: {}, {}",
+        output_words(&comparison.output, &result.outputs),
+        deviation_words(comparison.of),
+        place_words(comparison.at, writer)
+    )
+}
+
+/// What the columns of [`treatment_rows`] are.
+pub(super) const TREATMENT_HEAD: [&str; 5] =
+    ["treatment", "direct", "by surrogate", "± surrogate", "share inside, by surrogate"];
+
 /// The surrogates of a study for a terminal; empty where there are none.
 pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> String {
     let Some(record) = &result.surrogate else { return String::new() };
@@ -188,6 +250,14 @@ pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> Str
     push_table(&mut text, &rows);
     if shown.len() > MOST_ROWS {
         text.push_str(&format!("\n{} more in summary.json\n", shown.len() - MOST_ROWS));
+    }
+    for comparison in &record.treatments {
+        let mut rows = table(&TREATMENT_HEAD, &[3]);
+        treatment_rows(result, comparison, writer).into_iter().for_each(|row| {
+            rows.add_row(row);
+        });
+        text.push_str(&format!("\n{}\n", treatments_title(result, comparison, writer)));
+        push_table(&mut text, &rows);
     }
     text
 }

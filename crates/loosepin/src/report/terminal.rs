@@ -10,10 +10,10 @@ use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::percentile_words::percentile_sentences;
 use super::study_page::{bound_error, bound_value};
-use super::surrogate_text::surrogate_text;
+use super::surrogate_text::{band_words, surrogate_text};
 use super::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, count, counted, deviation_words, has_lists, has_unknown, named_words,
-    output_words, place_words, reading_beside, statistic_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, output_words,
+    place_words, promise_word, reading_beside, statistic_words, treatment_words, unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
@@ -320,20 +320,21 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
 }
 
 fn treatments_table(comparison: &crate::study::result::TreatmentComparison, writer: &NumberWriter) -> String {
-    let mut treatments = table(&["treatment", "band", "width", "share really inside", "promise"], &[2]);
-    let digits = band_digits(comparison);
+    // A band by a surrogate has one number more: what the surrogate does not know of its ends.
+    let mut head = vec!["treatment", "band", "width", "share really inside", "promise"];
+    if comparison.bands.iter().any(|band| band.ends.is_some()) {
+        head.insert(2, "± surrogate");
+    }
+    let mut treatments = table(&head, if head.len() > 5 { &[2, 3] } else { &[2] });
     for band in &comparison.bands {
-        treatments.add_row([
-            treatment_words(band.treatment).to_owned(),
-            format!(
-                "{} to {}",
-                writer.rounded(band.lower_si, &comparison.unit, digits, Rounding::Down),
-                writer.rounded(band.upper_si, &comparison.unit, digits, Rounding::Up)
-            ),
+        let surrogate = band.surrogate_error_si().map(|error| writer.error(error, &comparison.unit));
+        let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
+        let further = [
             writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
             writer.percent_range(band.coverage_minimum, band.coverage_maximum),
-            if band.keeps_promise(comparison.promised_coverage) { "kept" } else { "broken" }.to_owned(),
-        ]);
+            promise_word(band, comparison.promised_coverage).to_owned(),
+        ];
+        treatments.add_row(cells.into_iter().chain(surrogate).chain(further));
     }
     trimmed(&treatments)
 }

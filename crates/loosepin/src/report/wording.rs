@@ -76,6 +76,17 @@ pub(super) fn treatment_words(treatment: TreatmentKind) -> &'static str {
     }
 }
 
+/// Whether a band holds what it promises, in a word.
+pub(super) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str {
+    if band.is_promise_unknown(promised) {
+        "not known"
+    } else if band.keeps_promise(promised) {
+        "kept"
+    } else {
+        "broken"
+    }
+}
+
 pub(super) fn reading_words(reading: IntervalReading) -> &'static str {
     match reading {
         IntervalReading::Fixed => "fixed but unknown: one value, the same for every mechanism made (reading A)",

@@ -6,7 +6,7 @@ use super::assemble::{Material, deviation_kind, statistic_kind};
 use super::columns::{ColumnPlan, PlannedAsk};
 use super::file::{AccuracyTarget, Budget, Study, Where, statistic_name};
 use super::result::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd, BudgetRecord};
-use crate::bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic};
+use crate::bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic, SurrogateRounds};
 use crate::units::{Dimension, SiUnit};
 
 /// Where no budget is stated, a study ends at so many times the runs that it has without an accuracy, or where its runs, which it
@@ -125,6 +125,16 @@ pub(super) struct Ended {
 }
 
 impl Ended {
+    /// Ends `rounds` of surrogates, of which `made` were made with `runs` runs.
+    pub fn of_surrogates(
+        rounds: &SurrogateRounds,
+        left: Option<usize>,
+        (made, runs): (u32, usize),
+        budget: Option<Budget>,
+    ) -> Self {
+        Self { standing: rounds.standing(), left, rounds: made, runs, history: rounds.history().to_vec(), budget }
+    }
+
     /// Ends `refinement` after `runs` runs in `rounds` rounds.
     pub fn new(
         refinement: &Refinement,
@@ -158,6 +168,8 @@ pub(super) fn record(material: &Material<'_>, ended: &Ended) -> Option<AccuracyR
         runs: assessment.runs as u64,
         outer: assessment.outer as u64,
         inner: assessment.inner as u64,
+        training: assessment.training as u64,
+        confirming: assessment.confirming as u64,
         share: assessment.share,
     };
     Some(AccuracyRecord {
@@ -204,6 +216,7 @@ fn outcome(
         reached_si,
         sampling_si: end.error.sampling_si,
         optimisation_si: end.error.optimisation_si,
+        surrogate_si: end.error.surrogate_si,
         runs_needed: if reached_si > asked_si { runs_needed(reached_si / asked_si, ended) } else { None },
     })
 }
@@ -236,6 +249,8 @@ mod tests {
             runs,
             outer: 12,
             inner: 64,
+            training: 0,
+            confirming: 0,
             share,
             sampling_share: share,
             optimisation_share: 0.5 * share,

@@ -6,23 +6,25 @@ mod drawing;
 mod failures;
 mod runs_table;
 mod summary;
+mod treatments;
 
 pub(super) use describe::unit;
 pub(super) use failures::failures;
 pub use runs_table::{curve_name, runs_table, scalar_name};
+pub(super) use treatments::learned_treatments;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
 use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::result::{
-    AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CoveragePoint, CutBounds,
-    DeviationKind, FORMAT, GuaranteeKind, IntervalReading, NumericalError, PercentileBounds, ProbabilityBox, RareEnd,
-    RareRecord, RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand,
-    TreatmentComparison, TreatmentKind, Verdict, Witness, WitnessValue,
+    AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CutBounds, DeviationKind,
+    FORMAT, GuaranteeKind, IntervalReading, NumericalError, PercentileBounds, ProbabilityBox, RareEnd, RareRecord,
+    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentComparison, TreatmentKind,
+    Verdict, Witness, WitnessValue,
 };
 use super::simultaneous::CurveBand;
-use crate::bounds::{Band, Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, Reading, SampleTable, Statistic};
+use crate::bounds::{Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, Reading, SampleTable, Statistic};
 use crate::units::{DisplayUnits, SiUnit};
 
 /// Everything that a result is made from.
@@ -43,6 +45,8 @@ pub(super) struct Extra {
     pub allowances: Vec<AllowanceRecord>,
     pub allocation: Option<AllocationRecord>,
     pub surrogate: Option<SurrogateRecord>,
+    /// The treatments by a surrogate that stands alone.
+    pub treatments: Option<Vec<TreatmentComparison>>,
     pub curve_bands: Vec<CurveBand>,
     /// Bounds by the other readings of intervals.
     pub beside: Vec<Bounds>,
@@ -78,7 +82,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         reweighting: summary::reweighting(material),
         surrogate: extra.surrogate,
         contributors: extra.contributors,
-        treatments: treatments(material),
+        treatments: extra.treatments.unwrap_or_else(|| treatments::treatments(material)),
         energy: summary::energy(material),
         impacts: summary::impacts(material),
         display_units: material.study.model.shown_in(DisplayUnits::default()),
@@ -359,57 +363,6 @@ fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
         })
     };
     material.rare.iter().filter_map(record).collect()
-}
-
-fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
-    material
-        .bounds
-        .comparisons
-        .iter()
-        .map(|comparison| {
-            let column = comparison.column;
-            let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
-            TreatmentComparison {
-                output: material.name_of(column),
-                of: deviation_kind(material.plan().columns[column].deviation),
-                at: material.point_of(column, false),
-                unit: material.unit_of(column),
-                promised_coverage: comparison.probability,
-                bands: bands.map(|band| treatment_band(material, band)).to_vec(),
-            }
-        })
-        .collect()
-}
-
-fn treatment_band(material: &Material<'_>, band: &Band) -> TreatmentBand {
-    let treatment = match band.treatment {
-        crate::bounds::Treatment::ProbabilityOnly => TreatmentKind::ProbabilityOnly,
-        crate::bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
-        crate::bounds::Treatment::Mixed => TreatmentKind::Mixed,
-    };
-    let coverage_error = band
-        .coverage
-        .points
-        .iter()
-        .min_by(|a, b| a.lower.total_cmp(&b.lower))
-        .map_or(0.0, |point| (point.upper + point.sampling_error[1]).min(1.0) - point.lower);
-    TreatmentBand {
-        treatment,
-        lower_si: band.lower.value,
-        upper_si: band.upper.value,
-        coverage_minimum: band.coverage.minimum,
-        coverage_maximum: band.coverage.maximum,
-        coverage_error,
-        coverage_at: band
-            .coverage
-            .points
-            .iter()
-            .map(|point| CoveragePoint {
-                at: material.witness(&material.bounds.outer_points[point.point as usize]),
-                coverage: point.lower,
-            })
-            .collect(),
-    }
 }
 
 fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {

@@ -8,6 +8,7 @@ use super::saved_surrogates::SavedSurrogateError;
 use crate::bounds::{EvaluateError, PlanError};
 use crate::diagnostics::{Code, Complaint, Place, Problem};
 use crate::document::parse_toml;
+use crate::surrogate::SurrogateError;
 use crate::units::format_value;
 
 /// The middle of an interval is the value of the model where they differ by less than this share.
@@ -31,7 +32,6 @@ impl Problem for StudyError {
             Self::Plan(_)
             | Self::Contributors(_)
             | Self::Surrogate(_)
-            | Self::AccuracyOfSurrogate
             | Self::TimeOfShards
             | Self::TooManyNumbers { .. }
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
@@ -87,7 +87,6 @@ impl Problem for StudyError {
             Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
             Self::NotMade { .. } => Some("what was made is kept: the same command with --resume goes on".to_owned()),
             Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
-            Self::AccuracyOfSurrogate => Some("write direct = \"double-loop\", or leave them out".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }
     }
@@ -106,16 +105,8 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_)
-            | Self::Contributors(_)
-            | Self::Surrogate(_)
-            | Self::AccuracyOfSurrogate
-            | Self::TooManyNumbers { .. } => {
-                let key = if matches!(self, Self::Surrogate(_) | Self::AccuracyOfSurrogate) {
-                    "surrogate"
-                } else {
-                    "sampling"
-                };
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::TooManyNumbers { .. } => {
+                let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
                 let within = if let Self::Plan(PlanError::Problem(problem)) = self { problem.key() } else { None };
                 let mut complaint = Complaint::error(self, Some(place_within(key, within, study)));
                 // These errors bring their way out with them.
@@ -203,7 +194,10 @@ impl Problem for FilesError {
 
 impl Problem for SavedSurrogateError {
     fn code(&self) -> Code {
-        Code::NoSurrogateAnswer
+        match self {
+            Self::Surrogate(SurrogateError::NotNetworks { .. }) => Code::SurrogateNotExported,
+            _ => Code::NoSurrogateAnswer,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::accuracy::{Ended, record};
 use super::allow::{allocation, allowances};
-use super::assemble::{Extra, Material, assemble, failures, runs_table};
+use super::assemble::{Extra, Material, assemble, failures, learned_treatments, runs_table};
 use super::contributors::contributors;
 use super::elsewhere::RunMaker;
 use super::file::Study;
@@ -16,8 +16,8 @@ use super::runner::Runner;
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
 use super::simultaneous::curve_bands;
-use super::surrogate::{learned_bounds, saved_surrogates, surrogate_record};
-use crate::bounds::{Bounds, DoubleLoop, PlanError, SampleTable, SurrogateBounds, SurrogatePlanError, TableError};
+use super::surrogate::{LearnedBounds, learned_bounds, saved_surrogates, surrogate_record};
+use crate::bounds::{Bounds, DoubleLoop, PlanError, SampleTable, SurrogatePlanError, TableError};
 use crate::contributors::IndexPlanError;
 use crate::simulate::RunFailure;
 use crate::store::{RunStore, StoreError};
@@ -38,9 +38,6 @@ pub enum StudyError {
     /// The runs of its surrogate are not possible.
     #[error("surrogate: {0}")]
     Surrogate(#[from] SurrogatePlanError),
-    /// An accuracy or a budget where there is no direct double loop.
-    #[error("surrogate: accuracy and budget let the samples of the direct double loop grow, and there is none")]
-    AccuracyOfSurrogate,
     /// Shares of the variance are not possible.
     #[error(transparent)]
     Contributors(#[from] IndexPlanError),
@@ -251,11 +248,12 @@ fn conduct_with(
         Some(bounds) => around(&Runner { study: &refined, ..runner }, &plans, &plan, bounds, &mut table)?,
         None => Vec::new(),
     };
-    let learned = match &plans.surrogate {
-        Some(plan) => Some(learned_bounds(&runner, plan, &mut table)?),
+    let mut learned = match &plans.surrogate {
+        Some(plan) => Some(learned_bounds(&mut runner, &plans, plan, &mut table)?),
         None => None,
     };
-    let bounds = stated_bounds(&runner, &plans, direct, learned.as_ref(), &table)?;
+    let ended = learned.as_mut().and_then(|learned| learned.ended.take()).unwrap_or(ended);
+    let bounds = stated_bounds(&runner, direct, learned.as_ref(), &table)?;
     let (allowances, allocation) = inverse_question(&runner, &table)?;
     let found = Found { refined, plan, ended, bounds, rare, learned, allowances, allocation };
     tell(&runner, &plans, &table, found, input_hash)
@@ -270,7 +268,7 @@ struct Found {
     ended: Ended,
     bounds: Bounds,
     rare: Vec<Rare>,
-    learned: Option<SurrogateBounds>,
+    learned: Option<LearnedBounds>,
     allowances: Vec<AllowanceRecord>,
     allocation: Option<AllocationRecord>,
 }
@@ -301,7 +299,7 @@ fn double_loop(
 }
 
 /// That no more of the runs so far failed than may: bounds would say little, and every further round as little.
-fn refuse_failures(runner: &Runner<'_>, table: &SampleTable) -> Result<(), StudyError> {
+pub(super) fn refuse_failures(runner: &Runner<'_>, table: &SampleTable) -> Result<(), StudyError> {
     let (study, response) = (runner.study, runner.response);
     let (made, failed, most_failed) = (table.len(), table.failed(), study.sampling.most_failed);
     if failed as f64 <= most_failed * made as f64 {
@@ -355,17 +353,16 @@ fn around(
 /// The bounds that the study states: the direct ones, or those of the surrogate that stands alone.
 fn stated_bounds(
     runner: &Runner<'_>,
-    plans: &Plans,
     direct: Option<Bounds>,
-    learned: Option<&SurrogateBounds>,
+    learned: Option<&LearnedBounds>,
     table: &SampleTable,
 ) -> Result<Bounds, StudyError> {
-    match (direct, &plans.surrogate, learned) {
-        (Some(bounds), ..) => Ok(bounds),
-        (None, Some(plan), Some(learned)) if table.failed() < table.len() => {
-            Ok(learned.to_bounds(plan, made_rounds(table)))
+    match (direct, learned) {
+        (Some(bounds), _) => Ok(bounds),
+        (None, Some(learned)) if table.failed() < table.len() => {
+            Ok(learned.bounds.to_bounds(&learned.plan, made_rounds(table)))
         }
-        (None, ..) => Err(all_failed(runner.response, table)),
+        (None, _) => Err(all_failed(runner.response, table)),
     }
 }
 
@@ -401,7 +398,7 @@ fn tell(
         .map(|&reading| pool.install(|| plan.read_as(reading).statistics_alone().results(table)))
         .collect::<Result<_, _>>()?;
     let curve_bands = pool.install(|| curve_bands(&material, &plan))?;
-    let learned = plans.surrogate.as_ref().zip(learned.as_ref());
+    let learned = learned.as_ref().map(|learned| (&learned.plan, &learned.bounds));
     let result = pool.install(|| {
         let contributors = if plans.is_surrogate_alone {
             Vec::new()
@@ -410,7 +407,10 @@ fn tell(
         };
         let surrogate = learned.map(|(plan, learned)| surrogate_record(&material, plan, learned));
         let accuracy = record(&material, &ended);
-        let extra = Extra { accuracy, contributors, allowances, allocation, surrogate, curve_bands, beside };
+        let treatments = learned.filter(|_| plans.is_surrogate_alone);
+        let treatments = treatments.map(|(plan, learned)| learned_treatments(&material, plan, learned));
+        let extra =
+            Extra { accuracy, contributors, allowances, allocation, surrogate, treatments, curve_bands, beside };
         assemble(&material, input_hash, extra)
     });
     let surrogates = learned.map(|(plan, learned)| saved_surrogates(&material, input_hash, plan, learned));

@@ -9,6 +9,7 @@ mod conduct;
 mod contributors;
 mod distribution_words;
 mod elsewhere;
+mod export;
 mod file;
 pub mod files;
 mod folder;
@@ -37,6 +38,7 @@ mod widest_play;
 pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_elsewhere, conduct_part};
 pub use distribution_words::distribution_words;
 pub use elsewhere::{AskedRuns, RunMaker, RunRows};
+pub use export::{ExportError, export_networks};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
     EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,

@@ -112,8 +112,11 @@ fn check_size(study: &Study, row_length: usize, runs: usize) -> Result<(), Study
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plans = Plans::new(study, &response)?;
-    if matches!(plans.budget, Some(Budget::Runs(_))) && !plans.is_surrogate_alone {
-        let first = plans.refinement.plan(&SampleTable::new(response.row_length())).first_round_runs();
+    if matches!(plans.budget, Some(Budget::Runs(_))) {
+        let first = match &plans.surrogate {
+            Some(surrogate) if plans.is_surrogate_alone => surrogate.most_runs(),
+            _ => plans.refinement.plan(&SampleTable::new(response.row_length())).first_round_runs(),
+        };
         if !plans.watch().allows(first, 0, 0) {
             return Err(plans.budget_too_small(first));
         }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::result::{DeviationKind, ResponsePoint, Witness};
-use crate::surrogate::{Prediction, Surrogate, SurrogateError, from_versioned_json};
+use crate::surrogate::{OnnxMetadata, Prediction, Surrogate, SurrogateError, from_versioned_json};
 use crate::units::SiUnit;
 
 /// Version of the file.
@@ -34,6 +34,15 @@ pub struct SavedInput {
     pub path: String,
     /// Unit of its values.
     pub unit: SiUnit,
+}
+
+/// One input of an exported surrogate, with the range in which it answers.
+#[derive(Serialize)]
+struct ExportedInput<'a> {
+    path: &'a str,
+    unit: &'a SiUnit,
+    lower: f64,
+    upper: f64,
 }
 
 /// One number or one curve.
@@ -134,5 +143,44 @@ impl SavedSurrogates {
         })?;
         // Every surrogate of the file has one output.
         answers.into_iter().next().ok_or_else(|| SurrogateError::NoOutput.into())
+    }
+
+    /// Output number `output` as an ONNX file in double precision, where it is made of networks: from "inputs", a row a point, SI, to
+    /// "values", a column a place, SI. What the numbers are stands in its metadata: `study`, `input_hash`, `output`, `of`, `at`, `unit`,
+    /// `members`, `inputs` (with the ranges, outside of which a row of values is not-a-number) and `held_out_rms`, all that is left of
+    /// what the surrogate knows of its error.
+    ///
+    /// # Errors
+    /// [`SurrogateError::NotNetworks`].
+    pub fn to_onnx(&self, output: usize) -> Result<Vec<u8>, SavedSurrogateError> {
+        let saved = &self.outputs[output];
+        let ranges = self.inputs.iter().zip(saved.surrogate.ranges());
+        let of_input = |(input, &(lower, upper)): (&'_ SavedInput, &(f64, f64))| {
+            let SavedInput { path, unit } = input;
+            serde_json::json!(ExportedInput { path, unit, lower, upper })
+        };
+        let inputs: Vec<serde_json::Value> = ranges.map(of_input).collect();
+        let rms = saved.surrogate.outputs().first().map_or(f64::NAN, |learned| learned.quality.rms);
+        let metadata: OnnxMetadata = [
+            ("study", self.study.clone()),
+            ("input_hash", self.input_hash.clone()),
+            ("output", saved.output.clone()),
+            ("of", saved.of.word().to_owned()),
+            ("at", serde_json::json!(saved.at).to_string()),
+            ("unit", saved.unit.symbol().to_owned()),
+            ("members", serde_json::json!(saved.members).to_string()),
+            ("inputs", serde_json::json!(inputs).to_string()),
+            ("held_out_rms", rms.to_string()),
+        ]
+        .map(|(key, text)| (key.to_owned(), text))
+        .into();
+        Ok(saved.surrogate.to_onnx(0, metadata)?)
+    }
+
+    /// A name for the file of output number `output`: its number, which output, which deviation.
+    pub fn onnx_file_name(&self, output: usize) -> String {
+        let saved = &self.outputs[output];
+        let plain: String = saved.output.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+        format!("{output}-{plain}-{}.onnx", saved.of.word())
     }
 }

@@ -1,10 +1,11 @@
 //! The surrogate of a study: its runs, and its bounds beside the direct ones.
 
-use super::assemble::{Material, asked_bounds, deviation_kind};
+use super::accuracy::{Ended, goals};
+use super::assemble::{Material, asked_bounds, deviation_kind, learned_treatments};
 use super::columns::{ColumnPlan, Spot};
-use super::conduct::StudyError;
+use super::conduct::{StudyError, refuse_failures};
 use super::file::{Study, StudySurrogate, Where};
-use super::plans::problem;
+use super::plans::{Plans, problem};
 use super::response::StudyResponse;
 use super::result::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
@@ -13,7 +14,7 @@ use super::runner::Runner;
 use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::bounds::{
     ColumnGroup, GroupBounds, MOST_WITNESSES, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan,
-    SurrogateSettings,
+    SurrogateRounds, SurrogateSettings,
 };
 use crate::surrogate::{OutputSurrogate, Surrogate, Verdict};
 use crate::units::SiUnit;
@@ -23,16 +24,12 @@ use crate::units::SiUnit;
 /// # Errors
 /// The numbers of runs are not possible.
 pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<SurrogatePlan>, StudyError> {
-    let Some(StudySurrogate { choice, training_runs, confirming_runs, is_alone }) = study.surrogate else {
+    let Some(StudySurrogate { choice, training_runs, confirming_runs, .. }) = study.surrogate else {
         return Ok(None);
     };
-    if is_alone && (study.budget.is_some() || !study.accuracy.is_empty()) {
-        return Err(StudyError::AccuracyOfSurrogate);
-    }
     let mut problem = problem(study, response);
-    // Distribution functions and treatments are shown of the direct runs.
+    // Distribution functions are shown of the direct runs.
     problem.requests.retain(|request| request.statistic != crate::bounds::Statistic::Cdf);
-    problem.compared_columns.clear();
     let groups = groups(&response.shared.plan);
     let settings = SurrogateSettings { choice, training: training_runs, confirming: confirming_runs, groups };
     Ok(Some(SurrogatePlan::try_new(problem, settings)?))
@@ -66,21 +63,78 @@ fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
     groups
 }
 
-/// Makes the runs of `plan` and adds them to `table`.
+/// What surrogates have given.
+pub(super) struct LearnedBounds {
+    /// The plan of the last step.
+    pub plan: SurrogatePlan,
+    /// Its bounds.
+    pub bounds: SurrogateBounds,
+    /// How its steps ended, where the surrogate stands alone.
+    pub ended: Option<Ended>,
+}
+
+/// Makes the runs of the surrogates and adds them to `table`: step by step towards the accuracy asked for where they stand alone, in one
+/// step beside direct bounds.
 ///
 /// # Errors
-/// The study was interrupted.
+/// The study was interrupted, too many runs failed, or the budget does not suffice for the first step.
 pub(super) fn learned_bounds(
-    runner: &Runner<'_>,
+    runner: &mut Runner<'_>,
+    plans: &Plans,
     plan: &SurrogatePlan,
     table: &mut SampleTable,
-) -> Result<SurrogateBounds, StudyError> {
-    let round = table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0);
-    runner.run(&plan.training_round(round)?, table)?;
-    let learned = runner.pool.install(|| plan.learn(table));
-    let confirmation = runner.pool.install(|| plan.confirmation(&learned, round + 1))?;
-    runner.run(&confirmation.round, table)?;
-    Ok(runner.pool.install(|| plan.results(learned, &confirmation, table))?)
+) -> Result<LearnedBounds, StudyError> {
+    let is_alone = plans.is_surrogate_alone;
+    let goals = if is_alone { goals(runner.study, &runner.response.shared.plan) } else { Vec::new() };
+    let grows = !goals.is_empty();
+    let mut rounds = SurrogateRounds::new(plan.clone(), goals)?;
+    let watch = plans.watch();
+    let (mut made, mut left) = (0, None);
+    let mut learned = None;
+    let mut found: Option<(SurrogatePlan, SurrogateBounds)> = None;
+    loop {
+        let training = rounds.training_round(next_round(table))?;
+        let most = training.len() + rounds.plan().most_confirming();
+        if is_alone && !watch.allows(most, table.len(), made) {
+            left = Some(most);
+            break;
+        }
+        if is_alone {
+            runner.most_runs = plans.most_runs_with(table.len() + most);
+        }
+        runner.run(&training, table)?;
+        let pool = runner.pool;
+        let known = match learned.take().filter(|_| training.is_empty()) {
+            Some(known) => known,
+            None => pool.install(|| rounds.plan().learn(table)),
+        };
+        let confirmation = pool.install(|| rounds.plan().confirmation(&known, next_round(table), table))?;
+        runner.run(&confirmation.round, table)?;
+        if grows {
+            refuse_failures(runner, table)?;
+        }
+        let bounds = pool.install(|| rounds.plan().results(known.clone(), &confirmation, table))?;
+        made += 1;
+        let plan = rounds.plan().clone();
+        let goes_on = rounds.advance(&bounds, table)?;
+        found = Some((plan, bounds));
+        learned = Some(known);
+        if !goes_on {
+            break;
+        }
+    }
+    let Some((plan, bounds)) = found else { return Err(plans.budget_too_small(left.unwrap_or_default())) };
+    let bounds = runner.pool.install(|| bounds.with_treatments(&plan))?;
+    let first = table.len();
+    runner.run(&bounds.extreme_round(next_round(table)), table)?;
+    let bounds = runner.pool.install(|| bounds.held_against_extremes(&plan, table, first))?;
+    let ended = is_alone.then(|| Ended::of_surrogates(&rounds, left, (made, table.len()), plans.budget));
+    Ok(LearnedBounds { plan, bounds, ended })
+}
+
+/// The number of the round that follows those in `table`.
+fn next_round(table: &SampleTable) -> u32 {
+    table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
 }
 
 /// What was learned, with the bounds where they stand beside direct ones.
@@ -99,6 +153,7 @@ pub(super) fn surrogate_record(
         direct_runs: if is_alone { 0 } else { material.bounds.runs as u64 },
         outputs: found.groups.iter().map(|group| output(material, plan, group)).collect(),
         bounds: asked_bounds(&of_surrogate),
+        treatments: if is_alone { Vec::new() } else { learned_treatments(material, plan, found) },
     }
 }
 

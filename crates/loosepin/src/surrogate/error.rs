@@ -131,6 +131,17 @@ pub enum SurrogateError {
         /// Largest value that is answered.
         upper: f64,
     },
+    /// A surrogate that has no form in ONNX.
+    #[error(
+        "output '{output}' is learned by {kind}; neural networks alone can be written as ONNX\n\
+         hint: its coefficients stand in surrogates.json; or learn networks, kind = \"network\" under [surrogate]"
+    )]
+    NotNetworks {
+        /// Name of the output.
+        output: String,
+        /// The kind in words.
+        kind: &'static str,
+    },
     /// Text that is no saved surrogate.
     #[error("no saved surrogate: {reason}")]
     NotLoaded {

@@ -125,6 +125,11 @@ impl Fitted {
         }
     }
 
+    /// Mean and standard deviation of the values that it was fitted to.
+    pub(super) fn scale(&self) -> (f64, f64) {
+        (self.mean, self.deviation)
+    }
+
     /// Where a fit to some of the runs may begin.
     pub(super) fn like(&self) -> Like<'_> {
         match &self.form {

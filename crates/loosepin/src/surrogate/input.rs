@@ -34,6 +34,17 @@ impl Input {
         }
     }
 
+    /// c and f of [`Self::scaled`] as (value - c) f.
+    pub(super) fn centre_and_factor(&self) -> (f64, f64) {
+        match self {
+            Self::Random(variable) => (variable.mean(), 1.0 / variable.standard_deviation()),
+            Self::Epistemic(interval) => {
+                let (lower, upper) = (interval.lower(), interval.upper());
+                (0.5 * (lower + upper), if lower < upper { 12.0_f64.sqrt() / (upper - lower) } else { 0.0 })
+            }
+        }
+    }
+
     /// The polynomials that are orthonormal under this input.
     pub fn family(&self) -> Family {
         match self {

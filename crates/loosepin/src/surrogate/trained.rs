@@ -4,6 +4,7 @@ use super::data::TrainingData;
 use super::design::Design;
 use super::error::SurrogateError;
 use super::input::Input;
+use super::onnx::{Layers, OnnxMetadata, model};
 use super::options::Options;
 use super::output::OutputSurrogate;
 use serde::de::DeserializeOwned;
@@ -122,6 +123,19 @@ impl Surrogate {
     /// What the writer says.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self)
+    }
+
+    /// Output number `output` as an ONNX file in double precision: from "inputs", a row a point in the order of the inputs, to "values", a
+    /// column a place; not-a-number outside of [`Self::ranges`]. Of the error it holds what `metadata` says.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogateError::NotNetworks`] where it is not made of networks and constants alone.
+    pub fn to_onnx(&self, output: usize, metadata: OnnxMetadata) -> Result<Vec<u8>, SurrogateError> {
+        let OutputSurrogate { name, modes, fits, .. } = &self.outputs[output];
+        let layers = Layers::new(fits, self.inputs.len())
+            .map_err(|other| SurrogateError::NotNetworks { output: name.clone(), kind: other.kind().name() })?;
+        Ok(model(name, (&self.inputs, &self.ranges), layers, modes, metadata))
     }
 
     /// A surrogate from what [`Self::to_json`] wrote: the same values to the last bit.

@@ -369,6 +369,7 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
             coverage_maximum: coverage_at.iter().map(|point| point.coverage).fold(0.0, f64::max),
             coverage_error: 0.003,
             coverage_at,
+            ends: None,
         }
     };
     TreatmentComparison {

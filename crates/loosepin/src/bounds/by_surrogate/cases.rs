@@ -1,11 +1,15 @@
 //! Bounds by surrogates of responses whose bounds are known.
 
+use std::collections::BTreeSet;
+
 use super::super::exact_cases::{Function, STANDARD_NORMAL, problem};
 use super::super::{
-    BoundPair, Failure, Problem, Request, Response, SampleTable, Sampling, Statistic, evaluate, execute,
+    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Request, Response, RunInputs, SampleTable, Sampling,
+    Standing, Statistic, evaluate, execute,
 };
 use super::{
-    ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateSettings,
+    ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
+    SurrogateSettings,
 };
 use crate::surrogate::{Choice, Kind, SurrogateError, Verdict};
 use crate::uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash, normal_cdf};
@@ -27,9 +31,12 @@ fn bounds(problem: Problem, settings: SurrogateSettings, response: &impl Respons
     let mut table = SampleTable::new(plan.problem().columns);
     execute(plan.training_round(0).unwrap(), response, &mut table).unwrap();
     let learned = plan.learn(&table);
-    let confirmation = plan.confirmation(&learned, 1).unwrap();
+    let confirmation = plan.confirmation(&learned, 1, &table).unwrap();
     execute(confirmation.round.clone(), response, &mut table).unwrap();
-    plan.results(learned, &confirmation, &table).unwrap()
+    let found = plan.results(learned, &confirmation, &table).unwrap().with_treatments(&plan).unwrap();
+    let first = table.len();
+    execute(found.extreme_round(2), response, &mut table).unwrap();
+    found.held_against_extremes(&plan, &table, first).unwrap()
 }
 
 fn holds(pair: &SurrogatePair, exact: (f64, f64)) {
@@ -69,6 +76,54 @@ fn identity_what_a_polynomial_gives_exactly_has_the_direct_bounds() {
     assert_eq!(confirmed, [[true; 2], [false; 2], [false; 2]]);
     assert_eq!((found.training_runs, found.failed_runs), (20, 0));
     assert!(found.confirming_runs >= 2 * 16 && found.confirming_runs.is_multiple_of(16));
+}
+
+/// The three bands of column 0: probability only, interval only, mixed.
+fn bands(found: &SurrogateBounds) -> [Band; 3] {
+    let treatments = found.groups[0].treatments.as_ref().expect("treatments are compared");
+    let comparison = treatments.comparisons[0].comparison.clone();
+    [comparison.probability_only, comparison.interval_only, comparison.mixed]
+}
+
+/// Y = X + u, X ~ N(0, 1), u in [-1, 1]: half-widths 2.2541, 4 (cut at ±3σ) and 1 + 1.96; the first holds 89.5 % where u = ±1.
+#[test]
+fn analytic_three_treatments_of_a_sum_by_surrogate() {
+    const TOLERANCE: f64 = 0.02; // sampling of 1024 runs of a mixture and of 256 at each u, in quantiles of 2.5 %
+    let mut of = problem(&[STANDARD_NORMAL], &[(-1.0, 1.0)], &[]);
+    of.compared_columns = vec![0];
+    let of = Problem { sampling: Sampling { inner: 256, seed: 4, ..Sampling::default() }, ..of };
+    let found = bounds(of, settings(Kind::Chaos, 40), &Function(|x: &[f64], u: &[f64]| x[0] + u[0]));
+    let [probability, interval, mixed] = bands(&found);
+    for (band, half_width) in [(&probability, 2.254_1), (&interval, 4.0), (&mixed, 1.0 + 1.959_964)] {
+        for (end, sign) in [(&band.lower, -1.0), (&band.upper, 1.0)] {
+            assert!((end.value - sign * half_width).abs() < TOLERANCE, "{:?} {end:?}", band.treatment);
+            assert!(end.error.surrogate < 1e-6, "round-off of a fit is all that it does not know: {end:?}");
+            assert_eq!(end.guarantee, Guarantee::Inner);
+        }
+    }
+    assert!((probability.coverage.minimum - 0.895).abs() < TOLERANCE, "{}", probability.coverage.minimum);
+    let lost = found.groups[0].treatments.as_ref().unwrap().comparisons[0].coverage_surrogate;
+    assert!(lost.into_iter().all(|lost| (0.0..1e-2).contains(&lost)), "{lost:?}");
+}
+
+/// Y = h(X) + u with h(x) = x + 0.3 sin 3x, which grows: its ends are h of quantiles. Fourteen runs do not show the waves.
+#[test]
+fn analytic_bands_are_as_far_off_as_the_surrogate_concedes() {
+    let h = |x: f64| x + 0.3 * libm::sin(3.0 * x);
+    let mut of = problem(&[STANDARD_NORMAL], &[(-0.8, 0.5)], &[]);
+    of.compared_columns = vec![0];
+    for (kind, runs) in [(Kind::Chaos, 14), (Kind::Kriging, 14), (Kind::Kriging, 60)] {
+        let found =
+            bounds(small(of.clone(), 6), settings(kind, runs), &Function(|x: &[f64], u: &[f64]| h(x[0]) + u[0]));
+        let [probability, interval, mixed] = bands(&found);
+        for (band, z) in [(&interval, 3.0), (&mixed, 1.959_964)] {
+            assert!(band.lower.widened <= h(-z) - 0.8 && band.upper.widened >= h(z) + 0.5, "{kind:?} {runs}: {band:?}");
+        }
+        assert!(probability.lower.widened > mixed.lower.widened - ROUND_OFF, "a mixture lies inside: {probability:?}");
+        // What is conceded falls with the runs.
+        let conceded = interval.lower.error.surrogate.max(interval.upper.error.surrogate);
+        assert_eq!(conceded > 0.2, runs == 14, "{kind:?} {runs}: {conceded}");
+    }
 }
 
 /// The slider-crank with play of the closed form: y = r cos θ + sqrt(l² - (r sin θ + c sin ψ)²) + c cos ψ - s, θ = 60°, mm.
@@ -286,4 +341,72 @@ fn identity_the_same_bits_for_any_number_of_threads() {
         })
     });
     assert_eq!(ends[0], ends[1]);
+}
+
+/// Steps of a surrogate that stands alone until `goals` are reached, or it says that they cannot be.
+fn approach(
+    problem: Problem,
+    settings: SurrogateSettings,
+    goals: &[(Statistic, f64)],
+    response: &impl Response,
+) -> (SurrogateRounds, SurrogateBounds, SampleTable) {
+    let goals = goals.iter().map(|&(statistic, most)| Goal { request: Request { column: 0, statistic }, most });
+    let mut rounds = SurrogateRounds::new(SurrogatePlan::try_new(problem, settings).unwrap(), goals.collect()).unwrap();
+    let mut table = SampleTable::new(1);
+    loop {
+        let round = table.inputs().last().map_or(0, |inputs| inputs.round + 1);
+        let most = rounds.plan().most_confirming();
+        let training = rounds.training_round(round).unwrap();
+        execute(training, response, &mut table).unwrap();
+        let learned = rounds.plan().learn(&table);
+        let confirmation = rounds.plan().confirmation(&learned, round + 1, &table).unwrap();
+        assert!(confirmation.round.len() <= most, "{} {most}", confirmation.round.len());
+        execute(confirmation.round.clone(), response, &mut table).unwrap();
+        let found = rounds.plan().results(learned, &confirmation, &table).unwrap();
+        if !rounds.advance(&found, &table).unwrap() {
+            return (rounds, found, table);
+        }
+    }
+}
+
+#[test]
+fn analytic_runs_are_added_until_bounds_are_as_near_as_asked() {
+    let normal = |mean, standard_deviation| Distribution::Normal { mean, standard_deviation };
+    // mm, and a probability; fifteen runs of four inputs give neither.
+    let goals = [(Statistic::Mean, 6e-3), (Statistic::ProbabilityBeyond(0.60), 0.05)];
+    let exact = [(-0.536_290_6, 0.535_951_9), (0.0, 0.024_466_6)];
+    let of = problem(
+        &[normal(50.0, 0.02), normal(120.0, 0.03)],
+        &[(0.1, 0.5), (0.0, core::f64::consts::TAU)],
+        &goals.map(|(statistic, _)| statistic),
+    );
+    let of = Problem { sampling: Sampling { inner: 64, seed: 5, ..Sampling::default() }, ..of };
+    let (rounds, found, table) = approach(of, settings(Kind::Kriging, 15), &goals, &Function(slider));
+    let history = rounds.history();
+    assert_eq!(rounds.standing(), Standing::Reached, "{history:#?}");
+    for ((pair, (_, most)), exact) in found.groups[0].pairs.iter().zip(goals).zip(exact) {
+        holds(pair, exact);
+        let ends = [&pair.pair.lower, &pair.pair.upper];
+        assert!(ends.into_iter().all(|end| (end.widened - end.value).abs() <= most), "{pair:?}");
+    }
+    let (first, last) = (history[0], history[history.len() - 1]);
+    assert!(first.share > 1.0 && last.share <= 1.0 && first.training == 15 && last.training > 15, "{history:#?}");
+    assert_eq!((last.runs, last.training + last.confirming), (table.len(), table.len()));
+    // No run is made twice.
+    let key = |inputs: &RunInputs| -> Vec<u64> {
+        inputs.random.iter().chain(&inputs.epistemic).map(|value| value.to_bits()).collect()
+    };
+    let different: BTreeSet<Vec<u64>> = table.inputs().iter().map(key).collect();
+    assert_eq!(different.len(), table.len());
+}
+
+#[test]
+fn analytic_noise_is_not_learned_by_more_runs_and_that_is_said() {
+    let goals = [(Statistic::Mean, 0.02)];
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
+    let (rounds, found, table) = approach(of, settings(Kind::Kriging, 60), &goals, &Function(noise));
+    assert_eq!(rounds.standing(), Standing::Exhausted);
+    let training = table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::Training).count();
+    assert_eq!(training, 135, "sixty are too few to tell, half as many again twice are not");
+    holds(&found.groups[0].pairs[0], (0.0, 0.0));
 }

@@ -1,5 +1,7 @@
 //! Direct runs at the witnesses of bounds on a surrogate, and what they say of it.
 
+use std::collections::BTreeSet;
+
 use super::super::bound::Bound;
 use super::super::sample::{Confidence, replicate_error};
 use super::super::search::Direction;
@@ -21,14 +23,14 @@ pub const MOST_WITNESSES: usize = 24;
 /// Which direct runs the bounds on the surrogates are to be held against.
 pub struct Confirmation {
     pub(super) searched: Vec<Vec<Searched>>,
-    /// Values of the epistemic inputs, in the order of the outer index of the runs.
+    /// Values of the epistemic inputs.
     witnesses: Vec<Vec<f64>>,
-    /// The runs, in their order.
+    /// The runs that are still to be made, in their order.
     pub round: Vec<RunInputs>,
 }
 
 impl Confirmation {
-    pub(super) fn new(plan: &SurrogatePlan, searched: Vec<Vec<Searched>>, round: u32) -> Self {
+    pub(super) fn new(plan: &SurrogatePlan, searched: Vec<Vec<Searched>>, round: u32, table: &SampleTable) -> Self {
         let mut witnesses: Vec<Vec<f64>> = Vec::new();
         for group in &searched {
             for bound in extreme_bounds(group) {
@@ -39,10 +41,17 @@ impl Confirmation {
             }
         }
         let per_replicate = plan.settings.confirming / plan.problem().sampling.replicates;
+        let made = || table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::Confirming);
+        let key = |inputs: &RunInputs| {
+            let bits: Vec<u64> = inputs.epistemic.iter().map(|value| value.to_bits()).collect();
+            (bits, inputs.replicate, inputs.index)
+        };
+        let known: BTreeSet<_> = made().map(key).collect();
+        let first = made().map(|inputs| inputs.point + 1).max().unwrap_or(0);
         let runs_at = |(point, epistemic): (usize, &Vec<f64>)| {
-            let runs = plan.direct.runs_at(round, point as u32, epistemic.clone());
-            let runs = runs.filter(move |inputs| (inputs.index as usize) < per_replicate);
-            runs.map(move |inputs| RunInputs { purpose: Purpose::Confirming, ..inputs }).collect::<Vec<_>>()
+            let runs = plan.direct.runs_at(round, first + point as u32, epistemic.clone());
+            let runs = runs.filter(|inputs| (inputs.index as usize) < per_replicate && !known.contains(&key(inputs)));
+            runs.map(|inputs| RunInputs { purpose: Purpose::Confirming, ..inputs }).collect::<Vec<_>>()
         };
         let round = witnesses.iter().enumerate().flat_map(runs_at).collect();
         Self { searched, witnesses, round }
@@ -113,13 +122,12 @@ pub(super) fn confirmed(
         if inputs.purpose != Purpose::Confirming {
             continue;
         }
+        let Some(confirmed) = all.iter_mut().find(|confirmed| confirmed.is_at(&inputs.epistemic)) else { continue };
         let own: Vec<f64> = group.group.columns.iter().map(|&column| table.values(run)[column]).collect();
         let answer = function.at(&inputs.random, &inputs.epistemic).ok();
         let answer = answer.filter(|_| own.iter().all(|value| value.is_finite()));
-        if let Some(confirmed) = all.get_mut(inputs.point as usize) {
-            let row = answer.map(|(values, deviations)| [own, values, deviations]);
-            confirmed.direct[inputs.replicate as usize].push(row);
-        }
+        let row = answer.map(|(values, deviations)| [own, values, deviations]);
+        confirmed.direct[inputs.replicate as usize].push(row);
     }
     all
 }

@@ -38,16 +38,20 @@ mod learned;
 mod plan;
 mod response;
 mod results;
+mod rounds;
 mod search;
 mod section;
 mod space;
+mod treatments;
 
 pub use confirm::{Confirmation, MOST_WITNESSES};
 pub use learned::{Learned, LearnedGroup};
 pub use plan::{ColumnGroup, SurrogatePlan, SurrogatePlanError, SurrogateSettings};
 pub use results::{GroupBounds, SurrogateBounds, SurrogatePair};
+pub use rounds::SurrogateRounds;
 pub use section::SurrogateSection;
 pub use space::SurrogateInput;
+pub use treatments::{LearnedComparison, LearnedTreatments};
 
 #[cfg(test)]
 mod cases;

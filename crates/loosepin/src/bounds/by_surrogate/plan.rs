@@ -1,12 +1,16 @@
 //! The steps of a plan with surrogates.
 
+use std::ops::Range;
+
 use thiserror::Error;
 
 use super::super::evaluate::EvaluateError;
 use super::super::plan::{DoubleLoop, PlanError};
-use super::super::problem::Problem;
+use super::super::problem::{Problem, Request};
+use super::super::refinement::Goal;
+use super::super::statistic::Statistic;
 use super::super::table::{Purpose, RunInputs, SampleTable};
-use super::confirm::Confirmation;
+use super::confirm::{Confirmation, MOST_WITNESSES};
 use super::learned::Learned;
 use super::results::{FIRST_REACH, SurrogateBounds};
 use super::search::search_all;
@@ -77,6 +81,10 @@ pub struct SurrogatePlan {
     pub(super) direct: DoubleLoop,
     pub(super) settings: SurrogateSettings,
     pub(super) space: TrainingSpace,
+    /// What the bounds on the surrogates alone are to be as near as, where the double loop on them is to grow.
+    pub(super) goals: Vec<Goal>,
+    /// What bounds are stated with; errors may be told with more, as where one looks repeatedly.
+    pub(super) stated_confidence: f64,
 }
 
 impl SurrogatePlan {
@@ -101,8 +109,8 @@ impl SurrogatePlan {
         if let Some(column) = direct.needed_columns().into_iter().find(|column| !is_learned(column)) {
             return Err(SurrogatePlanError::NotLearned { column });
         }
-        let space = TrainingSpace::new(problem);
-        Ok(Self { direct, settings, space })
+        let (space, stated_confidence) = (TrainingSpace::new(problem), problem.sampling.confidence);
+        Ok(Self { direct, settings, space, goals: Vec::new(), stated_confidence })
     }
 
     /// The problem.
@@ -131,11 +139,23 @@ impl SurrogatePlan {
     ///
     /// More inputs than Sobol' points have dimensions.
     pub fn training_round(&self, round: u32) -> Result<Vec<RunInputs>, SurrogatePlanError> {
-        let places = self.space.places(self.problem(), self.settings.training).map_err(PlanError::from)?;
+        self.training_runs(round, 0..self.settings.training, &[])
+    }
+
+    /// Further runs to learn from: number `numbers` for each combination of the members of lists, half of them at the values `near` of the
+    /// epistemic inputs.
+    pub(super) fn training_runs(
+        &self,
+        round: u32,
+        numbers: Range<usize>,
+        near: &[Vec<f64>],
+    ) -> Result<Vec<RunInputs>, SurrogatePlanError> {
+        let before = numbers.start * self.space.combinations();
+        let places = self.space.places(self.problem(), numbers, near).map_err(PlanError::from)?;
         let run = |(point, (random, epistemic)): (usize, (Vec<f64>, Vec<f64>))| RunInputs {
             round,
             purpose: Purpose::Training,
-            point: point as u32,
+            point: (before + point) as u32,
             replicate: 0,
             index: 0,
             random,
@@ -144,22 +164,51 @@ impl SurrogatePlan {
         Ok(places.into_iter().enumerate().map(run).collect())
     }
 
+    /// Direct runs at witnesses, at most, with those at the extremes of the treatments.
+    pub fn most_confirming(&self) -> usize {
+        let problem = self.problem();
+        let mut ends = 0;
+        for group in &self.settings.groups {
+            let own = problem.requests.iter().filter(|request| group.columns.contains(&request.column));
+            let mut statistics: Vec<Statistic> = Vec::new();
+            for Request { statistic, .. } in own {
+                if *statistic != Statistic::Cdf && !statistics.contains(statistic) {
+                    statistics.push(*statistic);
+                }
+            }
+            ends += 2 * statistics.len();
+        }
+        let inner = if problem.random.is_empty() { 1 } else { self.settings.confirming };
+        ends.min(MOST_WITNESSES) * inner + 2 * problem.compared_columns.len()
+    }
+
+    /// Runs of all steps, at most.
+    pub fn most_runs(&self) -> usize {
+        self.settings.training * self.space.combinations() + self.most_confirming()
+    }
+
     /// Learns from the training runs in `table`.
     pub fn learn(&self, table: &SampleTable) -> Learned {
         Learned::new(self.problem(), &self.space, &self.settings, table)
     }
 
-    /// The double loop on the surrogates, and the direct runs that its bounds are to be held against, as round `round`.
+    /// The double loop on the surrogates, and the direct runs that its bounds are to be held against, as round `round`, without those
+    /// that are in `table`.
     ///
     /// # Errors
     ///
     /// [`SurrogatePlanError::Evaluate`].
-    pub fn confirmation(&self, learned: &Learned, round: u32) -> Result<Confirmation, SurrogatePlanError> {
+    pub fn confirmation(
+        &self,
+        learned: &Learned,
+        round: u32,
+        table: &SampleTable,
+    ) -> Result<Confirmation, SurrogatePlanError> {
         let searched = search_all(self, learned, |_| FIRST_REACH)?;
-        Ok(Confirmation::new(self, searched, round))
+        Ok(Confirmation::new(self, searched, round, table))
     }
 
-    /// Bounds from the surrogates, with the runs of `confirmation` in `table`.
+    /// Bounds from the surrogates without the treatments, with the runs of `confirmation` in `table`.
     ///
     /// # Errors
     ///

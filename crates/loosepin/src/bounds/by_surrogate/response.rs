@@ -12,7 +12,7 @@ use crate::surrogate::{Surrogate, SurrogateError};
 /// Why an evaluation of a surrogate gave nothing: outside the range of its runs.
 const OUTSIDE: Failure = Failure(1);
 
-/// What a column of the double loop on a surrogate holds about a column of the problem.
+/// What a column of the double loop on a surrogate holds about a column of the problem, in the order of [`Self::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Aspect {
     /// ŝ with its share of the rest.
@@ -27,6 +27,11 @@ pub(super) enum Aspect {
 
 impl Aspect {
     pub const ALL: [Self; 4] = [Self::Value, Self::Low, Self::High, Self::Square];
+
+    /// Its column among those of a place.
+    pub fn position(self) -> usize {
+        self as usize
+    }
 }
 
 /// Surrogates, one for each combination of the members of lists, asked at some places of a group.
@@ -65,13 +70,20 @@ pub(super) struct BandResponse<'a> {
     of: LearnedFunction<'a>,
     /// k
     reach: f64,
+    /// Whether the band is widened where σ is larger than at any of the first inner runs.
+    is_at_least_own: bool,
     /// σ by the bits of u.
     deviations: Mutex<BTreeMap<Vec<u64>, Arc<Vec<f64>>>>,
 }
 
 impl<'a> BandResponse<'a> {
     pub fn new(of: LearnedFunction<'a>, reach: f64) -> Self {
-        Self { of, reach, deviations: Mutex::default() }
+        Self { of, reach, is_at_least_own: false, deviations: Mutex::default() }
+    }
+
+    /// The same for points that the random inputs do not come to, such as the corners of what they are cut to.
+    pub fn at_least_own(self) -> Self {
+        Self { is_at_least_own: true, ..self }
     }
 
     fn deviations(&self, epistemic: &[f64]) -> Option<Arc<Vec<f64>>> {
@@ -89,7 +101,7 @@ impl<'a> BandResponse<'a> {
 
 impl Response for BandResponse<'_> {
     fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
-        let (values, _) = self.of.at(random, epistemic).map_err(|_| OUTSIDE)?;
+        let (values, own) = self.of.at(random, epistemic).map_err(|_| OUTSIDE)?;
         let deviations = self.deviations(epistemic).ok_or(OUTSIDE)?;
         let surrogate = self.of.surrogate(epistemic);
         let space = &self.of.plan.space;
@@ -102,7 +114,8 @@ impl Response for BandResponse<'_> {
         let row = columns.chunks_exact_mut(Aspect::ALL.len());
         for (slot, column) in row.enumerate() {
             let value = values[slot] + rest.as_ref().map_or(0.0, |rest| rest[self.of.places[slot]]);
-            let half = self.reach * deviations[slot];
+            let own = if self.is_at_least_own { own[slot] } else { 0.0 };
+            let half = self.reach * deviations[slot].max(own);
             column.copy_from_slice(&[value, value - half, value + half, half * half]);
         }
         Ok(())

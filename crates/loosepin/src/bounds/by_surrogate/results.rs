@@ -5,13 +5,13 @@ use super::super::probability_box::ProbabilityBox;
 use super::super::problem::Request;
 use super::super::search::Direction;
 use super::super::statistic::Statistic;
-use super::super::table::{Purpose, SampleTable};
-use super::super::treatment::TreatmentComparison;
+use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::confirm::{Confirmation, Confirmed, confirmed};
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::response::Aspect;
 use super::search::{Searched, search_group};
+use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
 
 /// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
 pub(super) const FIRST_REACH: f64 = 3.0;
@@ -42,8 +42,8 @@ pub struct GroupBounds {
     pub levels: Vec<(f64, Vec<SurrogatePair>)>,
     /// Distribution functions of the surrogate itself.
     pub boxes: Vec<ProbabilityBox>,
-    /// The three treatments on the surrogate itself.
-    pub comparisons: Vec<TreatmentComparison>,
+    /// The three treatments of its numbers, once they are compared.
+    pub treatments: Option<LearnedTreatments>,
 }
 
 /// Bounds by surrogates.
@@ -80,6 +80,48 @@ impl SurrogateBounds {
             confirming_runs: count(Purpose::Confirming),
             failed_runs: (0..table.len()).filter(is_own).filter(|&run| table.failure(run).is_some()).count(),
         })
+    }
+
+    /// The same with the three treatments of the numbers that `plan` compares.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn with_treatments(mut self, plan: &SurrogatePlan) -> Result<Self, SurrogatePlanError> {
+        for group in &mut self.groups {
+            group.treatments = treatments(plan, &group.learned, group.reach)?;
+        }
+        Ok(self)
+    }
+
+    /// Direct runs at the extremes of the treatments, as round `round`.
+    pub fn extreme_round(&self, round: u32) -> Vec<RunInputs> {
+        extreme_runs(self.groups.iter().filter_map(|group| group.treatments.as_ref()), round)
+    }
+
+    /// The same held against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn held_against_extremes(
+        mut self,
+        plan: &SurrogatePlan,
+        table: &SampleTable,
+        first: usize,
+    ) -> Result<Self, SurrogatePlanError> {
+        self.confirming_runs += table.len() - first;
+        self.failed_runs += (first..table.len()).filter(|&run| table.failure(run).is_some()).count();
+        for group in &mut self.groups {
+            let reach = MARGIN * largest_ratio(plan, &group.learned, table, first);
+            let Some(known) = group.treatments.as_mut().filter(|_| reach > group.reach) else { continue };
+            let Some(wide) = treatments(plan, &group.learned, reach)? else { continue };
+            for (known, wide) in known.comparisons.iter_mut().zip(wide.comparisons) {
+                known.comparison.interval_only = wide.comparison.interval_only;
+                known.coverage_surrogate[1] = wide.coverage_surrogate[1];
+            }
+        }
+        Ok(self)
     }
 
     /// All bounds in the shape of direct ones, in the order of the requests, for a table of `runs` runs in `rounds` rounds. Without
@@ -180,17 +222,13 @@ fn group_bounds(
         let own = searched.bounds.boxes.iter().cloned();
         own.map(|found| ProbabilityBox { column: column_of(searched, found.column), ..found })
     });
-    let comparisons = searched.iter().flat_map(|searched| {
-        let own = searched.bounds.comparisons.iter().cloned();
-        own.map(|found| TreatmentComparison { column: column_of(searched, found.column), ..found })
-    });
     Ok(GroupBounds {
         reach,
         largest_ratio,
         pairs,
         levels: levels.filter_map(|(alpha, pairs)| Some((alpha?, pairs))).collect(),
         boxes: boxes.collect(),
-        comparisons: comparisons.collect(),
+        treatments: None,
         learned,
     })
 }
@@ -230,5 +268,9 @@ fn put_together(
         Statistic::StandardDeviation => widened.max(0.0),
         _ => widened,
     };
-    (Bound { value, widened, witness: bound.witness.clone(), error, guarantee: bound.guarantee }, is_confirmed)
+    let guarantee = match bound.guarantee {
+        Guarantee::Sampled { .. } => Guarantee::Sampled { confidence: plan.stated_confidence },
+        other => other,
+    };
+    (Bound { value, widened, witness: bound.witness.clone(), error, guarantee }, is_confirmed)
 }

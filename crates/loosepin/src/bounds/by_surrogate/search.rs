@@ -1,10 +1,12 @@
 //! The double loop on the surrogates of a group.
 
 use super::super::bound::{Bound, BoundPair, Bounds};
-use super::super::evaluate::{EvaluateError, evaluate};
+use super::super::evaluate::{EvaluateError, evaluate, execute};
 use super::super::problem::{Problem, Request};
+use super::super::refinement::{Goal, Refinement};
 use super::super::search::Direction;
 use super::super::statistic::Statistic;
+use super::super::table::SampleTable;
 use super::learned::{Learned, LearnedGroup};
 use super::plan::SurrogatePlan;
 use super::response::{Aspect, BandResponse, LearnedFunction};
@@ -12,6 +14,10 @@ use crate::surrogate::Surrogate;
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
 const MOST_PLACES: usize = 64;
+/// Of what a bound may be widened by, the share that its double loop on the surrogate may take: that costs no runs.
+const FREE_SHARE: f64 = 0.25;
+/// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
+const MOST_GROWTH: usize = 16;
 
 /// What was found for some places of a group.
 pub(super) struct Searched {
@@ -54,9 +60,7 @@ fn search_places(
     reach: f64,
 ) -> Result<Searched, EvaluateError> {
     let direct = plan.problem();
-    let column_of = |slot: usize, aspect: Aspect| {
-        slot * Aspect::ALL.len() + Aspect::ALL.iter().position(|a| *a == aspect).unwrap_or(0)
-    };
+    let column_of = |slot: usize, aspect: Aspect| slot * Aspect::ALL.len() + aspect.position();
     let slot_of = |column: usize| places.iter().position(|&place| group.group.columns[place] == column);
     let mut requests = Vec::new();
     let mut asked = Vec::new();
@@ -69,15 +73,36 @@ fn search_places(
             }
         }
     }
-    let compared = direct.compared_columns.iter().filter_map(|&column| slot_of(column));
     let problem = Problem {
         columns: places.len() * Aspect::ALL.len(),
         requests,
-        compared_columns: compared.map(|slot| column_of(slot, Aspect::Value)).collect(),
+        // The treatments go over wider points, and by themselves.
+        compared_columns: Vec::new(),
         ..direct.clone()
     };
     let response = BandResponse::new(LearnedFunction { plan, surrogates, places }, reach);
-    Ok(Searched { places: places.to_vec(), asked, bounds: evaluate(problem, &response)? })
+    let goal = |goal: &Goal| {
+        let column = column_of(slot_of(goal.request.column)?, Aspect::Value);
+        Some(Goal { request: Request { column, ..goal.request }, most: FREE_SHARE * goal.most })
+    };
+    let goals: Vec<Goal> = plan.goals.iter().filter_map(goal).collect();
+    let bounds = if goals.is_empty() { evaluate(problem, &response)? } else { refined(problem, goals, &response)? };
+    Ok(Searched { places: places.to_vec(), asked, bounds })
+}
+
+/// The bounds of a double loop that grows as far as `goals` ask, within limits.
+fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> Result<Bounds, EvaluateError> {
+    let most = MOST_GROWTH * problem.sampling.outer * problem.sampling.inner;
+    let mut table = SampleTable::new(problem.columns);
+    let mut refinement = Refinement::try_new(problem, goals)?;
+    loop {
+        let round = refinement.next_round(&table)?;
+        let is_too_much = table.len() + round.len() > most && !table.is_empty();
+        if round.is_empty() || is_too_much {
+            return Ok(refinement.results(&table)?);
+        }
+        execute(round, response, &mut table)?;
+    }
 }
 
 /// What is asked of a surrogate for a statistic: of its value first, then of what its error can make of it.

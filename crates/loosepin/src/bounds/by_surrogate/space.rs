@@ -1,5 +1,7 @@
 //! The inputs of a surrogate, and where its runs are made.
 
+use std::ops::Range;
+
 use super::super::points::corners;
 use super::super::problem::Problem;
 use super::super::search_box::{Place, SearchBox};
@@ -112,17 +114,25 @@ impl TrainingSpace {
         self.coordinates.iter().enumerate().filter_map(input).collect()
     }
 
-    /// `count` places for each combination, values of the random inputs and of the epistemic ones: low-discrepancy points, the
-    /// epistemic ones denser towards their ends (the distribution under which Chebyshev's polynomials are orthogonal), the
-    /// random ones SPREAD times as wide; the corners of the epistemic box among them.
-    pub fn places(&self, problem: &Problem, count: usize) -> Result<Vec<RunValues>, SobolError> {
+    /// Places number `numbers` of a sequence for each combination, values of the random inputs and of the epistemic ones: low-discrepancy
+    /// points, the epistemic ones denser towards their ends (the distribution under which Chebyshev's polynomials are orthogonal), the
+    /// random ones SPREAD times as wide; the corners of the epistemic box among the first. Every other place has epistemic inputs of `near`
+    /// in turn, where there are any of its combination.
+    pub fn places(
+        &self,
+        problem: &Problem,
+        numbers: Range<usize>,
+        near: &[Vec<f64>],
+    ) -> Result<Vec<RunValues>, SobolError> {
         let (randoms, wide) = (problem.random.len(), self.epistemic_box.dimensions());
         let sobol = ScrambledSobol::try_new(hash(problem.sampling.seed, TRAINING), randoms + wide)?;
         let corners = corners(wide);
-        let has_corners = wide > 0 && corners.len() as f64 <= CORNER_SHARE * count as f64;
+        let is_first = numbers.start == 0;
+        let has_corners = is_first && wide > 0 && corners.len() as f64 <= CORNER_SHARE * numbers.end as f64;
         let mut places = Vec::new();
         for combination in 0..self.combinations() {
-            for index in 0..count {
+            let near: Vec<&Vec<f64>> = near.iter().filter(|of| self.combination(of) == combination).collect();
+            for index in numbers.clone() {
                 let mut point = vec![0.0; randoms + wide];
                 sobol.write_point(combination as u32, index as u32, &mut point);
                 let (random, share) = point.split_at(randoms);
@@ -130,7 +140,10 @@ impl TrainingSpace {
                     Some(corner) if has_corners => corner.clone(),
                     _ => share.iter().map(|x| 0.5 - 0.5 * libm::cos(core::f64::consts::PI * x)).collect(),
                 };
-                let epistemic = self.epistemic_box.values_at(&Place { combination, at });
+                let epistemic = match near.get((index / 2) % near.len().max(1)) {
+                    Some(&near) if index % 2 == 1 => near.clone(),
+                    _ => self.epistemic_box.values_at(&Place { combination, at }),
+                };
                 let levels: Vec<Level> = problem.levels(random).into_iter().map(spread).collect();
                 places.push((problem.random_at(&epistemic, &levels), epistemic));
             }

@@ -9,9 +9,12 @@ use crate::report::script_data::rounded;
 use crate::report::surrogate_figure::surrogate_figure;
 use crate::report::surrogate_text::{
     MOST_ROWS, direct_bound, output_sentences, range_words, runs_sentence, single_bounds, surrogate_error,
+    treatment_rows, treatments_title,
 };
 use crate::report::wording::{deviation_words, output_words, place_words, statistic_words};
-use crate::study::result::{BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord};
+use crate::study::result::{
+    BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentComparison,
+};
 use crate::units::SiUnit;
 
 pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Markup {
@@ -28,6 +31,7 @@ pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: 
         @if others > 0 {
             p.quiet { "A further " (others) " of its bounds stand in " code { "summary.json" } "." }
         }
+        @for comparison in &record.treatments { (treatments(result, comparison, writer)) }
         @for (index, output) in record.outputs.iter().enumerate() {
             @if let Some(along) = &output.along { (along_chart(result, output, along, index, writer)) }
             @if let Some(picture) = &output.picture { (surrogate_figure(result, output, picture, writer)) }
@@ -65,6 +69,37 @@ fn bounds(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -
                             td.number data-label="By surrogate" { (range_words(bound, writer)) }
                             td.number data-label="± surrogate" { (surrogate_error(bound, writer)) }
                         }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The three treatments of a number, directly and by the surrogate.
+fn treatments(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
+    let [treatment, direct, learned, error, share] =
+        ["Treatment", "Direct", "By surrogate", "± surrogate", "Share inside"];
+    html! {
+        h3 { (treatments_title(result, comparison, writer)) }
+        table.cards {
+            thead {
+                tr {
+                    th scope="col" { (treatment) }
+                    th.number scope="col" { (direct) }
+                    th.number scope="col" { (learned) }
+                    th.number scope="col" { (error) }
+                    th scope="col" { (share) }
+                }
+            }
+            tbody {
+                @for [name, of_direct, of_learned, of_error, of_share] in treatment_rows(result, comparison, writer) {
+                    tr {
+                        th scope="row" { (name) }
+                        td.number data-label=(direct) { (of_direct) }
+                        td.number data-label=(learned) { (of_learned) }
+                        td.number data-label=(error) { (of_error) }
+                        td data-label=(share) { (of_share) }
                     }
                 }
             }

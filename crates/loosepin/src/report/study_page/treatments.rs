@@ -6,7 +6,7 @@ use crate::report::answer::treatment_sentences;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::still_figures::percent_of;
 use crate::report::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, deviation_words, has_lists, output_words, place_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, deviation_words, has_lists, output_words, place_words, promise_word,
     treatment_words, unknown_words,
 };
 use crate::study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
@@ -15,14 +15,23 @@ pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup 
     html! {
         p {
             "The same runs, read in three ways. Each reading names a band and promises that a stated share of mechanisms \
-             lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at \
-             each of those that were run, in the runs that the mixed band was made from."
+             lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at "
+            @if is_learned(result) {
+                "each of those that were looked at, of the surrogate. Its ends may be off by what the surrogate does not know."
+            } @else {
+                "each of those that were run, in the runs that the mixed band was made from."
+            }
             @if has_lists(&result.inputs) {
                 " " (EQUALLY_PROBABLE)
             }
         }
         @for comparison in &result.treatments { (one(result, comparison, writer)) }
     }
+}
+
+/// Whether the bands are those of a surrogate that stands alone.
+fn is_learned(result: &StudyResult) -> bool {
+    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.ends.is_some())
 }
 
 fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
@@ -43,6 +52,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                     tr {
                         th scope="col" { "Treatment" }
                         th scope="col" { "Band that is to hold " (promise) " of mechanisms" }
+                        @if is_learned(result) { th.number scope="col" { "± surrogate" } }
                         th.number scope="col" { "Width" }
                         th scope="col" { "Share really inside" }
                         th scope="col" { "Promise" }
@@ -53,13 +63,18 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                         tr {
                             th scope="row" { (treatment_words(band.treatment)) }
                             td data-label="Band" { (band_bar(band, comparison, from, to, writer)) }
+                            @if let Some(error) = band.surrogate_error_si() {
+                                td.number data-label="± surrogate" { (writer.error(error, &comparison.unit)) }
+                            }
                             td.number data-label="Width" {
                                 (writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))
                             }
                             td data-label="Share really inside" { (coverage_strip(band, promised, share_from, writer)) }
                             td data-label="Promise" {
-                                @if band.keeps_promise(promised) { span.verdict.met { "kept" } }
-                                @else { span.verdict.not-met { "broken" } }
+                                @let word = promise_word(band, promised);
+                                @if band.is_promise_unknown(promised) { span.verdict.undecided { (word) } }
+                                @else if band.keeps_promise(promised) { span.verdict.met { (word) } }
+                                @else { span.verdict.not-met { (word) } }
                             }
                         }
                     }

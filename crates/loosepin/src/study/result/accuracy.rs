@@ -26,6 +26,13 @@ pub struct AccuracyRecord {
     pub steps: Vec<AccuracyStep>,
 }
 
+impl AccuracyRecord {
+    /// Whether the bounds are those of surrogates, so that training and confirming runs were added.
+    pub fn is_learned(&self) -> bool {
+        self.steps.iter().any(|step| step.training > 0)
+    }
+}
+
 /// Why the samples grew no further.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -84,6 +91,9 @@ pub struct AccuracyOutcome {
     /// And what the search over the epistemic inputs makes.
     #[serde(with = "extended")]
     pub optimisation_si: f64,
+    /// And what a surrogate does not know, where the bounds are those of one.
+    #[serde(default, with = "extended", skip_serializing_if = "is_zero")]
+    pub surrogate_si: f64,
     /// Runs that it would take at the pace so far; absent where it is reached or nothing can be foreseen.
     pub runs_needed: Option<u64>,
 }
@@ -106,7 +116,21 @@ pub struct AccuracyStep {
     pub outer: u64,
     /// Samples at each.
     pub inner: u64,
+    /// Runs to learn from up to it, where the bounds are those of surrogates.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub training: u64,
+    /// Direct runs at the values that attain them up to it.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub confirming: u64,
     /// The largest widening over what was asked.
     #[serde(with = "extended")]
     pub share: f64,
+}
+
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
+fn is_none(count: &u64) -> bool {
+    *count == 0
 }

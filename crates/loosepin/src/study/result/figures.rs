@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bound::{DeviationKind, ResponsePoint, TreatmentKind, Witness};
+use super::bound::{DeviationKind, NumericalError, ResponsePoint, TreatmentKind, Witness};
 use crate::units::{SiUnit, extended};
 
 /// Deviation of one output over the cycle. All lists have one entry per element of `pose_rad`.
@@ -138,12 +138,38 @@ pub struct TreatmentBand {
     pub coverage_error: f64,
     /// Share inside the band at each value of the epistemic inputs that was run.
     pub coverage_at: Vec<CoveragePoint>,
+    /// How far the ends may be off, where the band is that of a surrogate; `coverage_error` then holds what it does to the shares.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ends: Option<[TreatmentEnd; 2]>,
+}
+
+/// An end of a band by a surrogate.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TreatmentEnd {
+    /// The end moved outwards by what was not resolved.
+    #[serde(with = "extended")]
+    pub widened_si: f64,
+    /// Its numerical error.
+    pub error: NumericalError,
 }
 
 impl TreatmentBand {
     /// Width of the band.
     pub fn width_si(&self) -> f64 {
         self.upper_si - self.lower_si
+    }
+
+    /// Whether the shares are too little known to tell if the band keeps its promise: one by a surrogate whose error is larger than the
+    /// share that may lie outside.
+    pub fn is_promise_unknown(&self, promised_coverage: f64) -> bool {
+        self.ends.is_some()
+            && self.coverage_error > 1.0 - promised_coverage
+            && (self.coverage_minimum - promised_coverage).abs() < self.coverage_error
+    }
+
+    /// The larger part of the error of its ends that a surrogate does not know; nothing for a band of direct runs.
+    pub fn surrogate_error_si(&self) -> Option<f64> {
+        self.ends.as_ref().map(|ends| ends[0].error.surrogate_si.max(ends[1].error.surrogate_si))
     }
 
     /// Whether the band holds at least `promised_coverage` whatever the epistemic inputs are, within numerical error.

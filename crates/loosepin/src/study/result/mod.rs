@@ -21,7 +21,7 @@ pub use bound::{
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
-    SimultaneousCurve, TreatmentBand, TreatmentComparison,
+    SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd,
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{BoundRecord, DeviationKind, ResponsePoint};
+use super::figures::TreatmentComparison;
 use crate::surrogate::Verdict;
 use crate::units::{SiUnit, extended};
 
@@ -21,6 +22,9 @@ pub struct SurrogateRecord {
     pub outputs: Vec<SurrogateOutput>,
     /// The bounds, for as much of [`super::StudyResult::bounds`] as was learned.
     pub bounds: Vec<BoundRecord>,
+    /// The three treatments by the surrogates, beside those of the direct runs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub treatments: Vec<TreatmentComparison>,
 }
 
 /// What was learned of a number or a curve; where laws or members of lists have surrogates of their own, of that with the

@@ -1,0 +1,20 @@
+//! `loosepin export`.
+
+use loosepin::study::export_networks;
+
+use crate::arguments::ExportArguments;
+use crate::console;
+use crate::ending::{Done, Ending, Failure};
+
+/// Writes the networks, and says what does not go along with them.
+pub fn run(arguments: &ExportArguments) -> Ending {
+    let ExportArguments { results, folder, outputs } = arguments;
+    let files = export_networks(results, outputs, folder).map_err(|error| Failure::of(&error))?;
+    for file in &files {
+        console::message(&format!("wrote {}", file.display()));
+    }
+    console::message(
+        "values alone: the error of each value and what is left of noise stay behind; outside of what was learned they are not-a-number",
+    );
+    Ok(Done::Well)
+}

@@ -1,0 +1,93 @@
+//! The three treatments side by side.
+
+use super::{Material, deviation_kind};
+use crate::bounds::{self, Band, SurrogateBounds, SurrogatePlan};
+use crate::study::result::{
+    CoveragePoint, NumericalError, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind,
+};
+
+/// Those of the direct runs.
+pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
+    let points = &material.bounds.outer_points;
+    material.bounds.comparisons.iter().map(|comparison| treatment_record(material, comparison, points)).collect()
+}
+
+/// The three treatments by surrogates, in the order of the compared columns.
+pub fn learned_treatments(
+    material: &Material<'_>,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> Vec<TreatmentComparison> {
+    let of_column = |column: &usize| {
+        let mut groups = found.groups.iter().filter_map(|group| group.treatments.as_ref());
+        let (points, learned) = groups.find_map(|of| {
+            let own = of.comparisons.iter().find(|learned| learned.comparison.column == *column)?;
+            Some((&of.outer_points, own))
+        })?;
+        let comparison = &learned.comparison;
+        let mut record = treatment_record(material, comparison, points);
+        let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
+        for ((record, band), unknown) in record.bands.iter_mut().zip(bands).zip(learned.coverage_surrogate) {
+            record.coverage_error += unknown;
+            record.ends = Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
+                widened_si: end.widened,
+                error: NumericalError {
+                    sampling_si: end.error.sampling,
+                    optimisation_si: end.error.optimisation,
+                    surrogate_si: end.error.surrogate,
+                },
+            }));
+        }
+        Some(record)
+    };
+    plan.problem().compared_columns.iter().filter_map(of_column).collect()
+}
+
+fn treatment_record(
+    material: &Material<'_>,
+    comparison: &bounds::TreatmentComparison,
+    outer_points: &[Vec<f64>],
+) -> TreatmentComparison {
+    let column = comparison.column;
+    let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
+    TreatmentComparison {
+        output: material.name_of(column),
+        of: deviation_kind(material.plan().columns[column].deviation),
+        at: material.point_of(column, false),
+        unit: material.unit_of(column),
+        promised_coverage: comparison.probability,
+        bands: bands.map(|band| treatment_band(material, band, outer_points)).to_vec(),
+    }
+}
+
+fn treatment_band(material: &Material<'_>, band: &Band, outer_points: &[Vec<f64>]) -> TreatmentBand {
+    let treatment = match band.treatment {
+        bounds::Treatment::ProbabilityOnly => TreatmentKind::ProbabilityOnly,
+        bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
+        bounds::Treatment::Mixed => TreatmentKind::Mixed,
+    };
+    let coverage_error = band
+        .coverage
+        .points
+        .iter()
+        .min_by(|a, b| a.lower.total_cmp(&b.lower))
+        .map_or(0.0, |point| (point.upper + point.sampling_error[1]).min(1.0) - point.lower);
+    TreatmentBand {
+        treatment,
+        lower_si: band.lower.value,
+        upper_si: band.upper.value,
+        coverage_minimum: band.coverage.minimum,
+        coverage_maximum: band.coverage.maximum,
+        coverage_error,
+        coverage_at: band
+            .coverage
+            .points
+            .iter()
+            .map(|point| CoveragePoint {
+                at: material.witness(&outer_points[point.point as usize]),
+                coverage: point.lower,
+            })
+            .collect(),
+        ends: None,
+    }
+}
