@@ -326,35 +326,55 @@ fn expectation(f: impl Fn(f64) -> f64) -> f64 {
         .sum()
 }
 
-/// The least and the greatest value of `f` over a box of up to three intervals: a grid, then grids around its extremes, each
+/// From so many places of the grid, no two of them near each other, an extreme is sought: two hills may be nearly as high.
+const STARTS: usize = 3;
+/// Places that are nearer than this share of the box are near each other.
+const NEAR: f64 = 0.15;
+
+/// The least and the greatest value of `f` over a box of up to three intervals: a grid, then around its best places grids, each
 /// half as large as the one before.
 pub(crate) fn extremes(f: &dyn Fn(&[f64]) -> f64, intervals: &[(f64, f64)]) -> (f64, f64) {
     let per_axis = if intervals.len() > 2 { 21 } else { 37 };
+    // Places around a centre, a share of the box wide.
+    let grid = |centre: &[f64], share: f64, points: usize| -> Vec<Vec<f64>> {
+        let place = |index: usize| {
+            let along = |(axis, (&(low, high), centre)): (usize, (&(f64, f64), &f64))| {
+                let step = index / usize::pow(points, axis as u32) % points;
+                let fraction = step as f64 / (points - 1) as f64 - 0.5;
+                (centre + share * fraction * (high - low)).clamp(low, high)
+            };
+            intervals.iter().zip(centre).enumerate().map(along).collect()
+        };
+        (0..usize::pow(points, intervals.len() as u32)).map(place).collect()
+    };
+    let are_near = |a: &[f64], b: &[f64]| {
+        a.iter().zip(b).zip(intervals).all(|((a, b), (low, high))| (a - b).abs() <= NEAR * (high - low))
+    };
     let search = |sign: f64| {
-        let mut centre: Vec<f64> = intervals.iter().map(|(low, high)| 0.5 * (low + high)).collect();
-        let (mut most, mut share) = (f64::NEG_INFINITY, 1.0);
-        for round in 0..32 {
-            let points = if round == 0 { per_axis } else { 5 };
-            let around = centre.clone();
-            for index in 0..usize::pow(points, intervals.len() as u32) {
-                let mut rest = index;
-                let point: Vec<f64> = intervals
-                    .iter()
-                    .zip(&around)
-                    .map(|(&(low, high), centre)| {
-                        let fraction = (rest % points) as f64 / (points - 1) as f64 - 0.5;
-                        rest /= points;
-                        (centre + share * fraction * (high - low)).clamp(low, high)
-                    })
-                    .collect();
-                let value = sign * f(&point);
-                if value > most {
-                    (most, centre) = (value, point);
-                }
+        let best = |places: Vec<Vec<f64>>| {
+            let mut valued: Vec<(f64, Vec<f64>)> = places.into_iter().map(|place| (sign * f(&place), place)).collect();
+            valued.sort_by(|a, b| b.0.total_cmp(&a.0));
+            valued
+        };
+        let middle: Vec<f64> = intervals.iter().map(|(low, high)| 0.5 * (low + high)).collect();
+        let mut starts: Vec<(f64, Vec<f64>)> = Vec::new();
+        for start in best(grid(&middle, 1.0, per_axis)) {
+            if starts.len() < STARTS && starts.iter().all(|other| !are_near(&other.1, &start.1)) {
+                starts.push(start);
             }
-            share = if round == 0 { 4.0 / per_axis as f64 } else { 0.5 * share };
         }
-        sign * most
+        let refined = starts.into_iter().map(|(mut most, mut centre)| {
+            let mut share = 4.0 / per_axis as f64;
+            for _ in 0..31 {
+                let (value, place) = best(grid(&centre, share, 5)).swap_remove(0);
+                if value > most {
+                    (most, centre) = (value, place);
+                }
+                share *= 0.5;
+            }
+            most
+        });
+        sign * refined.fold(f64::NEG_INFINITY, f64::max)
     };
     (search(-1.0), search(1.0))
 }

@@ -327,6 +327,20 @@ fn every_dependency_says_what_it_is_for() {
     assert!(left_over.is_empty(), "docs/dependencies.md has a row for what nothing depends on: {left_over:?}");
 }
 
+#[test]
+fn the_lock_file_of_the_fuzzed_library_is_up_to_date() {
+    let manifest: toml::Value = toml::from_str(&read(&repository().join("crates/loosepin/Cargo.toml"))).expect("TOML");
+    let lock: toml::Value = toml::from_str(&read(&repository().join("tests/fuzz/Cargo.lock"))).expect("TOML");
+    let packages = lock["package"].as_array().expect("packages");
+    let own = packages.iter().find(|package| package["name"].as_str() == Some("loosepin")).expect("the library");
+    let words = own["dependencies"].as_array().expect("names").iter().filter_map(toml::Value::as_str);
+    // "name", or "name version" where there are several.
+    let locked: BTreeSet<&str> = words.filter_map(|name| name.split(' ').next()).collect();
+    let asked = manifest["dependencies"].as_table().expect("dependencies").keys().map(String::as_str);
+    let missing: Vec<&str> = asked.filter(|name| !locked.contains(name)).collect();
+    assert!(missing.is_empty(), "cargo check in tests/fuzz adds to its lock file: {missing:?}");
+}
+
 /// Names of the packages that a manifest asks for, our own ones left out.
 fn dependencies(manifest: &str) -> BTreeSet<String> {
     fn collect(value: &toml::Value, found: &mut BTreeSet<String>) {
