@@ -246,7 +246,7 @@ fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
 
 #[test]
 fn a_single_run_to_learn_from_is_refused_at_its_place() {
-    let complaints = study("[surrogate]\ntraining_runs = 1").err().expect("one run is not enough");
+    let complaints = study("[surrogate]\ntraining_runs = 1").expect_err("one run is not enough");
     let complaint = complaints.to_string();
     assert!(
         complaint.starts_with(
