@@ -327,7 +327,7 @@ fn expectation(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// From so many places of the grid, no two of them near each other, an extreme is sought: two hills may be nearly as high.
-const STARTS: usize = 3;
+const STARTS: usize = 2;
 /// Places that are nearer than this share of the box are near each other.
 const NEAR: f64 = 0.15;
 
