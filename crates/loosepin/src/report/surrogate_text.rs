@@ -175,13 +175,9 @@ pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison,
     )
 }
 
-/// The share inside a band by a surrogate with its error.
-pub(super) fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
-    format!(
-        "{} ± {}",
-        writer.percent_range(band.coverage_minimum, band.coverage_maximum),
-        writer.percent(band.coverage_error.min(1.0), Rounding::Up)
-    )
+/// The share inside a band by a surrogate, as small as it is where the surrogate errs.
+fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
+    writer.percent_range((band.coverage_minimum - band.coverage_error).max(0.0), band.coverage_maximum)
 }
 
 /// Treatment, direct band, band by surrogate, what the surrogate does not know of its ends, share inside: a row a treatment.
