@@ -77,7 +77,7 @@ impl DoubleLoop {
             centre_point: self.centre_point(),
             runs: table.len(),
             failed_runs: table.failed(),
-            rounds: table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0),
+            rounds: table.rounds(),
         })
     }
 }

@@ -36,11 +36,20 @@ pub enum EvaluateError {
 /// [`EvaluateError`] where the problem breaks a rule; failed runs are no error.
 pub fn evaluate(problem: Problem, response: &impl Response) -> Result<Bounds, EvaluateError> {
     let plan = DoubleLoop::try_new(problem)?;
+    Ok(plan.results(&execute_all(&plan, response)?)?)
+}
+
+/// The runs of all rounds of `plan`.
+///
+/// # Errors
+///
+/// [`EvaluateError`] where a round has no plan, or its rows do not fit; failed runs are no error.
+pub(super) fn execute_all(plan: &DoubleLoop, response: &impl Response) -> Result<SampleTable, EvaluateError> {
     let mut table = SampleTable::new(plan.problem().columns);
     loop {
         let round = plan.next_round(&table)?;
         if round.is_empty() {
-            return Ok(plan.results(&table)?);
+            return Ok(table);
         }
         execute(round, response, &mut table)?;
     }

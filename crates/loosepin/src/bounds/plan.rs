@@ -288,9 +288,10 @@ impl DoubleLoop {
     /// [`PlanError::OtherColumns`] or [`PlanError::UnfinishedPoint`] where the table is not that.
     pub fn next_round(&self, table: &SampleTable) -> Result<Vec<RunInputs>, PlanError> {
         self.check_table(table)?;
-        let Some(round) = table.inputs().iter().map(|inputs| inputs.round + 1).max() else {
+        let round = table.rounds();
+        if round == 0 {
             return Ok(self.first_round());
-        };
+        }
         let mut runs = Vec::new();
         let outer = Pool::gather(table, Purpose::DoubleLoop, self.searched().iter().map(|search| search.0.column));
         if let Some([replicates, each]) = self.smaller_sample(table, &outer) {

@@ -110,7 +110,7 @@ impl Refinement {
     /// The plan that the rounds in `table` belong to: it gives their results, at whatever round they end.
     pub fn plan(&self, table: &SampleTable) -> &DoubleLoop {
         match &self.grown {
-            Some((round, grown)) if rounds(table) > *round => grown,
+            Some((round, grown)) if table.rounds() > *round => grown,
             _ => &self.plan,
         }
     }
@@ -132,7 +132,7 @@ impl Refinement {
     /// [`PlanError`] where the table lacks runs of a round before or belongs to another problem.
     pub fn next_round(&mut self, table: &SampleTable) -> Result<Vec<RunInputs>, PlanError> {
         if let Some((round, grown)) = self.grown.take()
-            && rounds(table) > round
+            && table.rounds() > round
         {
             self.looks += u32::from(grown.inner_runs() > self.plan.inner_runs());
             self.plan = grown;
@@ -159,7 +159,7 @@ impl Refinement {
                 round = grown.filling_round(table, (assessment.outer / FILLING_SHARE).max(LEAST_FILLING))?;
             }
             if !round.is_empty() {
-                self.grown = Some((rounds(table), grown));
+                self.grown = Some((table.rounds(), grown));
                 return Ok(round);
             }
         }
@@ -232,11 +232,6 @@ impl Refinement {
     }
 }
 
-/// Rounds that were made.
-fn rounds(table: &SampleTable) -> u32 {
-    table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
-}
-
 /// The plan with the confidence that sample size `look` needs.
 fn at_look(plan: DoubleLoop, look: u32) -> DoubleLoop {
     let miss = (1.0 - plan.problem().sampling.confidence) / f64::from(look * (look + 1));
@@ -252,7 +247,7 @@ fn widening(bound: &Bound) -> f64 {
 impl DoubleLoop {
     /// A round of up to `count` low-discrepancy points that are not there yet.
     fn filling_round(&self, table: &SampleTable, count: usize) -> Result<Vec<RunInputs>, PlanError> {
-        let round = rounds(table);
+        let round = table.rounds();
         let pool = Pool::gather(table, Purpose::DoubleLoop, []);
         let known = self.outer_places(&pool);
         let dimensions = self.epistemic_box().dimensions();

@@ -111,6 +111,11 @@ impl SampleTable {
         Ok(())
     }
 
+    /// Rounds that the runs were made in, which is the number of the next one.
+    pub fn rounds(&self) -> u32 {
+        self.inputs.iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
+    }
+
     /// Number of runs.
     pub fn len(&self) -> usize {
         self.inputs.len()

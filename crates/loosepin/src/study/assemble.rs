@@ -114,11 +114,7 @@ impl Material<'_> {
             value_si: bound.value,
             widened_si: bound.widened,
             witness: bound.witness.as_ref().map(|w| self.witness(&w.epistemic)).unwrap_or_default(),
-            error: NumericalError {
-                sampling_si: bound.error.sampling,
-                optimisation_si: bound.error.optimisation,
-                surrogate_si: bound.error.surrogate,
-            },
+            error: numerical_error(bound),
         }
     }
 
@@ -343,6 +339,11 @@ fn simultaneous_bounds(material: &Material<'_>, bands: &[CurveBand]) -> Vec<Boun
 }
 
 /// How small probabilities were estimated.
+fn numerical_error(bound: &Bound) -> NumericalError {
+    let error = &bound.error;
+    NumericalError { sampling_si: error.sampling, optimisation_si: error.optimisation, surrogate_si: error.surrogate }
+}
+
 fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
     let end = |end: &rare::RareEnd| RareEnd {
         method: end.method,

@@ -360,7 +360,7 @@ fn stated_bounds(
     match (direct, learned) {
         (Some(bounds), _) => Ok(bounds),
         (None, Some(learned)) if table.failed() < table.len() => {
-            Ok(learned.bounds.to_bounds(&learned.plan, made_rounds(table)))
+            Ok(learned.bounds.to_bounds(&learned.plan, table.rounds()))
         }
         (None, _) => Err(all_failed(runner.response, table)),
     }
@@ -415,11 +415,6 @@ fn tell(
     });
     let surrogates = learned.map(|(plan, learned)| saved_surrogates(&material, input_hash, plan, learned));
     Ok(Conducted { result, runs: runs_table(study, response, table), surrogates })
-}
-
-/// Rounds that the runs were made in.
-fn made_rounds(table: &SampleTable) -> u32 {
-    table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
 }
 
 pub(super) fn all_failed(response: &StudyResponse, table: &SampleTable) -> StudyError {

@@ -93,7 +93,7 @@ pub(super) fn learned_bounds(
     let mut learned = None;
     let mut found: Option<(SurrogatePlan, SurrogateBounds)> = None;
     loop {
-        let training = rounds.training_round(next_round(table))?;
+        let training = rounds.training_round(table.rounds())?;
         let most = training.len() + rounds.plan().most_confirming();
         if is_alone && !watch.allows(most, table.len(), made) {
             left = Some(most);
@@ -108,7 +108,7 @@ pub(super) fn learned_bounds(
             Some(known) => known,
             None => pool.install(|| rounds.plan().learn(table)),
         };
-        let confirmation = pool.install(|| rounds.plan().confirmation(&known, next_round(table), table))?;
+        let confirmation = pool.install(|| rounds.plan().confirmation(&known, table.rounds(), table))?;
         runner.run(&confirmation.round, table)?;
         if grows {
             refuse_failures(runner, table)?;
@@ -126,15 +126,10 @@ pub(super) fn learned_bounds(
     let Some((plan, bounds)) = found else { return Err(plans.budget_too_small(left.unwrap_or_default())) };
     let bounds = runner.pool.install(|| bounds.with_treatments(&plan))?;
     let first = table.len();
-    runner.run(&bounds.extreme_round(next_round(table)), table)?;
+    runner.run(&bounds.extreme_round(table.rounds()), table)?;
     let bounds = runner.pool.install(|| bounds.held_against_extremes(&plan, table, first))?;
     let ended = is_alone.then(|| Ended::of_surrogates(&rounds, left, (made, table.len()), plans.budget));
     Ok(LearnedBounds { plan, bounds, ended })
-}
-
-/// The number of the round that follows those in `table`.
-fn next_round(table: &SampleTable) -> u32 {
-    table.inputs().iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
 }
 
 /// What was learned, with the bounds where they stand beside direct ones.

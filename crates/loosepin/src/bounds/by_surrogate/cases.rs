@@ -354,7 +354,7 @@ fn approach(
     let mut rounds = SurrogateRounds::new(SurrogatePlan::try_new(problem, settings).unwrap(), goals.collect()).unwrap();
     let mut table = SampleTable::new(1);
     loop {
-        let round = table.inputs().last().map_or(0, |inputs| inputs.round + 1);
+        let round = table.rounds();
         let most = rounds.plan().most_confirming();
         let training = rounds.training_round(round).unwrap();
         execute(training, response, &mut table).unwrap();

@@ -9,7 +9,7 @@
 
 use super::super::bound::{Bound, BoundError, Guarantee};
 use super::super::coverage::Coverage;
-use super::super::evaluate::{EvaluateError, Response, execute};
+use super::super::evaluate::{EvaluateError, Response, execute_all};
 use super::super::plan::DoubleLoop;
 use super::super::pool::Pool;
 use super::super::problem::Problem;
@@ -66,14 +66,7 @@ pub(super) fn treatments(
     };
     let response = BandResponse::new(LearnedFunction { plan, surrogates, places: &places }, reach).at_least_own();
     let double_loop = DoubleLoop::try_new(problem)?;
-    let mut table = SampleTable::new(double_loop.problem().columns);
-    loop {
-        let round = double_loop.next_round(&table)?;
-        if round.is_empty() {
-            break;
-        }
-        execute(round, &response, &mut table)?;
-    }
+    let table = execute_all(&double_loop, &response)?;
     let bounds = double_loop.results(&table)?;
     let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.needed_columns())
         .with_polynomials(double_loop.inner_basis())

@@ -1,10 +1,8 @@
 //! The three treatments side by side.
 
-use super::{Material, deviation_kind};
+use super::{Material, deviation_kind, numerical_error};
 use crate::bounds::{self, Band, SurrogateBounds, SurrogatePlan};
-use crate::study::result::{
-    CoveragePoint, NumericalError, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind,
-};
+use crate::study::result::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind};
 
 /// Those of the direct runs.
 pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
@@ -29,14 +27,10 @@ pub fn learned_treatments(
         let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
         for ((record, band), unknown) in record.bands.iter_mut().zip(bands).zip(learned.coverage_surrogate) {
             record.coverage_error += unknown;
-            record.ends = Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
-                widened_si: end.widened,
-                error: NumericalError {
-                    sampling_si: end.error.sampling,
-                    optimisation_si: end.error.optimisation,
-                    surrogate_si: end.error.surrogate,
-                },
-            }));
+            record.ends = Some(
+                [&band.lower, &band.upper]
+                    .map(|end| TreatmentEnd { widened_si: end.widened, error: numerical_error(end) }),
+            );
         }
         Some(record)
     };
