@@ -11,7 +11,7 @@ use std::time::{Duration, SystemTime};
 
 use command_line::Desk;
 
-/// A study whose runs take seconds, with two rounds and a direct study of the inverse question.
+/// A study of seconds, with two rounds and a direct study of the inverse question.
 const STUDY: &str = r#"
 name = "half a turn"
 model = "model.toml"
@@ -55,18 +55,27 @@ fn start(desk: &Desk, arguments: &[&str]) -> Child {
     command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the command starts")
 }
 
-/// Kills a study after it has committed runs `commits` times.
+/// Bytes of a store's log beyond which it holds runs, not only the tables for them.
+const LOG_WITH_RUNS_BYTES: u64 = 20_000;
+
+/// Bytes of the log of a store; none where there is no log.
+fn log_bytes(desk: &Desk, folder: &str) -> u64 {
+    fs::metadata(desk.path(folder).join("runs.sqlite-wal")).map_or(0, |found| found.len())
+}
+
+/// Kills a study after it has committed runs `commits` times. It has one thread, so that it is far from its end by then on fast
+/// machines too.
 fn kill_after(desk: &Desk, commits: u32) {
-    let mut child = start(desk, &["study", "study.toml", "--out", "killed", "--resume"]);
-    let log = desk.path("killed/runs.sqlite-wal");
-    let size = || fs::metadata(&log).map_or(0, |found| found.len());
+    let arguments = ["study", "study.toml", "--out", "killed", "--resume", "--threads", "1"];
+    let mut last = log_bytes(desk, "killed");
+    let mut child = start(desk, &arguments);
     let mut seen = 0;
-    let mut last = 0;
-    while seen <= commits && child.try_wait().expect("it can be asked").is_none() {
+    while seen < commits && child.try_wait().expect("it can be asked").is_none() {
         sleep(Duration::from_millis(3));
-        let now = size();
+        let now = log_bytes(desk, "killed");
         if now != last {
-            (last, seen) = (now, seen + 1);
+            seen += u32::from(now > LOG_WITH_RUNS_BYTES);
+            last = now;
         }
     }
     // Too late where it has ended by itself.
@@ -127,8 +136,7 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>, SystemTime)> {
 /// Starts a process, and sends it a signal as soon as it has kept runs in `folder`.
 fn signalled(desk: &Desk, arguments: &[&str], folder: &str, signal: &str) -> Child {
     let mut child = start(desk, arguments);
-    let log = desk.path(folder).join("runs.sqlite-wal");
-    while fs::metadata(&log).map_or(0, |found| found.len()) < 20_000 {
+    while log_bytes(desk, folder) < LOG_WITH_RUNS_BYTES {
         assert!(child.try_wait().expect("it can be asked").is_none(), "it ended before it had kept runs");
         sleep(Duration::from_millis(3));
     }
@@ -150,6 +158,8 @@ fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
     let desk = desk();
     // With other inputs, so that whatever it writes is not the same by chance.
     desk.write("other.toml", &STUDY.replace("seed = 11", "seed = 12"));
+    // Of minutes, so that who is to be at work still is.
+    desk.write("study.toml", &STUDY.replace("inner = 64", "inner = 65536"));
     let of_other = desk.run(&["study", "other.toml", "--out", "bounds", "--shard", "1/1"]);
     assert_eq!(of_other.status, 0, "{}", of_other.messages);
     let shard = |study: &'static str| ["study", study, "--out", "shared", "--shard", "1/2", "--resume"];

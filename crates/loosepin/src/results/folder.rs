@@ -12,6 +12,9 @@ use crate::diagnostics::Complaints;
 /// Longest part of a folder name that is made from a name in a file, characters.
 const LONGEST_NAME_CHARS: usize = 60;
 
+/// What is added to the name of a file until it is whole.
+const PARTIAL: &str = ".partial";
+
 /// Where results are to go.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Place {
@@ -336,7 +339,7 @@ impl ResultsFolder {
 /// What the file system refuses.
 pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), ResultsError> {
     let mut partial_name = path.as_os_str().to_owned();
-    partial_name.push(".partial");
+    partial_name.push(PARTIAL);
     let partial = PathBuf::from(partial_name);
     let written = || {
         let mut file = fs::File::create(&partial)?;
@@ -409,13 +412,15 @@ fn remove_files(folder: &Path, file_names: &[String]) -> Result<(), ResultsError
     Ok(())
 }
 
-/// The first entry of a folder by name, `lock_files` aside; none where it is empty.
+/// The first entry of a folder by name; none where it is empty. `lock_files` are left aside, and a marker that is not whole: its
+/// writer was stopped before anything else was there.
 fn first_entry(folder: &Path, lock_files: &[&str]) -> Result<Option<String>, ResultsError> {
     let not_readable = |source| ResultsError::Read { path: folder.to_owned(), source };
     let mut first: Option<String> = None;
     for entry in fs::read_dir(folder).map_err(not_readable)? {
         let name = entry.map_err(not_readable)?.file_name().to_string_lossy().into_owned();
-        if !lock_files.contains(&&name[..]) && first.as_ref().is_none_or(|known| name < *known) {
+        let is_begun_marker = name.strip_suffix(PARTIAL) == Some(MARKER_FILE);
+        if !is_begun_marker && !lock_files.contains(&&name[..]) && first.as_ref().is_none_or(|known| name < *known) {
             first = Some(name);
         }
     }

@@ -59,6 +59,20 @@ fn a_finished_result_is_kept_and_an_unfinished_one_taken_over() {
 }
 
 #[test]
+fn a_marker_that_was_being_written_when_the_process_was_stopped_is_ours() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    fs::create_dir(&path).expect("writable");
+    fs::write(path.join("loosepin.json.partial"), b"{\"kin").expect("writable");
+    finished(&path, "a");
+    assert!(!path.join("loosepin.json.partial").exists());
+    fs::remove_file(path.join(MARKER_FILE)).expect("writable");
+    fs::write(path.join("loosepin.json.partial"), b"{\"kin").expect("writable");
+    let error = claim(&path, "a", false).take().expect_err("there is a file that nothing says is ours");
+    assert!(matches!(&error, ResultsError::HoldsOtherFiles { example, .. } if example == "history.csv"), "{error}");
+}
+
+#[test]
 fn results_of_other_inputs_are_refused_or_replaced() {
     let root = tempfile::tempdir().expect("a folder");
     let path = root.path().join("out");
