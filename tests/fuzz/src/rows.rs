@@ -1,24 +1,14 @@
 //! A store that SQLite has written, with whatever in the columns of its rows.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
-use loosepin::store::StoreIdentity;
+use loosepin::store::{RunStore, StoreIdentity, remove_store};
 use rusqlite::types::Value;
 use rusqlite::{Connection, params_from_iter};
 
-/// Tables that rows may stand in: those of a store first, then others that answer to the same questions.
-const TABLES: [&str; 9] = [
-    // As `store/file.rs` writes them.
-    "CREATE TABLE identity (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-CREATE TABLE run (
-    list INTEGER NOT NULL,
-    place INTEGER NOT NULL,
-    inputs BLOB NOT NULL,
-    failure INTEGER,
-    numbers BLOB NOT NULL,
-    checksum BLOB NOT NULL,
-    PRIMARY KEY (list, place)
-) WITHOUT ROWID;",
+/// Tables that rows may stand in instead of those of a store: others that answer to the same questions.
+const OTHER_TABLES: [&str; 8] = [
     "CREATE TABLE identity (name, value); CREATE TABLE run (list, place, inputs, failure, numbers, checksum);",
     "CREATE TABLE identity (name, value); CREATE TABLE row (list, place, inputs, failure, numbers, checksum);
      CREATE VIEW run AS SELECT * FROM row;",
@@ -35,6 +25,31 @@ CREATE TABLE run (
      checksum, CHECK (list < 3));",
     "CREATE TABLE identity (name, value); CREATE TABLE run (list, place, inputs, numbers);",
 ];
+/// What the library writes into a store before the first row.
+struct Format {
+    /// The statements that make its tables.
+    tables: String,
+    /// Who has written the file.
+    application: i32,
+    /// Version of the format.
+    version: i32,
+}
+
+impl Format {
+    /// Has the library write an empty store at `path`, reads it, and removes it.
+    fn of_library(path: &Path, identity: &StoreIdentity) -> Format {
+        drop(RunStore::open(path, identity).expect("an empty store is written"));
+        let store = Connection::open(path).expect("it is a file of SQLite");
+        let number = |name| store.pragma_query_value(None, name, |row| row.get(0)).expect("a number of the header");
+        let tables = "SELECT group_concat(sql, ';') FROM sqlite_schema WHERE sql IS NOT NULL";
+        let tables = store.query_row(tables, [], |row| row.get(0)).expect("it has tables");
+        let format = Format { tables, application: number("application_id"), version: number("user_version") };
+        drop(store);
+        remove_store(path).expect("it goes");
+        format
+    }
+}
+
 /// What stands for the right checksum of its row.
 const RIGHT_CHECKSUM: u8 = 5;
 
@@ -75,6 +90,8 @@ impl Bytes<'_> {
 /// Writes a store at `path`: a byte for its tables, a byte for what it says of itself, then rows to the end of the bytes. Whether
 /// SQLite could do it.
 pub fn write_rows(bytes: &[u8], path: &Path, identity: &StoreIdentity) -> bool {
+    static FORMAT: OnceLock<Format> = OnceLock::new();
+    let format = FORMAT.get_or_init(|| Format::of_library(path, identity));
     let mut bytes = Bytes(bytes);
     let [tables, says] = bytes.take::<2>();
     let mut written = || -> rusqlite::Result<()> {
@@ -84,9 +101,14 @@ pub fn write_rows(bytes: &[u8], path: &Path, identity: &StoreIdentity) -> bool {
         connection.pragma_update(None, "synchronous", "OFF")?;
         connection.pragma_update(None, "page_size", 512)?;
         let transaction = connection.transaction()?;
-        transaction.execute_batch(TABLES[usize::from(tables) % TABLES.len()])?;
-        transaction.pragma_update(None, "application_id", 0x4c50_494e)?;
-        transaction.pragma_update(None, "user_version", if says & 1 == 0 { 1 } else { i32::from(says) })?;
+        let other = (usize::from(tables) % (1 + OTHER_TABLES.len())).checked_sub(1);
+        transaction.execute_batch(other.map_or(&format.tables, |index| OTHER_TABLES[index]))?;
+        transaction.pragma_update(None, "application_id", format.application)?;
+        transaction.pragma_update(
+            None,
+            "user_version",
+            if says & 1 == 0 { format.version } else { i32::from(says) },
+        )?;
         for (name, value) in [("version", &identity.version), ("inputs", &identity.inputs)] {
             // Refused where there is no such table, which is an input too.
             let _ = transaction.execute("INSERT INTO identity VALUES (?1, ?2)", [name, value]);

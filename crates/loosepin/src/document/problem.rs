@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
-use crate::units::{Dimension, Rule, listed};
+use crate::units::{Dimension, Rule, listed, quoted};
 
 /// The largest file that is read.
 pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
@@ -215,11 +215,6 @@ fn prefix(table: &str) -> String {
 
 fn or_file(table: &str) -> &str {
     if table.is_empty() { "the file" } else { table }
-}
-
-fn quoted(keys: &[&'static str]) -> String {
-    let quoted: Vec<String> = keys.iter().map(|key| format!("'{key}'")).collect();
-    listed(&quoted, "and")
 }
 
 fn one_of(choices: &[&'static str]) -> String {

@@ -2,7 +2,7 @@
 
 use super::constraints::Opening;
 use crate::model::{QuantityError, describe_path};
-use crate::units::{Dimension, format_value};
+use crate::units::{Dimension, format_value, quoted};
 use thiserror::Error;
 
 /// Why a model cannot be compiled.
@@ -110,7 +110,7 @@ pub enum MechanismError {
     /// The start is a singular position.
     #[error(
         "the mechanism starts in a singular position: {} can move although every drive stands still",
-        quoted(bodies)
+        if bodies.is_empty() { "a body".to_owned() } else { quoted(bodies) }
     )]
     SingularStart {
         /// Bodies that can move there.
@@ -137,16 +137,6 @@ fn undetermined_words(bodies: &[String]) -> String {
         [] => "a motion is".to_owned(),
         [one] => format!("the motion of '{one}' is"),
         many => format!("the motions of {} are", quoted(many)),
-    }
-}
-
-/// `'crank', 'rod' and 'slider'`.
-fn quoted(bodies: &[String]) -> String {
-    let quoted: Vec<String> = bodies.iter().map(|body| format!("'{body}'")).collect();
-    match quoted.as_slice() {
-        [] => "a body".to_owned(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 

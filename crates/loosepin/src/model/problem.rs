@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::diagnostics::{Code, Problem};
 use crate::document::listed;
-use crate::units::Dimension;
+use crate::units::{Dimension, quoted};
 
 /// What can be wrong with a model file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -323,10 +323,6 @@ pub enum ModelProblem {
         /// The entry.
         entry: String,
     },
-}
-
-fn quoted(keys: &[&'static str]) -> String {
-    listed(&keys.iter().map(|key| format!("'{key}'")).collect::<Vec<_>>(), "and")
 }
 
 impl Problem for ModelProblem {

@@ -10,6 +10,7 @@ use super::files::SURROGATES_FILE;
 use super::saved_surrogates::{SavedSurrogateError, SavedSurrogates};
 use crate::diagnostics::{Code, Problem};
 use crate::results::{ResultsError, write_whole};
+use crate::units::quoted;
 
 /// Why surrogates are not written as ONNX.
 #[derive(Debug, Error)]
@@ -47,10 +48,6 @@ pub enum ExportError {
     /// The file system refused.
     #[error(transparent)]
     Write(#[from] ResultsError),
-}
-
-fn quoted(names: &[String]) -> String {
-    names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
 }
 
 impl Problem for ExportError {

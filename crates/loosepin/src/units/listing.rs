@@ -1,5 +1,7 @@
 //! Lists as they are said.
 
+use std::fmt::Display;
+
 /// `a`, `a and b`, `a, b and c`.
 pub fn listed(items: &[String], conjunction: &str) -> String {
     match items {
@@ -7,4 +9,9 @@ pub fn listed(items: &[String], conjunction: &str) -> String {
         [only] => only.clone(),
         [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
     }
+}
+
+/// `'a'`, `'a' and 'b'`, `'a', 'b' and 'c'`: names as they stand in a file.
+pub fn quoted(names: &[impl Display]) -> String {
+    listed(&names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>(), "and")
 }

@@ -33,7 +33,7 @@ pub use dimension::Dimension;
 pub use display::{DisplayUnit, DisplayUnits, SiUnit};
 pub use error::{ExpressionError, ExpressionProblem};
 pub use format::{ReadableUnit, decimal_exponent, format_number, format_value, power_of_ten};
-pub use listing::listed;
+pub use listing::{listed, quoted};
 pub use parser::{Measured, parse_quantity, parse_unit};
 pub(crate) use parser::{Names, is_parameter_name, is_reserved_name, parse_expression, referenced_names};
 pub use program::LONGEST_EXPRESSION_CHARS;

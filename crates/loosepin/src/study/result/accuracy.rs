@@ -117,10 +117,10 @@ pub struct AccuracyStep {
     /// Samples at each.
     pub inner: u64,
     /// Runs to learn from up to it, where the bounds are those of surrogates.
-    #[serde(default, skip_serializing_if = "is_none")]
+    #[serde(default, skip_serializing_if = "is_zero_count")]
     pub training: u64,
     /// Direct runs at the values that attain them up to it.
-    #[serde(default, skip_serializing_if = "is_none")]
+    #[serde(default, skip_serializing_if = "is_zero_count")]
     pub confirming: u64,
     /// The largest widening over what was asked.
     #[serde(with = "extended")]
@@ -131,6 +131,6 @@ fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
 
-fn is_none(count: &u64) -> bool {
+fn is_zero_count(count: &u64) -> bool {
     *count == 0
 }
