@@ -370,9 +370,9 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             };
             let kept = if band.is_promise_unknown(promised) {
                 format!(
-                    "Whether its band keeps the promise of {promise} the surrogate does not tell: where the truth is unkind, {least} \
-                     ± {} lie inside",
-                    writer.percent(band.coverage_error.min(1.0), Rounding::Up)
+                    "Whether its band keeps the promise of {promise} the surrogate does not tell: where the truth is unkind, {} lie \
+                     inside",
+                    writer.percent_range(band.least_share(), band.coverage_minimum)
                 )
             } else if band.coverage_minimum >= 1.0 {
                 "Its band keeps the promise: every run lies inside, whatever is true".to_owned()

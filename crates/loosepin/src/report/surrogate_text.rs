@@ -6,7 +6,8 @@ use super::number::{NumberWriter, Rounding};
 use super::study_page::bound_value;
 use super::terminal::{push_table, table, wrapped};
 use super::wording::{
-    band_digits, count, counted, deviation_words, listed, output_words, place_words, statistic_words, treatment_words,
+    band_digits, count, counted, deviation_words, listed, output_words, place_words, share_words, statistic_words,
+    treatment_words,
 };
 use crate::study::result::{
     BoundRecord, ResponsePoint, StudyResult, SurrogateOutput, SurrogateRecord, SurrogateVerdict, TreatmentBand,
@@ -173,11 +174,6 @@ pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison,
         writer.rounded(band.lower_si, &comparison.unit, digits, Rounding::Down),
         writer.rounded(band.upper_si, &comparison.unit, digits, Rounding::Up)
     )
-}
-
-/// The share inside a band by a surrogate, as small as it is where the surrogate errs.
-fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
-    writer.percent_range((band.coverage_minimum - band.coverage_error).max(0.0), band.coverage_maximum)
 }
 
 /// Treatment, direct band, band by surrogate, what the surrogate does not know of its ends, share inside: a row a treatment.

@@ -13,7 +13,7 @@ use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, output_words,
-    place_words, promise_word, reading_beside, statistic_words, treatment_words, unknown_words,
+    place_words, promise_word, reading_beside, share_words, statistic_words, treatment_words, unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
@@ -331,7 +331,7 @@ fn treatments_table(comparison: &crate::study::result::TreatmentComparison, writ
         let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
         let further = [
             writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
-            writer.percent_range(band.coverage_minimum, band.coverage_maximum),
+            share_words(band, writer),
             promise_word(band, comparison.promised_coverage).to_owned(),
         ];
         treatments.add_row(cells.into_iter().chain(surrogate).chain(further));

@@ -76,6 +76,11 @@ pub(super) fn treatment_words(treatment: TreatmentKind) -> &'static str {
     }
 }
 
+/// "93 % to 100 %": the share inside a band, over the epistemic inputs.
+pub(super) fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
+    writer.percent_range(band.least_share(), band.coverage_maximum)
+}
+
 /// Whether a band holds what it promises, in a word.
 pub(super) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str {
     if band.is_promise_unknown(promised) {

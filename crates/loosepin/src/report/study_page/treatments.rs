@@ -7,7 +7,7 @@ use crate::report::number::{NumberWriter, Rounding};
 use crate::report::still_figures::percent_of;
 use crate::report::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, deviation_words, has_lists, output_words, place_words, promise_word,
-    treatment_words, unknown_words,
+    share_words, treatment_words, unknown_words,
 };
 use crate::study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
 
@@ -17,7 +17,7 @@ pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup 
             "The same runs, read in three ways. Each reading names a band and promises that a stated share of mechanisms \
              lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at "
             @if is_learned(result) {
-                "each of those that were looked at, of the surrogate. Its ends may be off by what the surrogate does not know."
+                "each of those that were looked at, of the surrogate. Its ends may be off by what the surrogate does not know; a share is as small as it is then."
             } @else {
                 "each of those that were run, in the runs that the mixed band was made from."
             }
@@ -38,7 +38,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
     let band_ends = || comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
     let (from, to) = padded(band_ends().fold(f64::INFINITY, f64::min), band_ends().fold(f64::NEG_INFINITY, f64::max));
     let promised = comparison.promised_coverage;
-    let least = comparison.bands.iter().map(|band| band.coverage_minimum).fold(promised, f64::min);
+    let least = comparison.bands.iter().map(TreatmentBand::least_share).fold(promised, f64::min);
     let share_from = ((least - 0.5 * (1.0 - least)).max(0.0) * 20.0).floor() / 20.0;
     let promise = writer.percent(promised, Rounding::Nearest);
     html! {
@@ -132,12 +132,12 @@ fn band_bar(
 }
 
 fn coverage_strip(band: &TreatmentBand, promised: f64, share_from: f64, writer: &NumberWriter) -> Markup {
-    let range = writer.percent_range(band.coverage_minimum, band.coverage_maximum);
+    let range = share_words(band, writer);
     let place = |share: f64| percent_of(share, share_from - 0.02 * (1.0 - share_from), 1.0 + 0.02 * (1.0 - share_from));
     html! {
         svg.strip width="100%" height="20" role="img" aria-label=(format!("Share inside: {range}")) {
             line.axis x1="0%" x2="100%" y1="10" y2="10" {}
-            line.range x1=(place(band.coverage_minimum)) x2=(place(band.coverage_maximum)) y1="10" y2="10" {}
+            line.range x1=(place(band.least_share())) x2=(place(band.coverage_maximum)) y1="10" y2="10" {}
             @for point in &band.coverage_at { circle cx=(place(point.coverage)) cy="10" r="2.5" {} }
             line.promise x1=(place(promised)) x2=(place(promised)) y1="1" y2="19" {}
         }

@@ -167,6 +167,12 @@ impl TreatmentBand {
             && (self.coverage_minimum - promised_coverage).abs() < self.coverage_error
     }
 
+    /// The least share inside, as small as it is where a surrogate errs; nothing is taken off what direct runs have counted.
+    pub fn least_share(&self) -> f64 {
+        let unknown = if self.ends.is_some() { self.coverage_error } else { 0.0 };
+        (self.coverage_minimum - unknown).max(0.0)
+    }
+
     /// The larger part of the error of its ends that a surrogate does not know; nothing for a band of direct runs.
     pub fn surrogate_error_si(&self) -> Option<f64> {
         self.ends.as_ref().map(|ends| ends[0].error.surrogate_si.max(ends[1].error.surrogate_si))
