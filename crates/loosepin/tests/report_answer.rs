@@ -129,7 +129,7 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     result.bounds[1].guarantee = GuaranteeKind::Inner;
     assert_says(
         &result,
-        "1 of 3 bounds is not confirmed, by the search or for want of samples beyond them (larger `inner`), and may be wider.",
+        "1 of 3 bounds is not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be wider.",
     );
     assert_says(
         &result,

@@ -264,7 +264,7 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     };
     if inner > 0 {
         sentence.push_str(&format!(
-            " {inner} of {} bounds {} not confirmed, by the search or for want of samples beyond them (larger `inner`), and may be \
+            " {inner} of {} bounds {} not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be \
              wider.",
             mixed().count(),
             if inner == 1 { "is" } else { "are" }
