@@ -309,7 +309,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         }),
         parameters: Vec::new(),
         levels: Vec::new(),
-        sampling: [80, 128],
+        sampling: [110, 128],
         is_weighted: false,
     }
 }
