@@ -8,8 +8,7 @@ use super::law_choice::LawError;
 use super::quantity::{Origin, QuantityError, QuantityId};
 use super::topology::{Joint, Model};
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
-use crate::document::listed;
-use crate::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
+use crate::units::{Dimension, ExpressionProblem, format_value, parse_quantity, quoted};
 
 /// A quantity with the value that it is to have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,10 +163,7 @@ impl Problem for PathError {
             Self::NoPlay { .. } => {
                 Some("give it a clearance in the model file, with what a joint with play needs".to_owned())
             }
-            Self::Expression { depends_on, .. } => {
-                let names: Vec<String> = depends_on.iter().map(|path| format!("'{path}'")).collect();
-                Some(format!("it depends on {}", listed(&names, "and")))
-            }
+            Self::Expression { depends_on, .. } => Some(format!("it depends on {}", quoted(depends_on))),
             Self::Fixed { path } if path.ends_with(".radial_clearance") => {
                 Some("a joint with play needs bearing_radius and contact in the model file".to_owned())
             }

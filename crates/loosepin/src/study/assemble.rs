@@ -338,12 +338,13 @@ fn simultaneous_bounds(material: &Material<'_>, bands: &[CurveBand]) -> Vec<Boun
     bands.iter().flat_map(of_band).collect()
 }
 
-/// How small probabilities were estimated.
+/// The error of a bound, part by part.
 fn numerical_error(bound: &Bound) -> NumericalError {
     let error = &bound.error;
     NumericalError { sampling_si: error.sampling, optimisation_si: error.optimisation, surrogate_si: error.surrogate }
 }
 
+/// How small probabilities were estimated.
 fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
     let end = |end: &rare::RareEnd| RareEnd {
         method: end.method,
