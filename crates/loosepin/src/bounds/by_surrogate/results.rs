@@ -116,6 +116,7 @@ impl SurrogateBounds {
             let reach = MARGIN * largest_ratio(plan, &group.learned, table, first);
             let Some(known) = group.treatments.as_mut().filter(|_| reach > group.reach) else { continue };
             let Some(wide) = treatments(plan, &group.learned, reach)? else { continue };
+            known.outer_points[1] = wide.outer_points[1].clone();
             for (known, wide) in known.comparisons.iter_mut().zip(wide.comparisons) {
                 known.comparison.interval_only = wide.comparison.interval_only;
                 known.coverage_surrogate[1] = wide.coverage_surrogate[1];

@@ -28,8 +28,8 @@ const ASKED: [Aspect; 3] = [Aspect::Value, Aspect::Low, Aspect::High];
 pub struct LearnedTreatments {
     /// One entry for each compared column. Ends have their part `surrogate` of the error.
     pub comparisons: Vec<LearnedComparison>,
-    /// Values of the epistemic inputs, in the order of the outer index of the shares inside.
-    pub outer_points: Vec<Vec<f64>>,
+    /// Values of the epistemic inputs, in the order of the outer index of the shares inside: probability only, interval only, mixed.
+    pub outer_points: [Vec<Vec<f64>>; 3],
 }
 
 /// One column by the three treatments.
@@ -101,7 +101,7 @@ pub(super) fn treatments(
         })
     };
     let comparisons = places.iter().enumerate().filter_map(comparison).collect();
-    Ok(Some(LearnedTreatments { comparisons, outer_points: bounds.outer_points }))
+    Ok(Some(LearnedTreatments { comparisons, outer_points: [(); 3].map(|()| bounds.outer_points.clone()) }))
 }
 
 /// The first of `bands`, that on ŝ, whose ends can go as far as those of the others.

@@ -6,7 +6,7 @@ use crate::study::result::{CoveragePoint, TreatmentBand, TreatmentComparison, Tr
 
 /// Those of the direct runs.
 pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
-    let points = &material.bounds.outer_points;
+    let points = [material.bounds.outer_points.as_slice(); 3];
     material.bounds.comparisons.iter().map(|comparison| treatment_record(material, comparison, points)).collect()
 }
 
@@ -20,7 +20,7 @@ pub fn learned_treatments(
         let mut groups = found.groups.iter().filter_map(|group| group.treatments.as_ref());
         let (points, learned) = groups.find_map(|of| {
             let own = of.comparisons.iter().find(|learned| learned.comparison.column == *column)?;
-            Some((&of.outer_points, own))
+            Some((of.outer_points.each_ref().map(Vec::as_slice), own))
         })?;
         let comparison = &learned.comparison;
         let mut record = treatment_record(material, comparison, points);
@@ -40,7 +40,7 @@ pub fn learned_treatments(
 fn treatment_record(
     material: &Material<'_>,
     comparison: &bounds::TreatmentComparison,
-    outer_points: &[Vec<f64>],
+    outer_points: [&[Vec<f64>]; 3],
 ) -> TreatmentComparison {
     let column = comparison.column;
     let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
@@ -50,7 +50,11 @@ fn treatment_record(
         at: material.point_of(column, false),
         unit: material.unit_of(column),
         promised_coverage: comparison.probability,
-        bands: bands.map(|band| treatment_band(material, band, outer_points)).to_vec(),
+        bands: bands
+            .into_iter()
+            .zip(outer_points)
+            .map(|(band, points)| treatment_band(material, band, points))
+            .collect(),
     }
 }
 
