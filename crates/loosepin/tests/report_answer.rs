@@ -9,8 +9,8 @@ use loosepin::report::{motion_page, motion_text, simulation_text, study_page, st
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
     AllocationStop, CoveragePoint, CutBounds, DeviationKind, GuaranteeKind, InputDescription, InputKind,
-    PercentileBounds, PurposeRuns, Reduction, ResponsePoint, RunPurpose, StatisticKind, StudyResult, TreatmentBand,
-    TreatmentComparison, TreatmentKind, Verdict,
+    NumericalError, PercentileBounds, PurposeRuns, Reduction, ResponsePoint, RunPurpose, StatisticKind, StudyResult,
+    TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -197,6 +197,20 @@ fn a_promise_within_its_numerical_error_is_not_called_broken() {
     assert_says(
         &result,
         "Its band keeps the promise of 95 % within numerical error: where the truth is unkind, 94.8 % ± 0.3 % lie inside.",
+    );
+}
+
+#[test]
+fn a_promise_broken_by_a_surrogate_is_told_with_its_error_as_in_the_table() {
+    let mut result = sum_of_normal_and_interval();
+    let end = TreatmentEnd { widened_si: 0.0, error: NumericalError::default() };
+    let band = &mut result.treatments[0].bands[2];
+    (band.coverage_minimum, band.coverage_maximum, band.coverage_error) = (0.0625, 1.0, 0.25);
+    band.ends = Some([end.clone(), end]);
+    assert_says(&result, "Each as what it is -2.96 mm to 2.96 mm 5.92 mm 0 % to 100 % broken");
+    assert_says(
+        &result,
+        "Its band breaks the promise of 95 %: where the truth is unkind, only 0 % to 6.3 % lie inside.",
     );
 }
 

@@ -385,6 +385,11 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             } else if keeps {
                 format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
             } else {
+                let least = if band.least_share() < band.coverage_minimum {
+                    writer.percent_range(band.least_share(), band.coverage_minimum)
+                } else {
+                    least
+                };
                 format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
             };
             let width = match mixed_width {

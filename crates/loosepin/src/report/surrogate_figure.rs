@@ -4,9 +4,8 @@ use maud::{Markup, html};
 
 use super::axes::{Axes, Axis};
 use super::number::{NumberWriter, plain_name};
-use super::wording::{deviation_words, output_words};
-use crate::study::result::{StudyResult, SurrogateOutput, SurrogatePicture};
-use crate::units::SiUnit;
+use super::wording::{deviation_words, output_words, place_words};
+use crate::study::result::{ResponsePoint, StudyResult, SurrogateOutput, SurrogatePicture};
 
 /// Width and height of the picture in its own units; a unit is about a pixel.
 const WIDTH: f64 = 760.0;
@@ -44,8 +43,9 @@ pub(super) fn surrogate_figure(
         dots.push_str(&format!("M{:.1} {:.1}h0", x(*input), y(*value)));
     }
     let name = output_words(&output.output, &result.outputs);
-    let at =
-        picture.pose_rad.map_or(String::new(), |pose| format!(", at {}", writer.value_trimmed(pose, &SiUnit::ANGLE)));
+    // Of a curve the picture is at one of its poses.
+    let at = picture.pose_rad.map_or(output.at, |pose_rad| ResponsePoint::Pose { pose_rad });
+    let at = place_words(at, writer);
     let input = plain_name(&picture.path, &result.inputs);
     let alternative = format!(
         "{} training runs of {name} against the {input}, and the surrogate with its band.",
@@ -62,7 +62,7 @@ pub(super) fn surrogate_figure(
                 (axes.labels([&input, &across.symbol], [&output.output, &up.symbol]))
             }
             figcaption {
-                strong { (name) ", " (deviation_words(output.of)) (at) ", against the " (input) "." }
+                strong { (name) ", " (deviation_words(output.of)) ", " (at) ", against the " (input) "." }
                 " " span.irregular { "Dots" } ": training runs, moved along the surrogate to the middle of all other inputs. "
                 span.regular { "Lines" } ": the surrogate there, and by how much it is taken to err."
             }
