@@ -8,6 +8,7 @@
 //! W. Gautschi, "Orthogonal polynomials: computation and approximation" (2004), section 1.3 and table 1.1.
 
 use core::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use crate::uncertainty::{normal_cdf, normal_quantile};
 
@@ -16,6 +17,26 @@ const ROOT_STEP: f64 = 0.005;
 
 /// Beyond this a standard normal variable is not looked at; Φ(-5) = 2.9e-7.
 const NORMAL_END: f64 = 5.0;
+
+/// Orders of the polynomials, at most: the longest Gauss rule.
+const MOST_ORDER: usize = 32;
+
+/// b_k and 1/b_k of an axis, b_0 = 0.
+type Recurrence = [(f64, f64); MOST_ORDER + 1];
+
+/// Of both axes: a root and a quotient cost more than all else of a polynomial.
+static RECURRENCES: LazyLock<[Recurrence; 2]> = LazyLock::new(|| {
+    let normal = |k: f64| k.sqrt();
+    let uniform = |k: f64| k / (4.0 * k * k - 1.0).max(1.0).sqrt();
+    [
+        std::array::from_fn(|k| with_reciprocal(normal(k as f64))),
+        std::array::from_fn(|k| with_reciprocal(uniform(k as f64))),
+    ]
+});
+
+fn with_reciprocal(b: f64) -> (f64, f64) {
+    (b, 1.0 / b)
+}
 
 /// What a coordinate of the random inputs is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,21 +86,20 @@ impl Axis {
         }
     }
 
-    /// b_k
-    fn recurrence(self, k: usize) -> f64 {
-        let k = k as f64;
+    fn recurrence(self) -> &'static Recurrence {
         match self {
-            Self::Hermite => k.sqrt(),
-            Self::Legendre => k / (4.0 * k * k - 1.0).sqrt(),
+            Self::Hermite => &RECURRENCES[0],
+            Self::Legendre => &RECURRENCES[1],
         }
     }
 
     /// p_0 ... p_degree at `t`.
     pub fn values(self, t: f64, degree: usize) -> Vec<f64> {
+        let recurrence = self.recurrence();
         let mut values = vec![1.0; degree + 1];
         for k in 1..=degree {
-            let before = if k > 1 { self.recurrence(k - 1) * values[k - 2] } else { 0.0 };
-            values[k] = (t * values[k - 1] - before) / self.recurrence(k);
+            let before = if k > 1 { recurrence[k - 1].0 * values[k - 2] } else { 0.0 };
+            values[k] = (t * values[k - 1] - before) / recurrence[k].0;
         }
         values
     }
@@ -128,12 +148,12 @@ impl Univariate {
     pub fn at(&self, t: f64) -> (f64, f64) {
         let (mut before, mut now) = ((0.0, 0.0), (1.0, 0.0));
         let (mut value, mut slope) = (self.coefficients[0], 0.0);
-        for k in 1..self.coefficients.len() {
-            let b = if k > 1 { self.axis.recurrence(k - 1) } else { 0.0 };
-            let scale = 1.0 / self.axis.recurrence(k);
-            let next = ((t * now.0 - b * before.0) * scale, (now.0 + t * now.1 - b * before.1) * scale);
-            value += self.coefficients[k] * next.0;
-            slope += self.coefficients[k] * next.1;
+        let steps = self.axis.recurrence().windows(2);
+        for (coefficient, step) in self.coefficients[1..].iter().zip(steps) {
+            let [(b, _), (_, reciprocal)] = [step[0], step[1]];
+            let next = ((t * now.0 - b * before.0) * reciprocal, (now.0 + t * now.1 - b * before.1) * reciprocal);
+            value += coefficient * next.0;
+            slope += coefficient * next.1;
             (before, now) = (now, next);
         }
         (value, slope)

@@ -24,6 +24,9 @@ const REPLICATE_FACTOR: f64 = 3.5;
 const SCAN_STEPS: usize = 40;
 /// Halvings and Newton steps of a root, at most.
 const ROOT_STEPS: usize = 60;
+/// A root is found where Newton's step is smaller, or the values on either side of it are nearer.
+const LAST_NEWTON_STEP: f64 = 1e-8;
+const LEAST_BRACKET: f64 = 1e-13;
 /// Separates the stream of random numbers.
 const REST: u64 = 0x7265_7374;
 
@@ -219,10 +222,13 @@ impl Line {
                 high = t
             }
             let newton = t - (value - y) / slope;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let step = (next - t).abs();
-            t = next;
-            if step < 1e-13 || high - low < 1e-13 {
+            if (newton - t).abs() < LAST_NEWTON_STEP {
+                // Newton's method leaves an error of the order of the square of its last step.
+                t = newton.clamp(first.at, second.at);
+                break;
+            }
+            t = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if high - low < LEAST_BRACKET {
                 break;
             }
         }
