@@ -120,6 +120,47 @@ fn identity_a_killed_study_ends_with_the_same_bytes() {
     assert!(!is_there(&desk.path("killed/runs.sqlite")));
 }
 
+/// A surrogate alone to an accuracy: runs to learn from, runs at its witnesses and more of either are rounds of their own.
+#[test]
+fn identity_rounds_of_a_surrogate_that_were_killed_end_with_the_same_bytes() {
+    const TRAINING_RUNS: usize = 30;
+    let desk = desk();
+    let (sampled, _) = STUDY.split_once("[[require]]").expect("a requirement");
+    let asked = format!(
+        r#"
+[surrogate]
+kind = "chaos"
+training_runs = {TRAINING_RUNS}
+confirming_runs = 8
+direct = "confirming"
+
+[[ask]]
+output = "slider"
+of = "total"
+poses = {{ crank = ["60 deg"] }}
+statistics = ["mean"]
+"#
+    );
+    // Runs of some milliseconds, so that rounds of a few are not over before they are seen.
+    let sampled = sampled
+        .replace("transient_turns = 0", "transient_turns = 1")
+        .replace("inner = 64", "inner = 16\naccuracy = \"2 um\"\nbudget = \"4 rounds\"");
+    desk.write("study.toml", &format!("{sampled}{asked}"));
+    let whole = desk.run(&["study", "study.toml", "--out", "whole"]);
+    assert!(whole.status < 2, "{}", whole.messages);
+    for commits in [1, 3] {
+        kill_after(&desk, commits);
+    }
+    assert!(is_there(&desk.path("killed/runs.sqlite")), "killed too late to show anything");
+    let resumed = desk.run(&["study", "study.toml", "--out", "killed", "--resume", "--threads", "1"]);
+    let kept = resumed.messages.strip_prefix("going on with ").and_then(|rest| rest.split(' ').next()?.parse().ok());
+    assert!(kept.is_some_and(|kept: usize| kept > TRAINING_RUNS), "not killed in a later round: {}", resumed.messages);
+    assert_eq!((resumed.status, &resumed.output), (whole.status, &whole.output));
+    for file in ["summary.json", "bounds.csv", "runs.parquet", "surrogates.json", "report.html"] {
+        assert!(bytes(&desk, "whole", file) == bytes(&desk, "killed", file), "{file} differs");
+    }
+}
+
 /// Every file of a folder with its bytes and when it was written.
 fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>, SystemTime)> {
     let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("readable").path());

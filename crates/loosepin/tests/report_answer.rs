@@ -203,11 +203,15 @@ fn a_promise_within_its_numerical_error_is_not_called_broken() {
 #[test]
 fn a_promise_broken_by_a_surrogate_is_told_with_its_error_as_in_the_table() {
     let mut result = sum_of_normal_and_interval();
-    let end = TreatmentEnd { widened_si: 0.0, error: NumericalError::default() };
+    let end = |widened_si| TreatmentEnd {
+        widened_si,
+        error: NumericalError { surrogate_si: 1e-4, ..NumericalError::default() },
+    };
     let band = &mut result.treatments[0].bands[2];
     (band.coverage_minimum, band.coverage_maximum, band.coverage_error) = (0.0625, 1.0, 0.25);
-    band.ends = Some([end.clone(), end]);
-    assert_says(&result, "Each as what it is -2.96 mm to 2.96 mm 5.92 mm 0 % to 100 % broken");
+    band.ends = Some([end(-3.06e-3), end(3.06e-3)]);
+    // The column of the surrogate's error wraps the one before it.
+    assert_says(&result, "Each as what it is -2.96 mm to 0.1 mm 5.92 mm 0 % to 100 % broken 2.96 mm");
     assert_says(
         &result,
         "Its band breaks the promise of 95 %: where the truth is unkind, only 0 % to 6.3 % lie inside.",

@@ -318,10 +318,12 @@ pub enum StudyProblem {
         entry: String,
     },
     /// A question that the surrogate alone does not answer.
-    #[error("{entry}: contributors and small probabilities by a method are had from direct runs alone")]
+    #[error("{entry}: {of} are had from direct runs alone")]
     NeedsDirectRuns {
         /// The entry.
         entry: String,
+        /// What is asked.
+        of: &'static str,
     },
     /// A small probability of which only sums over focal elements, or belief and plausibility, are wanted.
     #[error("{entry}: a method finds where the probability is largest over fixed values; it knows no {of}")]

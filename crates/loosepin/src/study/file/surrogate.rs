@@ -1,12 +1,13 @@
 //! The surrogate of a study: which kind, and from how many runs.
 
 use super::StudyReader;
-use super::description::{Ask, StudySurrogate};
+use super::description::{Ask, EpistemicInput, StudySurrogate};
 use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
 use super::words::{DIRECT_RUNS, SURROGATES};
 use crate::document::Table;
 use crate::surrogate::Choice;
+use crate::uncertainty::EpistemicVariable;
 
 /// Training runs for each uncertain input, and at least, where the file does not say.
 const TRAINING_PER_INPUT: usize = 25;
@@ -45,11 +46,24 @@ impl StudyReader {
         }
         if let Some(entry) = table.get("direct") {
             surrogate.is_alone = self.reader.choice(&entry, &DIRECT_RUNS)?;
-            let has_own_runs = |ask: &Ask| ask.contributors || !ask.rare.is_empty();
-            if surrogate.is_alone && asks.iter().any(has_own_runs) {
-                self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe() }, &entry);
+            for of in self.direct_questions(asks).into_iter().filter(|_| surrogate.is_alone) {
+                self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, &entry);
             }
         }
         Some(surrogate)
+    }
+
+    /// What is asked that the runs of the double loop alone answer.
+    fn direct_questions(&self, asks: &[Ask]) -> Vec<&'static str> {
+        let is_asked = |of: fn(&Ask) -> bool| asks.iter().any(of);
+        let is_second_order = |input: &EpistemicInput| matches!(input.variable, EpistemicVariable::SecondOrder(_));
+        let questions = [
+            ("contributors", is_asked(|ask| ask.contributors)),
+            ("small probabilities by a method", is_asked(|ask| !ask.rare.is_empty())),
+            ("simultaneous bands", is_asked(|ask| !ask.simultaneous_bands.is_empty())),
+            ("bounds by a second reading of intervals", self.readings.len() > 1),
+            ("percentiles over a parameter with a distribution", self.epistemic.iter().any(is_second_order)),
+        ];
+        questions.into_iter().filter_map(|(of, is_there)| is_there.then_some(of)).collect()
     }
 }
