@@ -217,20 +217,6 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
 }
 
 #[test]
-fn what_only_direct_runs_tell_is_not_asked_of_a_surrogate_alone() {
-    let text = "[surrogate]\ndirect = \"confirming\"\n[[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\n\
-                statistics = [\"contributors\"]";
-    let complaints = study(text).expect_err("contributors need direct runs");
-    assert!(
-        complaints.contains(
-            "contributors and small probabilities by a method are had from direct runs alone\n\
-             hint: write direct = \"double-loop\", or do not ask for them"
-        ),
-        "{complaints}"
-    );
-}
-
-#[test]
 fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
     let study = study("[surrogate]\nconfirming_runs = 7").unwrap_or_else(|complaints| panic!("{complaints}"));
     let error =
