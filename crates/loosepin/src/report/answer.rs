@@ -358,6 +358,7 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
         .map(|band| {
             let keeps = band.keeps_promise(promised);
             let least = writer.percent(band.coverage_minimum, Rounding::Down);
+            let least_by_surrogate = writer.percent_range(band.least_share(), band.coverage_minimum);
             let promise = writer.percent(promised, Rounding::Nearest);
             let start = match band.treatment {
                 TreatmentKind::ProbabilityOnly => {
@@ -370,9 +371,8 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             };
             let kept = if band.is_promise_unknown(promised) {
                 format!(
-                    "Whether its band keeps the promise of {promise} the surrogate does not tell: where the truth is unkind, {} lie \
-                     inside",
-                    writer.percent_range(band.least_share(), band.coverage_minimum)
+                    "Whether its band keeps the promise of {promise} the surrogate does not tell: where the truth is unkind, \
+                     {least_by_surrogate} lie inside"
                 )
             } else if band.coverage_minimum >= 1.0 {
                 "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
@@ -385,11 +385,8 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             } else if keeps {
                 format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
             } else {
-                let least = if band.least_share() < band.coverage_minimum {
-                    writer.percent_range(band.least_share(), band.coverage_minimum)
-                } else {
-                    least
-                };
+                let is_less = band.least_share() < band.coverage_minimum;
+                let least = if is_less { least_by_surrogate } else { least };
                 format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
             };
             let width = match mixed_width {

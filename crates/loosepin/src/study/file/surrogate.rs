@@ -46,8 +46,10 @@ impl StudyReader {
         }
         if let Some(entry) = table.get("direct") {
             surrogate.is_alone = self.reader.choice(&entry, &DIRECT_RUNS)?;
-            for of in self.direct_questions(asks).into_iter().filter(|_| surrogate.is_alone) {
-                self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, &entry);
+            if surrogate.is_alone {
+                for of in self.direct_questions(asks) {
+                    self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, &entry);
+                }
             }
         }
         Some(surrogate)
