@@ -10,8 +10,8 @@ use super::wording::{
     treatment_words,
 };
 use crate::study::result::{
-    BoundRecord, ResponsePoint, StudyResult, SurrogateOutput, SurrogateRecord, SurrogateVerdict, TreatmentBand,
-    TreatmentComparison,
+    BoundRecord, ResponsePoint, StudyResult, SurrogateLearning, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
+    TreatmentBand, TreatmentComparison,
 };
 
 /// Rows of a table; the others stand in `summary.json`.
@@ -117,6 +117,10 @@ fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer:
         Some(SurrogateVerdict::Constant) => "All runs gave the same.".to_owned(),
         Some(SurrogateVerdict::Resolved) => "Nothing is left that would matter.".to_owned(),
         Some(SurrogateVerdict::Falling) => format!("The error falls with more runs{learned}."),
+        Some(SurrogateVerdict::Floor) if still_falls(&output.learning) => format!(
+            "The error falls less and less with more runs{learned}, as if to a limit not far below: what is left is taken for a \
+             property of the response, and is part of its scatter here."
+        ),
         Some(SurrogateVerdict::Floor) => format!(
             "What is left does not fall with more runs{learned}: it is no error of the surrogate but a property of the response, \
              and is part of its scatter here."
@@ -132,6 +136,12 @@ fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer:
             "Too few runs to tell whether more would help; what is left is taken as scatter.".to_owned()
         }
     }
+}
+
+/// Whether the last doubling of the runs made the error visibly smaller.
+fn still_falls(learning: &[SurrogateLearning]) -> bool {
+    const VISIBLY: f64 = 0.9;
+    matches!(learning, [.., half, all] if all.held_out_si < VISIBLY * half.held_out_si)
 }
 
 /// The direct bound of the same statistic.
@@ -252,4 +262,21 @@ pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> Str
         push_table(&mut text, &rows);
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_falls_less_and_less_is_not_said_to_stand_still() {
+        let learning = |errors: [f64; 3]| {
+            [15, 30, 60].into_iter().zip(errors).map(|(runs, held_out_si)| SurrogateLearning { runs, held_out_si })
+        };
+        let falls = |errors| still_falls(&learning(errors).collect::<Vec<_>>());
+        assert!(falls([0.34e-3, 0.18e-3, 0.12e-3]));
+        assert!(!falls([0.34e-3, 0.18e-3, 0.17e-3]));
+        assert!(!falls([0.34e-3, 0.18e-3, 0.20e-3]));
+        assert!(!still_falls(&[]));
+    }
 }

@@ -37,7 +37,7 @@ pub enum Verdict {
     Resolved,
     /// The error falls with more runs.
     Falling,
-    /// Part of the response is learned, and the rest does not fall with more runs: noise, or chaos.
+    /// Part of the response is learned, and the rest does not fall with more runs, or only to a limit not far below: noise, or chaos.
     Floor,
     /// Nothing is learned: to this surrogate the response is noise.
     Nothing,
