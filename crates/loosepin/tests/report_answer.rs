@@ -114,7 +114,7 @@ fn verdicts_stand_first_and_with_their_numbers() {
     result.requirements[0].probability = [0.99712, 0.99741];
     assert_says(
         &result,
-        "is undecided, because the numerical error reaches over it: the true share is 99.71 % to 99.75 %.",
+        "is undecided, because the numerical error reaches over it (larger 'inner' and 'outer' make it smaller): the true share is 99.71 % to 99.75 %.",
     );
     assert!(study_page(&result).contains("Requirement undecided"));
     result.requirements[0].lower_si = f64::NEG_INFINITY;
@@ -131,6 +131,11 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
         &result,
         "1 of 3 bounds is not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be wider.",
     );
+    let mut answer = result.clone();
+    answer.bounds[0].guarantee = GuaranteeKind::Inner;
+    assert_says(&answer, "added on the outside. It and 1 of the 2 other bounds are not confirmed, by the search");
+    answer.bounds[1].guarantee = answer.bounds[2].guarantee;
+    assert_says(&answer, "added on the outside. It is not confirmed, by the search");
     assert_says(
         &result,
         "3 of them failed: they are counted as not known in probabilities and quantiles; means and deviations are those of \
@@ -274,7 +279,10 @@ fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
     assert_says(&nearly_even, "stays between 0.500 mm and 0.520 mm of its ideal motion");
     let even = curve_between(DeviationKind::Total, -4.97e-4, 5.13e-4);
     assert_says(&even, "stays within ±0.52 mm of its ideal motion");
-    assert_says(&even, "would stay within ±0.27 mm at each angle; not knowing them widens this to ±0.52 mm.");
+    assert_says(
+        &even,
+        "would stay within ±0.27 mm at each angle; not knowing them, with the numerical error, widens this to ±0.52 mm.",
+    );
     let value = curve_between(DeviationKind::Value, 0.1552, 0.1698);
     assert_says(&value, "lies between 155 mm and 170 mm: 95 % of mechanisms at any angle.");
     let text = one_line(&study_text(&value));
@@ -290,7 +298,7 @@ fn identity_runs_are_told_by_what_they_were_for() {
     result.counts.by_purpose.extend(parts.map(|(purpose, runs)| PurposeRuns { purpose, runs }));
     result.counts.runs += 640 + 5120;
     let page = one_line(&study_page(&result));
-    let account = "23 296 = 64 values of the interval inputs × 256 random samples in 8 independent replicates + 1024 with everything \
+    let account = "23 296 = 64 values of the interval inputs × 256 random samples (8 independent replicates of 32) + 1024 with everything \
                    as probability + 128 with everything as interval + 640 for what contributes + 5120 for small probabilities";
     assert!(page.contains(account), "{page}");
     assert!(!page.contains("for the two other treatments"));
@@ -307,7 +315,7 @@ fn without_intervals_nothing_is_said_to_hold_over_them() {
     assert!(text.contains("Bounds, widened by their numerical error"), "{text}");
     assert!(!text.contains("interval inputs"), "{text}");
     let page = one_line(&study_page(&result));
-    assert!(page.contains("256 = 256 random samples in 8 independent replicates"), "{page}");
+    assert!(page.contains("256 = 256 random samples (8 independent replicates of 32)"), "{page}");
     assert!(page.contains("Each share includes its numerical error."), "{page}");
     assert!(page.contains("Each statistic lies between its two bounds. "), "{page}");
 }
@@ -324,6 +332,36 @@ fn lists_of_uneven_length_leave_gaps() {
     result.cuts = vec![CutBounds { alpha: 0.0, bounds }, CutBounds { alpha: 0.5, bounds: fewer }];
     assert!(study_text(&result).contains("5 % percentile"));
     assert!(study_page(&result).contains("Degree 0.5"));
+}
+
+#[test]
+fn the_share_below_a_limit_is_the_same_in_the_picture_as_in_the_table() {
+    let mut result = worn_pin();
+    let asked =
+        result.bounds.iter_mut().find(|bound| matches!(bound.statistic, StatisticKind::ProbabilityAbove { .. }));
+    let asked = asked.expect("the fixture asks for a probability");
+    (asked.lower.widened_si, asked.upper.widened_si) = (0.125, 0.75);
+    let page = one_line(&study_page(&result));
+    assert!(page.contains("Below 0.4 mm: between 25 % and 87.5 % of mechanisms, numerical error included."), "{page}");
+    result.bounds.retain(|bound| !bound.statistic.is_probability());
+    let pbox = &mut result.boxes[0];
+    (pbox.value_si, pbox.lower, pbox.upper) = (vec![3e-4, 3.9e-4, 4.1e-4], vec![0.0, 0.5, 0.75], vec![0.0, 0.875, 1.0]);
+    let page = one_line(&study_page(&result));
+    assert!(page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms, without the sampling error."), "{page}");
+}
+
+#[test]
+fn where_only_curves_were_asked_for_no_empty_table_is_shown() {
+    let mut result = worn_pin();
+    result.bounds.retain(|bound| matches!(bound.at, ResponsePoint::Curve { .. }));
+    let count = result.bounds.len();
+    let page = one_line(&study_page(&result));
+    assert!(
+        page.contains(&format!("The bounds are those of curves, angle by angle: {count} rows in bounds.csv.")),
+        "{page}"
+    );
+    assert!(!page.contains("Lower bound, attained at"));
+    assert_says(&result, "The bounds are those of curves, angle by angle");
 }
 
 #[test]

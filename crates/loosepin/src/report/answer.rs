@@ -202,13 +202,13 @@ fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<Str
             format!("If the unknown values were in the middle of their ranges, {share} of mechanisms would stay");
         if [random_ends, mixed_ends].into_iter().all(|[lowest, highest]| lowest < 0.0 && highest > 0.0) {
             return format!(
-                "{middle} within ±{} at each angle; not knowing them widens this to ±{}.",
+                "{middle} within ±{} at each angle; not knowing them, with the numerical error, widens this to ±{}.",
                 writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
                 writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
             );
         }
         let [random, mixed] = [random_ends, mixed_ends].map(|[low, high]| between(low, high, &curve.unit, writer));
-        format!("{middle} {random} at each angle; not knowing them widens this to {mixed}.")
+        format!("{middle} {random} at each angle; not knowing them, with the numerical error, widens this to {mixed}.")
     })
 }
 
@@ -222,7 +222,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             let verdict = match requirement.verdict {
                 Verdict::Met => "is met",
                 Verdict::NotMet => "is not met",
-                Verdict::Undecided => "is undecided, because the numerical error reaches over it",
+                Verdict::Undecided => "is undecided, because the numerical error reaches over it (larger 'inner' and 'outer' make it smaller)",
             };
             format!(
                 "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
@@ -263,11 +263,15 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         None => "The numerical error of each bound stands beside it.".to_owned(),
     };
     if inner > 0 {
+        // The answer itself first: whoever reads on knows it as a promise.
+        let is_answer = main_bound(result).is_some_and(|(bound, _)| bound.guarantee == GuaranteeKind::Inner);
+        let subject = match (is_answer, mixed().count()) {
+            (true, _) if inner == 1 => "It is".to_owned(),
+            (true, all) => format!("It and {} of the {} other bounds are", inner - 1, all - 1),
+            (false, all) => format!("{inner} of {all} bounds {}", if inner == 1 { "is" } else { "are" }),
+        };
         sentence.push_str(&format!(
-            " {inner} of {} bounds {} not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be \
-             wider.",
-            mixed().count(),
-            if inner == 1 { "is" } else { "are" }
+            " {subject} not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be wider."
         ));
     }
     sentence

@@ -12,8 +12,9 @@ use super::percentile_words::percentile_sentences;
 use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, output_words,
-    place_words, promise_word, reading_beside, share_words, statistic_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
+    output_words, place_words, promise_word, reading_beside, share_words, statistic_words, treatment_words,
+    unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use crate::accuracy::record::MotionRecord;
@@ -68,6 +69,8 @@ pub fn study_text(result: &StudyResult) -> String {
         if shown.len() > MOST_ROWS {
             text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
         }
+    } else if let Some(words) = only_curves(result.bounds.len(), &writer) {
+        text.push_str(&format!("\n{}\n", wrapped(&words, "")));
     }
     for (title, sentences) in [
         ("Accuracy", accuracy_sentences(result, &writer)),

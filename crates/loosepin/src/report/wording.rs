@@ -183,6 +183,17 @@ pub(super) fn counted(value: u64, singular: &str, writer: &NumberWriter) -> Stri
     counted_as(value, singular, &format!("{singular}s"), writer)
 }
 
+/// Where the bounds are that no table shows, for all `count` are points of curves; nothing where there are none.
+pub(super) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
+    (count > 0).then(|| {
+        format!(
+            "The bounds are those of curves, angle by angle: {} in bounds.csv. One number for the whole cycle is asked for with \
+             'reduce'.",
+            counted(count as u64, "row", writer)
+        )
+    })
+}
+
 /// `A further 3 bounds stand in `, `A further bound stands in `; `which` stands behind the noun, with a space at its end.
 pub(super) fn further(others: usize, singular: &str, which: &str, writer: &NumberWriter) -> String {
     match others {

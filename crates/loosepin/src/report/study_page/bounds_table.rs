@@ -5,8 +5,8 @@ use maud::{Markup, html};
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::wording::{
-    MASSES_ADD, deviation_words, further, guarantee_words, has_parts, has_unknown, output_words, place_words,
-    reading_beside, statistic_words, unknown_words,
+    MASSES_ADD, deviation_words, further, guarantee_words, has_parts, has_unknown, only_curves, output_words,
+    place_words, reading_beside, statistic_words, unknown_words,
 };
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
@@ -19,6 +19,9 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
     };
     let rows: Vec<&BoundRecord> = result.bounds.iter().filter(shown).take(MOST_ROWS).collect();
     let others = result.bounds.len() - rows.len();
+    if rows.is_empty() {
+        return html! { @if let Some(words) = only_curves(others, writer) { p { (words) } } };
+    }
     html! {
         p {
             "Each statistic lies between its two bounds"

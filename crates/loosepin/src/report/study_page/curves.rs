@@ -8,7 +8,8 @@ use crate::report::number::{NumberWriter, Rounding, significant};
 use crate::report::script_data::{round_to_digits, rounded};
 use crate::report::wording::{capitalised, deviation_words, output_words, place_words};
 use crate::study::result::{
-    CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve, StudyResult,
+    BoundRecord, CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve,
+    StatisticKind, StudyResult, TreatmentKind,
 };
 use crate::units::SiUnit;
 
@@ -55,7 +56,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
     let subject = output_words(&curve.output, &result.outputs);
     let centre = writer.witness(&curve.centre, &result.inputs);
     let worst_words = format!(
-        "widest at {}, where it reaches {}",
+        "reaches furthest at {}, to {}",
         writer.rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest),
         writer.rounded(worst, &curve.unit, 2, Rounding::Up)
     );
@@ -76,7 +77,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             "At each angle, " (share) " of mechanisms lie inside the blue band if the unknown values are in the middle \
              of their ranges"
             @if !centre.is_empty() { " (" (centre) ")" }
-            ", and inside the orange band whatever they are. The orange band is " (worst_words)
+            ", and inside the orange band whatever they are. The orange band " (worst_words)
             "; its numerical error, up to " (writer.error(curve.numerical_error_si, &curve.unit))
             ", is included."
             @for each in &curve.simultaneous {
@@ -174,7 +175,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
             label: writer.value_trimmed(*limit_si, &pbox.unit),
         })
         .collect();
-    let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(pbox, limit_si, writer)).unwrap_or_default();
+    let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(result, pbox, limit_si, writer)).unwrap_or_default();
     let crossing = |list: &[f64]| {
         let position = list.iter().position(|share| *share >= 0.5);
         position.and_then(|position| pbox.value_si.get(position)).copied()
@@ -207,17 +208,37 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
     }
 }
 
-/// The share below the limit that was asked about, read off the box outwards.
-fn limit_sentence(pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -> String {
+/// The share below the limit that was asked about: as its own bound has it, with its error; else read off the box outwards.
+fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -> String {
     let above = pbox.value_si.partition_point(|value_si| *value_si < limit_si);
-    let at = |list: &[f64], index: usize| list.get(index).copied();
-    match (at(&pbox.lower, above.saturating_sub(1)), at(&pbox.upper, above)) {
-        (Some(least), Some(most)) => format!(
-            "Below {}: between {} and {} of mechanisms.",
-            writer.value_trimmed(limit_si, &pbox.unit),
-            writer.percent(least, Rounding::Down),
-            writer.percent(most, Rounding::Up)
-        ),
-        _ => String::new(),
-    }
+    let read_off = || {
+        let least = pbox.lower.get(above.saturating_sub(1)).copied()?;
+        Some(([least, pbox.upper.get(above).copied()?], ", without the sampling error"))
+    };
+    let bounded = bounded_share(result, pbox, limit_si).map(|share| (share, ", numerical error included"));
+    let Some(([least, most], error)) = bounded.or_else(read_off) else { return String::new() };
+    format!(
+        "Below {}: between {} and {} of mechanisms{error}.",
+        writer.value_trimmed(limit_si, &pbox.unit),
+        writer.percent(least, Rounding::Down),
+        writer.percent(most, Rounding::Up)
+    )
+}
+
+/// Least and largest share below the limit, where a probability of the same was asked for.
+fn bounded_share(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64) -> Option<[f64; 2]> {
+    let is_own = |bound: &&BoundRecord| {
+        bound.treatment == TreatmentKind::Mixed
+            && (&bound.output, bound.of, bound.at) == (&pbox.output, pbox.of, pbox.at)
+    };
+    result.bounds.iter().filter(is_own).find_map(|bound| {
+        let ends = [bound.lower.widened_si, bound.upper.widened_si];
+        match bound.statistic {
+            StatisticKind::ProbabilityAbove { limit_si: own } if own == limit_si => {
+                Some([1.0 - ends[1], 1.0 - ends[0]])
+            }
+            StatisticKind::ProbabilityBelow { limit_si: own } if own == limit_si => Some(ends),
+            _ => None,
+        }
+    })
 }

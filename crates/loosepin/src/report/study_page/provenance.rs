@@ -245,7 +245,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
                 @else {
                     " = " (double_loop_words(result, " × ", writer))
                 }
-                @if counts.replicates > 1 { " in " (counts.replicates) " independent replicates" }
+                @if counts.replicates > 1 { " (" (counts.replicates) " independent replicates of " (count(counts.inner / counts.replicates, writer)) ")" }
                 @if counts.rounds > 1 { ", in " (counts.rounds) " rounds" }
                 @for part in counts.by_purpose.iter().filter(|part| part.purpose != RunPurpose::Mixed) {
                     @if is_by_surrogate(result) { "; " } @else { " + " }
@@ -266,7 +266,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
         rows.push(("Reading of an interval".to_owned(), html! { (text) }));
     }
     if !guarantees.is_empty() {
-        let text = guarantees.join("; ");
+        let text = guarantees.join(", or ");
         rows.push(("Guarantee of the bounds".to_owned(), html! { (text) }));
     }
     rows.push(("Seed".to_owned(), html! { (result.seed) }));
