@@ -66,8 +66,8 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
             let (angle_rad, worst_si) = largest(record, &output.clearance.worst_case_si);
             let (_, rim_si) = largest(record, &output.clearance.rim_standard_deviation_si);
             format!(
-                "Play alone can move the {} by up to ±{} (worst at {}), if nothing presses the joints to one side; its \
-                 standard deviation is at most {} with the journals on their rims.",
+                "Play alone can move the {} by up to ±{} (worst at {}), if nothing presses the joints to one side; were \
+                 the journals spread evenly round their rims, its standard deviation would be at most {}.",
                 output.name,
                 writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
                 writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),

@@ -159,7 +159,7 @@ fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> 
         )
     } else {
         format!(
-            "No output departs further than clearances and penetrations allow: the {} comes closest, with {} of its worst case.",
+            "No output departs further than clearances and penetrations allow; the {} comes closest, with {} of that.",
             worst.output,
             writer.percent(worst.largest_share, Rounding::Up)
         )
