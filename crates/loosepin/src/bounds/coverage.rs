@@ -1,9 +1,9 @@
 //! How much of the response a band holds, for every u that was looked at.
 
 use super::bound::Witness;
+use super::plan::DoubleLoop;
 use super::pool::Pool;
 use super::probability::share;
-use super::sample::Confidence;
 
 /// P(Y in band | u) at one outer point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,29 +19,32 @@ pub struct CoveragePoint {
 }
 
 /// P(Y in band | u) over the outer points: a band that holds what it says holds it at every u.
+///
+/// Where u differs from mechanism to mechanism, no mechanism has its own u: of the mechanisms, a share as large as the mass of each focal
+/// element lies somewhere in it. Then the least share inside is the sum of the least of each element, by mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coverage {
     /// Every outer point, in the order of the outer index.
     pub points: Vec<CoveragePoint>,
     /// The least `lower` of all points; not a number without points.
     pub minimum: f64,
+    /// How far the share there may lie above `minimum`: failed runs and sampling.
+    pub minimum_error: f64,
     /// The greatest `upper` of all points; not a number without points.
     pub maximum: f64,
-    /// Where the minimum is attained.
+    /// Where the minimum is attained; of several elements, in that of the largest mass.
     pub minimum_witness: Option<Witness>,
-    /// Where the maximum is attained.
-    pub maximum_witness: Option<Witness>,
 }
 
 impl Coverage {
     /// The coverage of the band from `lower` to `upper` (both included) of `column`.
-    pub(super) fn of_band(pool: &Pool, column: usize, lower: f64, upper: f64, confidence: &Confidence) -> Self {
+    pub(super) fn of_band(plan: &DoubleLoop, pool: &Pool, column: usize, [lower, upper]: [f64; 2]) -> Self {
         let points: Vec<CoveragePoint> = pool
             .samples(column)
             .into_iter()
             .zip(&pool.points)
             .map(|(sample, point)| {
-                let inside = share(sample, confidence, |value| value >= lower && value <= upper);
+                let inside = share(sample, plan.confidence(), |value| value >= lower && value <= upper);
                 CoveragePoint {
                     point: point.point,
                     lower: inside.low.value,
@@ -50,15 +53,22 @@ impl Coverage {
                 }
             })
             .collect();
-        let least = points.iter().enumerate().min_by(|(_, a), (_, b)| a.lower.total_cmp(&b.lower));
-        let greatest = points.iter().enumerate().rev().max_by(|(_, a), (_, b)| a.upper.total_cmp(&b.upper));
-        let witness = |found: Option<(usize, &CoveragePoint)>| found.map(|(index, _)| pool.points[index].witness());
-        Self {
-            minimum: least.map_or(f64::NAN, |(_, point)| point.lower),
-            maximum: greatest.map_or(f64::NAN, |(_, point)| point.upper),
-            minimum_witness: witness(least),
-            maximum_witness: witness(greatest),
-            points,
+        let mut coverage = Self { points, minimum: 0.0, minimum_error: 0.0, maximum: 0.0, minimum_witness: None };
+        let mut heaviest = 0.0;
+        for (mass, members) in plan.shares_of_mechanisms(pool) {
+            let of_element = || members.iter().map(|&member| (member, &coverage.points[member]));
+            let least = of_element().min_by(|(_, a), (_, b)| a.lower.total_cmp(&b.lower));
+            let greatest = of_element().map(|(_, point)| point.upper).max_by(f64::total_cmp);
+            let error = |point: &CoveragePoint| (point.upper + point.sampling_error[1]).min(1.0) - point.lower;
+            let witness = least.map(|(member, _)| pool.points[member].witness());
+            let (least, error) = least.map_or((f64::NAN, 0.0), |(_, point)| (point.lower, error(point)));
+            coverage.minimum += mass * least;
+            coverage.minimum_error += mass * error;
+            coverage.maximum += mass * greatest.unwrap_or(f64::NAN);
+            if mass > heaviest {
+                (heaviest, coverage.minimum_witness) = (mass, witness);
+            }
         }
+        coverage
     }
 }

@@ -3,7 +3,7 @@
 use super::exact_cases::{
     Function, SLIDER_CRANK_EPISTEMIC, SLIDER_CRANK_RANDOM, STANDARD_NORMAL, check, problem, slider_crank,
 };
-use super::{BoundPair, Bounds, Failure, Problem, Reading, Response, Sampling, Statistic, evaluate};
+use super::{Band, BoundPair, Bounds, Failure, Problem, Reading, Response, Sampling, Statistic, evaluate};
 use crate::uncertainty::{
     EpistemicParameter, EpistemicVariable, Evidence, FocalElement, FuzzyNumber, Interval, Parameter, USUAL_CUTS,
     normal_cdf,
@@ -211,6 +211,31 @@ fn analytic_free_boxes_hold_every_distribution_that_they_allow() {
     let most = (0..=3000).map(|k| square(f64::from(k) * 1e-3 - 1.0)).fold(f64::INFINITY, f64::min);
     assert!((bounds.pairs[1].upper.value - (1.0 + most).sqrt()).abs() < 0.03, "{:?} {most}", bounds.pairs[1].upper);
     assert!(bounds.pairs[1].upper.widened >= (1.0 + most).sqrt());
+}
+
+#[test]
+fn analytic_share_inside_a_band_is_added_by_mass_only_where_each_mechanism_has_its_own_value() {
+    // One mechanism in a hundred may have v up to 4, the others none above 1.
+    const ELEMENTS: [(f64, f64, f64); 2] = [(0.0, 1.0, 0.99), (1.0, 4.0, 0.01)];
+    let scattering = Evidence::from_quantiles(&[(0.99, 1.0)], interval(0.0, 4.0)).unwrap();
+    let element = |(low, high, mass)| FocalElement { interval: interval(low, high), mass };
+    let unknown = Evidence::try_new(ELEMENTS.map(element).to_vec()).unwrap();
+    let mixed = |evidence: Evidence| {
+        let problem = Problem { compared_columns: vec![0], ..with(vec![evidence.into()], &[], 5) };
+        let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| x[0] + u[0])).unwrap();
+        bounds.comparisons[0].mixed.clone()
+    };
+    let inside = |band: &Band, v: f64| normal_cdf(band.upper.value - v) - normal_cdf(band.lower.value - v);
+    // Of the samples of 1024.
+    const TOLERANCE: f64 = 0.02;
+    let band = mixed(scattering);
+    // The share falls from the middle of the band on: within each element it is least at an end.
+    let least = |(low, high, mass): (f64, f64, f64)| mass * inside(&band, low).min(inside(&band, high));
+    let exact: f64 = ELEMENTS.into_iter().map(least).sum();
+    assert!((band.coverage.minimum - exact).abs() < TOLERANCE, "{} {exact}", band.coverage.minimum);
+    assert!(exact > 0.9 && inside(&band, 4.0) < 0.5, "{exact}");
+    let band = mixed(unknown);
+    assert!((band.coverage.minimum - inside(&band, 4.0)).abs() < TOLERANCE, "{}", band.coverage.minimum);
 }
 
 #[test]

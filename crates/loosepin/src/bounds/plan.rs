@@ -485,6 +485,20 @@ impl DoubleLoop {
         pool.points.iter().map(|point| self.epistemic_box.place_of(&point.epistemic)).collect()
     }
 
+    /// Shares of the mechanisms whose u lies somewhere in an element, each with the outer points in it, where u differs from mechanism to
+    /// mechanism; else all of them at one u, which may be any.
+    pub(super) fn shares_of_mechanisms(&self, pool: &Pool) -> Vec<(f64, Vec<usize>)> {
+        let is_unknown = |input: &EpistemicVariable| matches!(input, EpistemicVariable::Evidence(evidence) if evidence.elements().len() > 1 && !evidence.is_scattering());
+        let is_fixed =
+            self.problem.reading == Reading::FixedButUnknown && self.problem.epistemic.iter().any(is_unknown);
+        if is_fixed {
+            return vec![(1.0, (0..pool.points.len()).collect())];
+        }
+        let places = self.outer_places(pool);
+        let elements = self.structure.widest().elements.iter();
+        elements.map(|element| (element.mass, element.region.members(&places))).collect()
+    }
+
     /// Places of single runs in the box of all inputs.
     pub(super) fn extreme_places(&self, pool: &Pool) -> Vec<Place> {
         let values = |point: &PoolPoint| [&point.random[..], &point.epistemic].concat();

@@ -82,8 +82,8 @@ pub(super) fn treatments(
         let put = |of: fn(&TreatmentComparison) -> &Band, has_gaps| with_error(&of_all(of), has_gaps);
         let share = |band: &Band| {
             let least = band_columns.map(|column| {
-                let [lower, upper] = [&band.lower, &band.upper].map(|end| end.value);
-                Coverage::of_band(&pool, column, lower, upper, double_loop.confidence()).minimum
+                let ends = [&band.lower, &band.upper].map(|end| end.value);
+                Coverage::of_band(&double_loop, &pool, column, ends).minimum
             });
             let lost = band.coverage.minimum - least.into_iter().fold(f64::INFINITY, f64::min);
             if lost.is_nan() { 1.0 } else { lost.max(0.0) }

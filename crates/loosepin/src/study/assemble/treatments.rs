@@ -64,19 +64,13 @@ fn treatment_band(material: &Material<'_>, band: &Band, outer_points: &[Vec<f64>
         bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
         bounds::Treatment::Mixed => TreatmentKind::Mixed,
     };
-    let coverage_error = band
-        .coverage
-        .points
-        .iter()
-        .min_by(|a, b| a.lower.total_cmp(&b.lower))
-        .map_or(0.0, |point| (point.upper + point.sampling_error[1]).min(1.0) - point.lower);
     TreatmentBand {
         treatment,
         lower_si: band.lower.value,
         upper_si: band.upper.value,
         coverage_minimum: band.coverage.minimum,
         coverage_maximum: band.coverage.maximum,
-        coverage_error,
+        coverage_error: band.coverage.minimum_error,
         coverage_at: band
             .coverage
             .points
