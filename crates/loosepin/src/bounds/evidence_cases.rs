@@ -256,6 +256,14 @@ fn too_few_points_and_too_many_elements_are_told_with_their_numbers() {
         "729 combinations of focal elements; must be at most 256\n\
          hint: join elements of the inputs that matter least"
     );
+    // Two ends and a middle: the middle is that of all.
+    let cuts = (0..300).map(|k| f64::from(k) / 300.0).map(|alpha| (alpha, interval(0.9 * alpha, 2.0 - 0.9 * alpha)));
+    let fuzzy = FuzzyNumber::try_new(cuts.collect()).unwrap();
+    assert_eq!(
+        refused(vec![fuzzy.into()], 64),
+        "the corners and centres of all focal elements and cuts are 601; must be at most 512\n\
+         hint: fewer elements, cuts or degrees"
+    );
 }
 
 fn read(reading: Reading, problem: Problem) -> Bounds {

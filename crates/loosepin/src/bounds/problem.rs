@@ -237,6 +237,16 @@ pub enum ProblemError {
         /// What usually serves.
         recommended: usize,
     },
+    /// More corners and centres of focal elements and cuts than points that the search can model.
+    #[error(
+        "the corners and centres of all focal elements and cuts are {least}; must be at most {most}\nhint: fewer elements, cuts or degrees"
+    )]
+    TooManyParts {
+        /// How many points they are.
+        least: usize,
+        /// The most points of a search.
+        most: usize,
+    },
     /// More focal elements than are put together.
     #[error(
         "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
@@ -454,8 +464,12 @@ impl Problem {
         let structure = Structure::new(self, &search_box);
         if structure.is_divided() {
             let least = combinations * structure.points(wide).len();
+            let most = MOST_POINTS * combinations;
+            if least > most {
+                return Err(ProblemError::TooManyParts { least, most });
+            }
             if outer < least {
-                let recommended = (2 * least).max(64).min(MOST_POINTS * combinations);
+                let recommended = (2 * least).max(64).min(most);
                 return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
             }
         }

@@ -109,8 +109,13 @@ pub fn conclude(
         // The folder says since it was taken that it is not finished; there may be no room to say it again.
         Err(error @ (StudyError::Store(_) | StudyError::NotMade { .. })) => Err(error.complaint(study).into()),
         Err(error) => {
-            store.remove().map_err(complain)?;
-            folder.abandon().map_err(complain)?;
+            if store.settle().map_err(complain)? > 0 {
+                // Runs were made: they are not lost for what came after them.
+                folder.leave_unfinished().map_err(complain)?;
+            } else {
+                store.remove().map_err(complain)?;
+                folder.abandon().map_err(complain)?;
+            }
             Err(error.complaint(study).into())
         }
     }

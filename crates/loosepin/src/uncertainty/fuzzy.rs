@@ -28,9 +28,9 @@ pub enum FuzzyError {
         alpha: f64,
     },
     /// What is possible at all is not among the cuts.
-    #[error("the least degree is {alpha}; must be 0, the values that are possible at all")]
+    #[error("the first degree is {alpha}; must be 0, the values that are possible at all")]
     NoSupport {
-        /// The least degree.
+        /// The first degree.
         alpha: f64,
     },
     /// Degrees that do not increase.
@@ -191,7 +191,7 @@ mod tests {
         );
         assert_eq!(
             refused(vec![(0.25, interval(2.0, 3.0)), (1.0, interval(2.5, 2.75))]),
-            "the least degree is 0.25; must be 0, the values that are possible at all"
+            "the first degree is 0.25; must be 0, the values that are possible at all"
         );
         assert_eq!(
             FuzzyNumber::trapezoidal([2.5, 1.5, 3.0, 5.0], &USUAL_CUTS).unwrap_err().to_string(),

@@ -108,6 +108,18 @@ pub enum AccuracyProblem {
         /// What the accuracy is of.
         what: String,
     },
+    /// A second value of the same dimension in a list.
+    #[error("{what}: another accuracy of the same bounds stands before it")]
+    Twice {
+        /// What the accuracy is of.
+        what: String,
+    },
+    /// A list without a value.
+    #[error("{what} is empty; at least one is due")]
+    Empty {
+        /// What the accuracy is of.
+        what: String,
+    },
     /// A value that is not positive.
     #[error("{what} is {found}; must be > 0")]
     NotPositive {
@@ -141,7 +153,9 @@ impl Problem for AccuracyProblem {
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::NothingAsked { .. } => Code::AskNotPossible,
-            Self::NotPositive { .. } | Self::NotWhole { .. } => Code::BreaksRule,
+            Self::NotPositive { .. } | Self::NotWhole { .. } | Self::Twice { .. } | Self::Empty { .. } => {
+                Code::BreaksRule
+            }
             Self::Budget { .. } => Code::ExpressionSyntax,
         }
     }
@@ -167,7 +181,8 @@ impl Problem for AccuracyProblem {
             Self::NothingAsked { .. } => {
                 Some("accuracies are of mean, standard_deviation, quantile and counted probabilities".to_owned())
             }
-            Self::NotPositive { .. } | Self::NotWhole { .. } => None,
+            Self::Twice { .. } => Some("leave one of them out".to_owned()),
+            Self::NotPositive { .. } | Self::NotWhole { .. } | Self::Empty { .. } => None,
             Self::Budget { .. } => Some("for example 20000 runs, 30 min or 12 rounds".to_owned()),
         }
     }
@@ -375,7 +390,10 @@ impl StudyReader {
     pub fn accuracies(&mut self, table: &Table<'_>) -> WrittenAccuracies {
         let mut found = WrittenAccuracies::default();
         let Some(entry) = table.get("accuracy") else { return found };
-        let entries = if entry.is_list() { self.reader.list(&entry).unwrap_or_default() } else { vec![entry] };
+        let entries = if entry.is_list() { self.reader.list(&entry).unwrap_or_default() } else { vec![entry.clone()] };
+        if entry.is_empty_list() {
+            self.reader.complain(&AccuracyProblem::Empty { what: entry.path.describe() }, entry.span);
+        }
         for entry in entries {
             let Some((text, measured)) = self.any_value(&entry) else { continue };
             found.written.push((entry.path.describe(), text, measured, entry.span));
@@ -406,7 +424,9 @@ impl StudyReader {
             asked.into_iter().filter(|bound| of_ask.is_none_or(|ask| bound.ask == ask)).collect();
         let mut targets = Vec::new();
         for (what, text, measured, span) in written.written {
+            let is_twice = targets.iter().any(|target: &AccuracyTarget| target.dimension == measured.dimension);
             match checked(&what, &text, measured, &concerned) {
+                Ok(_) if is_twice => self.reader.complain(&AccuracyProblem::Twice { what }, span),
                 Ok(Measured { value_si: most_si, dimension }) => targets.push(AccuracyTarget {
                     is_argument: false,
                     ask: of_ask,

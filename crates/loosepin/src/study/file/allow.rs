@@ -41,6 +41,12 @@ impl StudyReader {
             self.above(&written, up_to, least, dimension);
             return None;
         }
+        if let AllowedInput::UpperEnd(index) = input
+            && let Some(quantity) = self.epistemic[index].quantity()
+            && !self.check_end(quantity, &path, up_to, &written, false)
+        {
+            return None;
+        }
         let mut costs: Vec<[f64; 2]> = Vec::new();
         if let Some(list) = table.get("cost") {
             for offer in self.reader.list(&list)? {

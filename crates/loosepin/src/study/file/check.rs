@@ -44,14 +44,15 @@ impl StudyReader {
             Ok(values) => values,
             Err(error) => return Some(StudyProblem::ImpossibleEnd { path, end, error }),
         };
-        let lost = self.model.joints.iter().find_map(|joint| {
-            let (id, _) = joint.kind.play()?;
-            (values[id] == 0.0 && self.model.roots(id).contains(&quantity)).then_some(id)
-        });
-        lost.map(|id| {
-            let clearance = quantities[id].path.clone();
-            StudyProblem::ClearanceTouchesZero { path, end, clearance, is_member }
-        })
+        let lost = self.plays_of(quantity).into_iter().find(|&id| values[id] == 0.0)?;
+        let clearance = quantities[lost].path.clone();
+        Some(StudyProblem::ClearanceTouchesZero { path, end, clearance, is_member })
+    }
+
+    /// The clearances of joints that follow from `quantity`: at 0 their joints would have no play.
+    fn plays_of(&self, quantity: QuantityId) -> Vec<QuantityId> {
+        let plays = self.model.joints.iter().filter_map(|joint| Some(joint.kind.play()?.0));
+        plays.filter(|&id| self.model.roots(id).contains(&quantity)).collect()
     }
 
     /// Checks what only the whole study shows.
@@ -146,12 +147,38 @@ impl StudyReader {
         variables.iter().find_map(|variable| self.impossible_share_of(input, variable))
     }
 
+    /// Says that too many of the values `drawn` leave a joint without play, all other values being those of the file.
+    fn share_without_play(&self, input: &RandomInput, drawn: &[f64]) -> Option<StudyProblem> {
+        let quantities = &self.model.quantities;
+        let plays = self.plays_of(input.quantity);
+        let lost = |value_si: f64| {
+            let values = quantities.evaluate(&[(input.quantity, value_si)]).ok()?;
+            plays.iter().copied().find(|&id| values[id] == 0.0)
+        };
+        let all: Vec<(f64, QuantityId)> = if plays.is_empty() {
+            Vec::new()
+        } else {
+            drawn.iter().filter_map(|&value_si| Some((value_si, lost(value_si)?))).collect()
+        };
+        let is_too_much = all.len() as f64 > MOST_IMPOSSIBLE_SHARE * drawn.len() as f64;
+        let &(value_si, clearance) = all.first().filter(|_| is_too_much)?;
+        Some(StudyProblem::ClearanceTouchesZero {
+            path: input.path.clone(),
+            end: format_value(value_si, quantities[input.quantity].dimension),
+            clearance: quantities[clearance].path.clone(),
+            is_member: true,
+        })
+    }
+
     fn impossible_share_of(&self, input: &RandomInput, variable: &RandomVariable) -> Option<StudyProblem> {
         let quantities = &self.model.quantities;
         let mut values = quantities.nominal();
         let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
         let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();
         let stands_alone = quantities.stands_alone(input.quantity);
+        if let Some(problem) = self.share_without_play(input, &drawn) {
+            return Some(problem);
+        }
         for fraction in [0.0, 0.5, 1.0] {
             let epistemic = self.epistemic.iter();
             let mut set: Vec<(QuantityId, f64)> =
