@@ -365,6 +365,13 @@ fn where_only_curves_were_asked_for_no_empty_table_is_shown() {
 }
 
 #[test]
+fn names_send_no_commands_to_a_terminal() {
+    let mut result = worn_pin();
+    result.name = "a\u{1b}[31mb\u{202e}c".to_owned();
+    assert!(study_text(&result).starts_with("a\u{fffd}[31mb\u{fffd}c\n"), "{}", study_text(&result));
+}
+
+#[test]
 fn a_search_for_offers_says_why_it_ended() {
     let mut result = worn_pin();
     let allocation = result.allocation.as_mut().expect("the fixture has one");

@@ -1,6 +1,6 @@
 //! Numbers as people read them: their unit, sensible digits, and rounding that never makes a bound narrower.
 
-use crate::study::result::{InputDescription, Witness, WitnessValue};
+use crate::study::result::{InputDescription, InputKind, Witness, WitnessValue};
 use crate::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.
@@ -137,9 +137,14 @@ impl<'a> NumberWriter<'a> {
         let parts: Vec<String> = ordered
             .into_iter()
             .map(|(path, value)| {
-                let unit = inputs.get(place(path)).map_or(&SiUnit::NONE, |input| &input.unit);
+                let input = inputs.get(place(path));
+                let unit = input.map_or(&SiUnit::NONE, |input| &input.unit);
                 let shown = match value {
-                    WitnessValue::Number(value_si) => self.value_trimmed(*value_si, unit),
+                    WitnessValue::Number(value_si) => {
+                        let digits = input.map_or(PLAIN_DIGITS, |input| digits_within(&input.kind, *value_si));
+                        let text = significant(self.scaled(*value_si, unit), digits, Rounding::Nearest);
+                        self.with_symbol(self.dress(without_trailing_zeros(text)), unit)
+                    }
                     WitnessValue::Choice(choice) => choice.clone(),
                 };
                 format!("{} {shown}", plain_name(path, inputs))
@@ -334,6 +339,23 @@ fn superscript(character: char) -> char {
     }
 }
 
+/// So many digits that a value of the input is told to a thousandth of its range.
+fn digits_within(kind: &InputKind, value_si: f64) -> usize {
+    let width = match kind {
+        InputKind::Interval { lower_si, upper_si }
+        | InputKind::SecondOrder { lower_si, upper_si }
+        | InputKind::Periodic { lower_si, upper_si } => upper_si - lower_si,
+        InputKind::Evidence { elements, .. } => {
+            let lower = elements.iter().map(|element| element.lower_si).fold(f64::INFINITY, f64::min);
+            elements.iter().map(|element| element.upper_si).fold(f64::NEG_INFINITY, f64::max) - lower
+        }
+        InputKind::Fuzzy { cuts } => cuts.first().map_or(f64::NAN, |cut| cut.upper_si - cut.lower_si),
+        InputKind::Random | InputKind::Choice { .. } => f64::NAN,
+    };
+    let ahead = (value_si.abs() / width).log10().ceil();
+    if ahead.is_finite() { (ahead.max(0.0) as usize + 3).clamp(PLAIN_DIGITS, INPUT_DIGITS) } else { PLAIN_DIGITS }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -350,6 +372,20 @@ mod tests {
         assert_eq!(percent(0.99731, Rounding::Down), "99.73");
         assert_eq!(percent(1.0, Rounding::Down), "100");
         assert_eq!(percent(0.0, Rounding::Up), "0");
+    }
+
+    #[test]
+    fn a_value_within_a_narrow_interval_keeps_the_digits_that_tell_it() {
+        let interval = |lower_si, upper_si| InputKind::Interval { lower_si, upper_si };
+        let shown = |kind: &InputKind, value: f64| {
+            without_trailing_zeros(significant(value, digits_within(kind, value), Rounding::Nearest))
+        };
+        assert_eq!(shown(&interval(49.975, 50.025), 50.025), "50.025");
+        assert_eq!(shown(&interval(119.999, 120.001), 119.999), "119.999");
+        assert_eq!(shown(&interval(119.999, 120.001), 119.999_123_4), "119.99912");
+        assert_eq!(shown(&interval(0.7, 0.9), 0.774_831), "0.7748");
+        assert_eq!(shown(&interval(-1.0, 1.0), 0.0), "0");
+        assert_eq!(shown(&InputKind::Random, 123.456), "123.5");
     }
 
     #[test]

@@ -107,7 +107,7 @@ pub fn study_text(result: &StudyResult) -> String {
             failure.example.command
         ));
     }
-    with_plain_spaces(text)
+    as_shown(&text)
 }
 
 /// One run as text for a terminal: the answer, extremes, joints, counters.
@@ -187,7 +187,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         count(counters.evaluations, &writer),
         count(counters.contact_changes, &writer)
     ));
-    with_plain_spaces(text)
+    as_shown(&text)
 }
 
 /// The ideal motion and the quasi-static answer as text for a terminal.
@@ -232,7 +232,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
     }
     push_table(&mut text, &contributors);
     push_table(&mut text, &scatter_table(record, &writer));
-    with_plain_spaces(text)
+    as_shown(&text)
 }
 
 /// A sweep as text for a terminal: the answer, and what kind of motion there is where.
@@ -257,7 +257,7 @@ pub fn sweep_text(record: &SweepRecord) -> String {
     if stretches.len() > MOST_ROWS {
         text.push_str(&format!("\n{} more in sweep.csv\n", stretches.len() - MOST_ROWS));
     }
-    with_plain_spaces(text)
+    as_shown(&text)
 }
 
 /// How often and how long the parts of each joint with play do not touch, and how much of the impacts and of the clearance is
@@ -373,9 +373,16 @@ fn trimmed(table: &Table) -> String {
     lines.join("\n")
 }
 
-/// Wrapping is done: a space is a space.
-fn with_plain_spaces(text: String) -> String {
-    text.replace('\u{a0}', " ")
+/// What a terminal shows as it is: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
+fn as_shown(text: &str) -> String {
+    let is_command =
+        |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let shown = |c| match c {
+        '\u{a0}' => ' ',
+        c if is_command(c) => char::REPLACEMENT_CHARACTER,
+        c => c,
+    };
+    text.chars().map(shown).collect()
 }
 
 pub(super) fn wrapped(sentence: &str, bullet: &str) -> String {

@@ -11,7 +11,7 @@ pub struct Tolerance {
 
 /// Reads a value with its tolerance; nothing where the text is none. A part without a unit has that of the last part with one.
 pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
-    let text = text.replace("+/-", "±").replace("+-", "±");
+    let text = text.replace('−', "-").replace("+/-", "±").replace("+-", "±");
     let parts: Vec<(bool, &str)> = if let Some((nominal, half)) = text.split_once('±') {
         let half = half.trim();
         if half.starts_with(['+', '-']) {
@@ -99,6 +99,7 @@ mod tests {
             "20 -0.007 +0.021 mm",
             "20 +0.021/-0.007 mm",
             "20 mm +21 µm / -7 µm",
+            "20 −0.007 +0.021 mm",
         ] {
             assert_eq!(limits_um(text), Some([19_993.0, 20_021.0]), "{text}");
         }
