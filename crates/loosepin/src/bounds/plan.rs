@@ -27,7 +27,7 @@ use crate::uncertainty::{
     Distribution, EpistemicVariable, IntervalError, Level, RandomVariable, ScrambledSobol, SobolError, hash,
 };
 
-/// After the first round, the remaining points are spent in this many rounds; more where one has fewer points to offer.
+/// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
 
 /// The whole distribution function is searched by these quantiles.
@@ -674,8 +674,7 @@ impl DoubleLoop {
     }
 }
 
-/// Where two slopes meet and where models promise more than was attained; where neither does, to where the models climb from what was
-/// attained; where they do not, its surroundings.
+/// Where two slopes meet and where models promise more than was attained; where neither does, the surroundings of what was attained.
 fn next_or_confirming(
     search: &Search<'_>,
     targets: &[(Target, Vec<Direction>)],
@@ -685,9 +684,6 @@ fn next_or_confirming(
     let mut places = search.kinks(targets, elements, count, MOST_POINTS);
     if places.len() < count {
         places.extend(search.next_points(targets, elements, count - places.len(), MOST_POINTS));
-    }
-    if places.is_empty() {
-        places = search.summits(targets, elements, count, MOST_POINTS);
     }
     if places.is_empty() { search.confirming_points(targets, elements, count, MOST_POINTS) } else { places }
 }

@@ -28,12 +28,7 @@ const LOCATED_PER_POINT: usize = 2;
 /// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
 pub(super) const MOST_LOCATED_TARGETS: usize = 256;
 
-/// A climb to the summit of something smooth is worth a point from this share of a gain on that is worth one elsewhere: it takes few
-/// points, and what is stated at its end is little. On a kink it would never end.
-const LEAST_CLIMB: f64 = 0.03;
-
-/// What a search resolves, as a share of the range of its target: gains below it are not pursued, but by a climb, so it is always
-/// conceded.
+/// What a search resolves, as a share of the range of its target: gains below it are not pursued, so it is always conceded.
 pub(super) const SEARCH_RESOLUTION: f64 = 1e-6;
 
 /// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
@@ -398,52 +393,6 @@ impl<'a> Search<'a> {
         Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
     }
 
-    /// At most `count` places to which the models of `targets` expect to climb from what was attained in each of `elements`, where no
-    /// candidate promises anything: along a curved ridge none of them lies on it. None where there are many targets.
-    pub fn summits(
-        &self,
-        targets: &[(Target, Vec<Direction>)],
-        elements: &[Element],
-        count: usize,
-        most_points: usize,
-    ) -> Vec<Place> {
-        if self.targets > MOST_LOCATED_TARGETS {
-            return Vec::new();
-        }
-        let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
-        let sought: Vec<(&Target, Direction, usize)> = targets
-            .iter()
-            .flat_map(|(target, directions)| directions.iter().map(move |&direction| (target, direction)))
-            .flat_map(|(target, direction)| (0..elements.len()).map(move |element| (target, direction, element)))
-            .collect();
-        let summit = |&(target, direction, element): &(&Target, Direction, usize)| {
-            let extreme = extreme_among(&target.values, members[element].iter().copied(), direction)?;
-            let Place { combination, at } = &self.points[extreme];
-            let group = &self.groups[*combination];
-            if group.len() >= most_points {
-                return None;
-            }
-            let model = self.model(target, &defined(target, group))?;
-            let at = locate(self.axes, &model, direction, 0.0, at.clone(), &elements[element].region);
-            let attained = target.values[extreme];
-            let gain = elements[element].mass * direction.sign() * (model.at(&at).mean() - attained);
-            let share = if model.is_smoothest() { LEAST_CLIMB } else { 1.0 };
-            let merit = gain / target.resolution_of(share, direction, attained);
-            (merit > 1.0).then_some((merit, Place { combination: *combination, at }))
-        };
-        let mut summits: Vec<(f64, Place)> = sought.par_iter().filter_map(summit).collect();
-        summits.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut chosen: Vec<Place> = Vec::new();
-        for (_, place) in summits {
-            let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE)
-                && chosen.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
-            if is_new && chosen.len() < count {
-                chosen.push(place);
-            }
-        }
-        chosen
-    }
-
     /// Adds the places around one extreme that tell something.
     fn confirm(&self, target: &Target, around: &Around<'_>, most_points: usize, chosen: &mut Vec<Place>) {
         let &Around { extreme, region, distance, resolution } = around;
@@ -744,34 +693,6 @@ mod tests {
         assert!(low + 1.0 < TOLERANCE && 1.0 - high < TOLERANCE, "{low} {high}");
         let (low, high) = ends(2, 50, |u| (5.0 * u[0] + 1.0).sin() * (4.0 * u[1]).cos());
         assert!(low + 1.0 < TOLERANCE && 1.0 - high < TOLERANCE, "{low} {high}");
-    }
-
-    #[test]
-    fn analytic_climbs_alone_meet_the_summit_of_a_curved_ridge() {
-        // Of the range; a model of 60 points errs by a little more than the resolution of a millionth.
-        const TOLERANCE: f64 = 1e-5;
-        const CLIMBS: usize = 20;
-        let ridge = |u: &[f64]| {
-            let (x, y) = (4.0 * u[0] - 2.0, 4.0 * u[1] - 2.0);
-            -(y - x * x).powi(2) - 0.01 * (1.0 - x).powi(2)
-        };
-        let place = |at| Place { combination: 0, at };
-        let mut points: Vec<Place> = first_points(11, 2, 60).unwrap().into_iter().map(place).collect();
-        let axes = Axes::open(2);
-        let elements = [Element { mass: 1.0, region: Region::whole(2) }];
-        let mut attained = Vec::new();
-        for _ in 0..CLIMBS {
-            let values: Vec<f64> = points.iter().map(|u| ridge(&u.at)).collect();
-            attained.push(extreme(&values, Direction::Maximum) / 36.09);
-            let target = Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [36.09e-6; 2] };
-            let search = Search::new(&axes, &points, &[], [&target]);
-            let next = search.summits(&[(target.clone(), vec![Direction::Maximum])], &elements, 1, 512);
-            if next.is_empty() {
-                break;
-            }
-            points.extend(next);
-        }
-        assert!(attained[0] < -10.0 * TOLERANCE && attained[attained.len() - 1] > -TOLERANCE, "{attained:?}");
     }
 
     #[test]

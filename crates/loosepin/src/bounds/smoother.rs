@@ -28,16 +28,8 @@ use crate::math::dense::{Cholesky, dot};
 /// Length scales ℓ of the grid, in units of the diagonal of the box.
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 
-/// Noise ratio τ that stands for none, and keeps the matrices positive definite. What is conceded at a point that is known is its
-/// square root.
-const NO_NOISE: f64 = 1e-11;
-
-/// As little as round-off allows: offered besides to the smoothest processes, and taken where the values are likelier by it. Around a kink
-/// points stand so near to each other that with less noise they seem to contradict each other.
-const LEAST_NOISE: f64 = 1e-13;
-
-/// Noise ratios τ of the grid.
-const NOISE_RATIOS: [f64; 5] = [1e-4, 1e-2, 0.3, 5.0, 100.0];
+/// Noise ratios τ of the grid. The first stands for none, and keeps the matrices positive definite.
+const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.0, 100.0];
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const LEAST_DEVIATION: f64 = 1e-12;
@@ -89,22 +81,19 @@ impl Smoother {
         let diagonal = (points.first()?.len() as f64).sqrt();
         let scales =
             |smoothness| LENGTH_SCALES.iter().map(move |scale| Kernel { smoothness, length_scale: scale * diagonal });
-        let model = |kernel: Kernel, noise_ratio| Model::try_new(&seen, trend, &terms, kernel, noise_ratio);
+        let prepare = |kernels: Vec<Kernel>, noise_ratio: f64| -> Vec<Model> {
+            let kernels = kernels.into_par_iter();
+            kernels.filter_map(|kernel| Model::try_new(&seen, trend, &terms, kernel, noise_ratio)).collect()
+        };
+        // Noise hides how smooth a function is.
+        let middling = || scales(Smoothness::Twice).collect();
         let from_rough_to_smooth = [Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes];
-        let kernels = from_rough_to_smooth.into_iter().flat_map(scales).map(|kernel| (kernel, NO_NOISE));
-        let closest = scales(Smoothness::FourTimes).map(|kernel| (kernel, LEAST_NOISE));
-        let kernels: Vec<(Kernel, f64)> = kernels.chain(closest).collect();
-        let without_noise: Vec<Model> =
-            kernels.into_par_iter().filter_map(|(kernel, ratio)| model(kernel, ratio)).collect();
+        let without_noise = prepare(from_rough_to_smooth.into_iter().flat_map(scales).collect(), NOISE_RATIOS[0]);
         if without_noise.is_empty() {
             return None;
         }
-        let noise_ratios = if has_noise { &NOISE_RATIOS[..] } else { &[] };
-        // Noise hides how smooth a function is.
-        let middling: Vec<Kernel> = scales(Smoothness::Twice).collect();
-        let with_noise = noise_ratios
-            .iter()
-            .map(|&ratio| middling.par_iter().filter_map(|&kernel| model(kernel, ratio)).collect::<Vec<Model>>());
+        let noise_ratios = if has_noise { &NOISE_RATIOS[1..] } else { &[] };
+        let with_noise = noise_ratios.iter().map(|&noise_ratio| prepare(middling(), noise_ratio));
         let levels = std::iter::once(without_noise).chain(with_noise).collect();
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
         let seen_places = places.iter().map(|place| axes.seen(place)).collect();
@@ -125,7 +114,7 @@ impl Smoother {
         for level in &self.levels {
             let mut least_of_level = f64::INFINITY;
             for model in level {
-                let is_noisy = noise_ratio(model) > 0.0;
+                let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
                 if is_noisy && noise_variance <= floor {
                     continue;
                 }
@@ -144,9 +133,13 @@ impl Smoother {
         }
         let least = assessed.iter().fold(f64::INFINITY, |least, (_, _, misfit)| least.min(*misfit));
         assessed.retain(|(_, _, misfit)| *misfit <= least + TOLERATED_MISFIT);
-        let noisiest = assessed.iter().fold(0.0_f64, |most, (model, ..)| most.max(noise_ratio(model)));
-        assessed.retain(|(model, ..)| noise_ratio(model) == noisiest);
-        let chosen = if noisiest > 0.0 { assessed.iter().min_by(|a, b| a.2.total_cmp(&b.2)) } else { assessed.first() };
+        let noisiest = assessed.iter().fold(0.0_f64, |most, (model, ..)| most.max(model.noise_ratio()));
+        assessed.retain(|(model, ..)| model.noise_ratio() == noisiest);
+        let chosen = if noisiest > NOISE_RATIOS[0] {
+            assessed.iter().min_by(|a, b| a.2.total_cmp(&b.2))
+        } else {
+            assessed.first()
+        };
         // Models without noise are always allowed: where none is chosen, no misfit is a number.
         let (model, variance, misfit) = chosen.copied().unwrap_or((&self.levels[0][0], f64::INFINITY, f64::INFINITY));
         let surprise = if variance > 0.0 { model.largest_error(&residual) / variance.sqrt() } else { 0.0 };
@@ -154,7 +147,7 @@ impl Smoother {
         let deviation = variance.sqrt() * distrust;
         // With the variance that is stated in the place of the likeliest one.
         let misfit = misfit / freedom + 2.0 * libm::log(distrust) + 1.0 / (distrust * distrust);
-        let is_noisy = noise_ratio(model) > 0.0;
+        let is_noisy = model.noise_ratio() > NOISE_RATIOS[0];
         let noise_variance = if is_noisy { model.noise_ratio() * variance } else { 0.0 };
         let whitened = model.whitened(&values);
         Fit { smoother: self, model, whitened, centre, deviation, noise_variance, misfit }
@@ -174,20 +167,10 @@ impl Smoother {
     }
 }
 
-/// τ, 0 where it stands for none.
-fn noise_ratio(model: &Model) -> f64 {
-    if model.noise_ratio() <= NO_NOISE { 0.0 } else { model.noise_ratio() }
-}
-
 impl Fit<'_> {
     /// Variance of the noise, 0 where the fit passes through the estimates.
     pub fn noise_variance(&self) -> f64 {
         self.noise_variance
-    }
-
-    /// Whether the values are those of something as smooth as the smoothest processes.
-    pub fn is_smoothest(&self) -> bool {
-        self.model.smoothness() == Smoothness::FourTimes
     }
 
     /// -2 ln likelihood of the values for each degree of freedom: what models of the same values in other scales are compared by, each

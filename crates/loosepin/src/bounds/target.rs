@@ -13,7 +13,7 @@ pub(super) struct Target {
     pub kind: TargetKind,
     /// Mean sampling variance of the values.
     pub noise_variance: f64,
-    /// Gains below these are not worth a point, unless they are those of a climb: of the minimum, of the maximum; of an index, gains of its probability.
+    /// Gains below these are not worth a point: of the minimum, of the maximum; of an index, gains of its probability.
     pub resolutions: [f64; 2],
 }
 
@@ -38,12 +38,7 @@ impl Target {
 
     /// The least gain that is worth a point where `attained` is the extreme.
     pub fn resolution(&self, direction: Direction, attained: f64) -> f64 {
-        self.resolution_of(1.0, direction, attained)
-    }
-
-    /// The gain that corresponds to so large a share of the least gain that is worth a point.
-    pub fn resolution_of(&self, share: f64, direction: Direction, attained: f64) -> f64 {
-        let least = share * self.resolutions[direction.index()];
+        let least = self.resolutions[direction.index()];
         match self.kind {
             TargetKind::Plain => least,
             TargetKind::Index | TargetKind::Either(_) => index_resolution(attained, least),
@@ -141,15 +136,6 @@ impl<'a> TargetModel<'a> {
         match self {
             Self::Plain(fit) => fit.noise_variance(),
             Self::Index(_) | Self::Either(_) => 0.0,
-        }
-    }
-
-    /// Whether the target is exact and without kinks, as far as its values tell.
-    pub fn is_smoothest(&self) -> bool {
-        match self {
-            Self::Plain(fit) => fit.is_smoothest() && !self.is_smoothed(),
-            Self::Index(model) => model.is_smoothest(),
-            Self::Either(models) => models.iter().all(IndexModel::is_smoothest),
         }
     }
 

@@ -34,11 +34,6 @@ impl Cholesky {
         Some(Self { order, factor: matrix })
     }
 
-    /// The least of the squares on the diagonal of L, for order 1 and more.
-    pub fn least_pivot(&self) -> f64 {
-        (0..self.order).map(|i| self.factor[i * self.order + i].powi(2)).fold(f64::INFINITY, f64::min)
-    }
-
     /// ln det of the matrix.
     pub fn ln_determinant(&self) -> f64 {
         2.0 * (0..self.order).map(|i| libm::log(self.factor[i * self.order + i])).sum::<f64>()
