@@ -1,9 +1,9 @@
 //! How much of the response a band holds, for every u that was looked at.
 
 use super::bound::Witness;
-use super::plan::DoubleLoop;
 use super::pool::Pool;
 use super::probability::share;
+use super::sample::Confidence;
 
 /// P(Y in band | u) at one outer point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +20,8 @@ pub struct CoveragePoint {
 
 /// P(Y in band | u) over the outer points: a band that holds what it says holds it at every u.
 ///
-/// Where u differs from mechanism to mechanism, no mechanism has its own u: of the mechanisms, a share as large as the mass of each focal
-/// element lies somewhere in it. Then the least share inside is the sum of the least of each element, by mass.
+/// Where u differs from mechanism to mechanism, a share of them as large as the mass of each focal element has its u somewhere in that
+/// element. Then the least share inside is the sum of the least of each element, by mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coverage {
     /// Every outer point, in the order of the outer index.
@@ -37,14 +37,21 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// The coverage of the band from `lower` to `upper` (both included) of `column`.
-    pub(super) fn of_band(plan: &DoubleLoop, pool: &Pool, column: usize, [lower, upper]: [f64; 2]) -> Self {
+    /// The coverage of the band from `lower` to `upper` (both included) of `column`; `shares` are those of
+    /// `DoubleLoop::shares_of_mechanisms`.
+    pub(super) fn of_band(
+        pool: &Pool,
+        column: usize,
+        [lower, upper]: [f64; 2],
+        shares: &[(f64, Vec<usize>)],
+        confidence: &Confidence,
+    ) -> Self {
         let points: Vec<CoveragePoint> = pool
             .samples(column)
             .into_iter()
             .zip(&pool.points)
             .map(|(sample, point)| {
-                let inside = share(sample, plan.confidence(), |value| value >= lower && value <= upper);
+                let inside = share(sample, confidence, |value| value >= lower && value <= upper);
                 CoveragePoint {
                     point: point.point,
                     lower: inside.low.value,
@@ -55,7 +62,7 @@ impl Coverage {
             .collect();
         let mut coverage = Self { points, minimum: 0.0, minimum_error: 0.0, maximum: 0.0, minimum_witness: None };
         let mut heaviest = 0.0;
-        for (mass, members) in plan.shares_of_mechanisms(pool) {
+        for (mass, members) in shares {
             let of_element = || members.iter().map(|&member| (member, &coverage.points[member]));
             let least = of_element().min_by(|(_, a), (_, b)| a.lower.total_cmp(&b.lower));
             let greatest = of_element().map(|(_, point)| point.upper).max_by(f64::total_cmp);
@@ -65,8 +72,8 @@ impl Coverage {
             coverage.minimum += mass * least;
             coverage.minimum_error += mass * error;
             coverage.maximum += mass * greatest.unwrap_or(f64::NAN);
-            if mass > heaviest {
-                (heaviest, coverage.minimum_witness) = (mass, witness);
+            if *mass > heaviest {
+                (heaviest, coverage.minimum_witness) = (*mass, witness);
             }
         }
         coverage

@@ -488,7 +488,10 @@ impl DoubleLoop {
     /// Shares of the mechanisms whose u lies somewhere in an element, each with the outer points in it, where u differs from mechanism to
     /// mechanism; else all of them at one u, which may be any.
     pub(super) fn shares_of_mechanisms(&self, pool: &Pool) -> Vec<(f64, Vec<usize>)> {
-        let is_unknown = |input: &EpistemicVariable| matches!(input, EpistemicVariable::Evidence(evidence) if evidence.elements().len() > 1 && !evidence.is_scattering());
+        let is_unknown = |input: &EpistemicVariable| {
+            let EpistemicVariable::Evidence(evidence) = input else { return false };
+            evidence.elements().len() > 1 && !evidence.is_scattering()
+        };
         let is_fixed =
             self.problem.reading == Reading::FixedButUnknown && self.problem.epistemic.iter().any(is_unknown);
         if is_fixed {

@@ -63,8 +63,10 @@ impl TreatmentComparison {
         let mixed = mixed_ends(evidence, columns);
         let probability_only = probability_only_ends(evidence, &mixture, columns);
         let interval_only = interval_only_ends(evidence, table, &extremes, columns);
+        let shares = plan.shares_of_mechanisms(evidence.pool);
         let band = |treatment, pool: &Pool, column, [lower, upper]: [Bound; 2]| {
-            let coverage = Coverage::of_band(plan, evidence.pool, column, [lower.value, upper.value]);
+            let coverage =
+                Coverage::of_band(evidence.pool, column, [lower.value, upper.value], &shares, plan.confidence());
             let failed_runs = pool.samples(column).iter().map(|sample| sample.failed()).sum();
             Band { treatment, half_width: 0.5 * (upper.value - lower.value), lower, upper, failed_runs, coverage }
         };

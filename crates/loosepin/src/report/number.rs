@@ -73,7 +73,11 @@ impl<'a> NumberWriter<'a> {
 
     /// Number with unit to four digits, without zeros at its end: for values that are exact or nearly so.
     pub fn value_trimmed(&self, value_si: f64, unit: &SiUnit) -> String {
-        let text = significant(self.scaled(value_si, unit), PLAIN_DIGITS, Rounding::Nearest);
+        self.trimmed(value_si, unit, PLAIN_DIGITS)
+    }
+
+    fn trimmed(&self, value_si: f64, unit: &SiUnit, digits: usize) -> String {
+        let text = significant(self.scaled(value_si, unit), digits, Rounding::Nearest);
         self.with_symbol(self.dress(without_trailing_zeros(text)), unit)
     }
 
@@ -142,8 +146,7 @@ impl<'a> NumberWriter<'a> {
                 let shown = match value {
                     WitnessValue::Number(value_si) => {
                         let digits = input.map_or(PLAIN_DIGITS, |input| digits_within(&input.kind, *value_si));
-                        let text = significant(self.scaled(*value_si, unit), digits, Rounding::Nearest);
-                        self.with_symbol(self.dress(without_trailing_zeros(text)), unit)
+                        self.trimmed(*value_si, unit, digits)
                     }
                     WitnessValue::Choice(choice) => choice.clone(),
                 };

@@ -71,6 +71,7 @@ pub(super) fn treatments(
     let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.needed_columns())
         .with_polynomials(double_loop.inner_basis())
         .with_weights(&double_loop, &table);
+    let shares = double_loop.shares_of_mechanisms(&pool);
     // Where the surrogate gave no answer inside the box it was not looked at: nothing bounds the extremes.
     let is_extreme = |run: &usize| table.inputs()[*run].purpose == Purpose::Extreme;
     let has_gaps = (0..table.len()).filter(is_extreme).any(|run| table.failure(run).is_some());
@@ -83,7 +84,7 @@ pub(super) fn treatments(
         let share = |band: &Band| {
             let least = band_columns.map(|column| {
                 let ends = [&band.lower, &band.upper].map(|end| end.value);
-                Coverage::of_band(&double_loop, &pool, column, ends).minimum
+                Coverage::of_band(&pool, column, ends, &shares, double_loop.confidence()).minimum
             });
             let lost = band.coverage.minimum - least.into_iter().fold(f64::INFINITY, f64::min);
             if lost.is_nan() { 1.0 } else { lost.max(0.0) }
