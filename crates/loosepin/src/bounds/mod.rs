@@ -87,6 +87,8 @@ mod evidence_cases;
 #[cfg(test)]
 mod exact_cases;
 #[cfg(test)]
+mod kink_cases;
+#[cfg(test)]
 mod noisy_cases;
 #[cfg(test)]
 mod parameter_cases;

@@ -1,5 +1,8 @@
 //! Where to look next: where a model of a statistic promises the most beyond what has been attained.
 
+mod kink;
+mod surroundings;
+
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
@@ -8,6 +11,7 @@ use super::search_box::{Axes, Place, Region};
 use super::smoother::Smoother;
 use super::structure::Element;
 use super::target::{Forecast, Target, TargetModel};
+use kink::reach_of_kink;
 
 /// The model's error bar in an optimistic prediction, in standard deviations.
 const OPTIMISM: f64 = 2.5;
@@ -36,17 +40,6 @@ const MOST_NEIGHBOURHOODS: usize = 12;
 
 /// Distances of these surroundings along each axis, in units of the box.
 const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
-
-/// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
-/// units of the box, the largest first.
-const CONFIRMING_DISTANCES: [f64; 3] = [0.02, 0.004, 0.0008];
-
-/// A quadratic falls off from its extreme 16 times as far at four times the distance, a slope 4 times: below this ratio an extreme
-/// on a face is taken for the end of a slope.
-const SLOPE_RATIO: f64 = 8.0;
-
-/// Slopes that differ by less than this share belong to a straight line.
-const STRAIGHTNESS: f64 = 0.25;
 
 /// Which end is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -203,6 +196,8 @@ impl<'a> Search<'a> {
         } else {
             reach(model, direction, region, CONCEDED).optimistic
         };
+        let kink = reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region);
+        let most = kink.filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 
@@ -269,165 +264,6 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    /// At most `count` places around the extremes of `targets` in each of `elements`, where their models promise nothing more than
-    /// has been attained: a model can be wrong about its own error, and what is found there tells it so.
-    ///
-    /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
-    /// above the resolution, and the way down a slope from a face. None where there are many targets: the poses of a curve.
-    pub fn confirming_points(
-        &self,
-        targets: &[(Target, Vec<Direction>)],
-        elements: &[Element],
-        count: usize,
-        most_points: usize,
-    ) -> Vec<Place> {
-        if self.targets > MOST_LOCATED_TARGETS {
-            return Vec::new();
-        }
-        let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
-        for distance in CONFIRMING_DISTANCES {
-            let mut chosen: Vec<Place> = Vec::new();
-            for (target, directions) in targets {
-                for (element, members) in elements.iter().zip(&members) {
-                    for &direction in directions {
-                        let extreme = extreme_among(&target.values, members.iter().copied(), direction);
-                        if let Some(extreme) = extreme {
-                            let resolution = target.resolution(direction, target.values[extreme]) / element.mass;
-                            let around = Around { extreme, region: &element.region, distance, resolution };
-                            self.confirm(target, &around, most_points, &mut chosen);
-                        }
-                    }
-                }
-            }
-            chosen.truncate(count);
-            if !chosen.is_empty() {
-                return chosen;
-            }
-        }
-        Vec::new()
-    }
-
-    /// At most `count` places where two slopes meet that lead to an extreme of `targets` from either side along an axis: a model that
-    /// takes the response for smooth sees no kink, and expects nothing there.
-    ///
-    /// On each side the three nearest points on the line must lie on a straight line nearly; that of a smooth response is bent.
-    pub fn kinks(
-        &self,
-        targets: &[(Target, Vec<Direction>)],
-        elements: &[Element],
-        count: usize,
-        most_points: usize,
-    ) -> Vec<Place> {
-        let mut chosen: Vec<Place> = Vec::new();
-        if self.targets > MOST_LOCATED_TARGETS {
-            return chosen;
-        }
-        for element in elements {
-            let members = element.region.members(self.points);
-            for (target, directions) in targets {
-                for &direction in directions {
-                    let Some(extreme) = extreme_among(&target.values, members.iter().copied(), direction) else {
-                        continue;
-                    };
-                    let at = &self.points[extreme];
-                    if self.groups[at.combination].len() >= most_points {
-                        continue;
-                    }
-                    for axis in 0..at.at.len() {
-                        let Some((place, value)) = self.kink(target, extreme, axis) else { continue };
-                        let gain = element.mass * direction.sign() * (value - target.values[extreme]);
-                        let is_new = self
-                            .points
-                            .iter()
-                            .chain(&chosen)
-                            .all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
-                        let is_inside = element.region.holds(&place.at);
-                        if gain > target.resolution(direction, target.values[extreme])
-                            && is_inside
-                            && is_new
-                            && chosen.len() < count
-                        {
-                            chosen.push(place);
-                        }
-                    }
-                }
-            }
-        }
-        chosen
-    }
-
-    /// Where the straight lines through the points beside `extreme` along `axis` meet, and their value there.
-    fn kink(&self, target: &Target, extreme: usize, axis: usize) -> Option<(Place, f64)> {
-        let centre = &self.points[extreme];
-        let is_on_line = |point: &Place| {
-            point.combination == centre.combination
-                && point
-                    .at
-                    .iter()
-                    .zip(&centre.at)
-                    .enumerate()
-                    .all(|(k, (a, b))| k == axis || self.axes.step(k, *a, *b).abs() < LEAST_DISTANCE)
-        };
-        let on_line = || self.groups[centre.combination].iter().filter(|&&point| is_on_line(&self.points[point]));
-        let side = |sign: f64| -> Option<(f64, f64, f64)> {
-            let offset = |point: usize| sign * self.axes.step(axis, centre.at[axis], self.points[point].at[axis]);
-            let mut nearest: Vec<(f64, f64)> = on_line()
-                .map(|&point| (offset(point), target.values[point]))
-                .filter(|(offset, value)| *offset > 0.0 && value.is_finite())
-                .collect();
-            nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let [first, second, third] = nearest.get(..3)?.try_into().ok()?;
-            let slope = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
-            let (near, far) = (slope(first, second), slope(second, third));
-            let is_straight = (near - far).abs() < STRAIGHTNESS * near.abs();
-            is_straight.then_some((sign * first.0, first.1, sign * near))
-        };
-        let ((left, at_left, falling), (right, at_right, rising)) = (side(-1.0)?, side(1.0)?);
-        // at_left + falling (x - left) = at_right + rising (x - right)
-        let offset = (at_right - at_left + falling * left - rising * right) / (falling - rising);
-        if !(offset > left && offset < right) {
-            return None;
-        }
-        let mut at = centre.at.clone();
-        at[axis] = self.axes.inside(axis, at[axis] + offset, [0.0, 1.0]);
-        Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
-    }
-
-    /// Adds the places around one extreme that tell something.
-    fn confirm(&self, target: &Target, around: &Around<'_>, most_points: usize, chosen: &mut Vec<Place>) {
-        let &Around { extreme, region, distance, resolution } = around;
-        let Place { combination, at } = &self.points[extreme];
-        let group = &self.groups[*combination];
-        if group.len() >= most_points {
-            return;
-        }
-        let Some(model) = self.model(target, &defined(target, group)) else { return };
-        let fall = |place: &[f64]| (model.at(place).mean() - target.values[extreme]).abs();
-        for axis in 0..at.len() {
-            let (lower, upper) = (region.lower[axis], region.upper[axis]);
-            for signed in [distance, -distance] {
-                let moved = |by: f64| {
-                    let mut place = at.clone();
-                    place[axis] = self.axes.inside(axis, at[axis] + by, [lower, upper]);
-                    place
-                };
-                let place = Place { combination: *combination, at: moved(signed) };
-                let is_taken = |point: &Place| self.axes.distance(point, &place) < 0.5 * distance;
-                let is_on_face = !self.axes.is_periodic(axis) && (at[axis] == lower || at[axis] == upper);
-                let falls_by = fall(&place.at);
-                let shows_nothing =
-                    falls_by <= resolution || (is_on_face && falls_by < SLOPE_RATIO * fall(&moved(0.25 * signed)));
-                if place.at != *at
-                    && !shows_nothing
-                    && !self.points.iter().any(is_taken)
-                    && !chosen.iter().any(is_taken)
-                {
-                    chosen.push(place);
-                }
-            }
-        }
-    }
-
     /// Where the models of a target promise more than has been attained in any combination, element by element.
     fn promises(
         &self,
@@ -460,14 +296,6 @@ impl<'a> Search<'a> {
         }
         promises
     }
-}
-
-/// The surroundings of an extreme.
-struct Around<'a> {
-    extreme: usize,
-    region: &'a Region,
-    distance: f64,
-    resolution: f64,
 }
 
 struct Promise {

@@ -1,0 +1,42 @@
+//! Summits where slopes meet: with many points a model of something rounded is sure of itself, and misses them.
+
+use rayon::prelude::*;
+
+use super::exact_cases::{Function, problem};
+use super::{Sampling, Statistic, evaluate};
+use crate::uncertainty::hash;
+
+/// With this many points the search ends by itself.
+const POINTS: usize = 256;
+
+/// Fails where the summit 0 of `slopes`, moved and turned otherwise for each seed, lies outside the widened bounds.
+#[track_caller]
+fn check(slopes: impl Fn(f64, f64) -> f64 + Sync, seeds: core::ops::Range<u64>) {
+    let missed = |&seed: &u64| {
+        let share = |index: u64| (hash(seed, index) >> 11) as f64 / (1_u64 << 53) as f64;
+        let (x_of_summit, y_of_summit) = (0.2 + 0.6 * share(0), 0.2 + 0.6 * share(1));
+        let (sine, cosine) = libm::sincos(core::f64::consts::TAU * share(2));
+        let mut problem = problem(&[], &[(0.0, 1.0), (0.0, 1.0)], &[Statistic::Mean]);
+        problem.sampling = Sampling { outer: POINTS, seed, ..Sampling::default() };
+        let of = |_: &[f64], u: &[f64]| {
+            let (x, y) = (u[0] - x_of_summit, u[1] - y_of_summit);
+            slopes(cosine * x + sine * y, cosine * y - sine * x)
+        };
+        let upper = &evaluate(problem, &Function(of)).unwrap().pairs[0].upper;
+        assert!(upper.value > -0.01 && upper.widened < 0.5, "{upper:?}");
+        (upper.widened < 0.0).then_some((seed, upper.value, upper.widened))
+    };
+    let seeds: Vec<u64> = seeds.collect();
+    let missed: Vec<(u64, f64, f64)> = seeds.par_iter().filter_map(missed).collect();
+    assert!(missed.is_empty(), "seed, attained, widened: {missed:?}");
+}
+
+#[test]
+fn analytic_the_tip_of_a_cone_lies_within_its_bounds() {
+    check(|x, y| -(x * x + 0.5 * y * y).sqrt(), 0..8);
+}
+
+#[test]
+fn analytic_the_summit_of_a_turned_roof_lies_within_its_bounds() {
+    check(|x, y| -x.abs() - 0.3 * y.abs(), 0..8);
+}

@@ -1,0 +1,220 @@
+//! The surroundings of what has been attained, looked at where the models promise nothing more.
+
+use super::{Direction, LEAST_DISTANCE, MOST_LOCATED_TARGETS, Search, defined, extreme_among};
+use crate::bounds::search_box::{Place, Region};
+use crate::bounds::structure::Element;
+use crate::bounds::target::Target;
+use crate::uncertainty::{hash, normal_quantile};
+
+/// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
+/// units of the box, the largest first.
+const CONFIRMING_DISTANCES: [f64; 3] = [0.02, 0.004, 0.0008];
+
+/// At these distances nothing changes around an extreme that is rounded. Where something does, slopes meet, maybe in a ridge that leads on
+/// between the axes: then the directions are turned, each time otherwise (C. Audet and J. E. Dennis, "Mesh adaptive direct search
+/// algorithms for constrained optimization", SIAM Journal on Optimization 17 (2006) 188-217).
+const TURNED_DISTANCES: [f64; 3] = [1.6e-4, 3.2e-5, 6.4e-6];
+
+/// The stream of the directions.
+const TURNS: u64 = 0x7475_726e;
+
+/// A quadratic falls off from its extreme 16 times as far at four times the distance, a slope 4 times: below this ratio an extreme
+/// on a face is taken for the end of a slope.
+const SLOPE_RATIO: f64 = 8.0;
+
+/// Slopes that differ by less than this share belong to a straight line.
+const STRAIGHTNESS: f64 = 0.25;
+
+/// The surroundings of an extreme.
+struct Around<'a> {
+    extreme: usize,
+    region: &'a Region,
+    distance: f64,
+    is_turned: bool,
+    resolution: f64,
+}
+
+impl Search<'_> {
+    /// At most `count` places around the extremes of `targets` in each of `elements`, where their models promise nothing more than
+    /// has been attained: a model can be wrong about its own error, and what is found there tells it so.
+    ///
+    /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
+    /// above the resolution, and the way down a slope from a face. None where there are many targets: the poses of a curve.
+    pub fn confirming_points(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+        most_points: usize,
+    ) -> Vec<Place> {
+        if self.targets > MOST_LOCATED_TARGETS {
+            return Vec::new();
+        }
+        let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
+        let along_axes = CONFIRMING_DISTANCES.map(|distance| (distance, false));
+        let turned = TURNED_DISTANCES.map(|distance| (distance, true));
+        for (distance, is_turned) in along_axes.into_iter().chain(turned) {
+            let mut chosen: Vec<Place> = Vec::new();
+            for (target, directions) in targets {
+                for (element, members) in elements.iter().zip(&members) {
+                    for &direction in directions {
+                        let extreme = extreme_among(&target.values, members.iter().copied(), direction);
+                        if let Some(extreme) = extreme {
+                            let resolution = target.resolution(direction, target.values[extreme]) / element.mass;
+                            let around = Around { extreme, region: &element.region, distance, is_turned, resolution };
+                            self.confirm(target, &around, most_points, &mut chosen);
+                        }
+                    }
+                }
+            }
+            chosen.truncate(count);
+            if !chosen.is_empty() {
+                return chosen;
+            }
+        }
+        Vec::new()
+    }
+
+    /// At most `count` places where two slopes meet that lead to an extreme of `targets` from either side along an axis: a model that
+    /// takes the response for smooth sees no kink, and expects nothing there.
+    ///
+    /// On each side the three nearest points on the line must lie on a straight line nearly; that of a smooth response is bent.
+    pub fn kinks(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+        most_points: usize,
+    ) -> Vec<Place> {
+        let mut chosen: Vec<Place> = Vec::new();
+        if self.targets > MOST_LOCATED_TARGETS {
+            return chosen;
+        }
+        for element in elements {
+            let members = element.region.members(self.points);
+            for (target, directions) in targets {
+                for &direction in directions {
+                    let Some(extreme) = extreme_among(&target.values, members.iter().copied(), direction) else {
+                        continue;
+                    };
+                    let at = &self.points[extreme];
+                    if self.groups[at.combination].len() >= most_points {
+                        continue;
+                    }
+                    for axis in 0..at.at.len() {
+                        let Some((place, value)) = self.kink(target, extreme, axis) else { continue };
+                        let gain = element.mass * direction.sign() * (value - target.values[extreme]);
+                        let is_new = self
+                            .points
+                            .iter()
+                            .chain(&chosen)
+                            .all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE);
+                        let is_inside = element.region.holds(&place.at);
+                        if gain > target.resolution(direction, target.values[extreme])
+                            && is_inside
+                            && is_new
+                            && chosen.len() < count
+                        {
+                            chosen.push(place);
+                        }
+                    }
+                }
+            }
+        }
+        chosen
+    }
+
+    /// Where the straight lines through the points beside `extreme` along `axis` meet, and their value there.
+    fn kink(&self, target: &Target, extreme: usize, axis: usize) -> Option<(Place, f64)> {
+        let centre = &self.points[extreme];
+        let is_on_line = |point: &Place| {
+            point.combination == centre.combination
+                && point
+                    .at
+                    .iter()
+                    .zip(&centre.at)
+                    .enumerate()
+                    .all(|(k, (a, b))| k == axis || self.axes.step(k, *a, *b).abs() < LEAST_DISTANCE)
+        };
+        let on_line = || self.groups[centre.combination].iter().filter(|&&point| is_on_line(&self.points[point]));
+        let side = |sign: f64| -> Option<(f64, f64, f64)> {
+            let offset = |point: usize| sign * self.axes.step(axis, centre.at[axis], self.points[point].at[axis]);
+            let mut nearest: Vec<(f64, f64)> = on_line()
+                .map(|&point| (offset(point), target.values[point]))
+                .filter(|(offset, value)| *offset > 0.0 && value.is_finite())
+                .collect();
+            nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let [first, second, third] = nearest.get(..3)?.try_into().ok()?;
+            let slope = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
+            let (near, far) = (slope(first, second), slope(second, third));
+            let is_straight = (near - far).abs() < STRAIGHTNESS * near.abs();
+            is_straight.then_some((sign * first.0, first.1, sign * near))
+        };
+        let ((left, at_left, falling), (right, at_right, rising)) = (side(-1.0)?, side(1.0)?);
+        // at_left + falling (x - left) = at_right + rising (x - right)
+        let offset = (at_right - at_left + falling * left - rising * right) / (falling - rising);
+        if !(offset > left && offset < right) {
+            return None;
+        }
+        let mut at = centre.at.clone();
+        at[axis] = self.axes.inside(axis, at[axis] + offset, [0.0, 1.0]);
+        Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
+    }
+
+    /// Adds the places around one extreme that tell something.
+    fn confirm(&self, target: &Target, around: &Around<'_>, most_points: usize, chosen: &mut Vec<Place>) {
+        let &Around { extreme, region, distance, is_turned, resolution } = around;
+        let Place { combination, at } = &self.points[extreme];
+        let group = &self.groups[*combination];
+        if group.len() >= most_points {
+            return;
+        }
+        let Some(model) = self.model(target, &defined(target, group)) else { return };
+        let fall = |place: &[f64]| (model.at(place).mean() - target.values[extreme]).abs();
+        let is_on_face = |axis: usize| {
+            !self.axes.is_periodic(axis) && (at[axis] == region.lower[axis] || at[axis] == region.upper[axis])
+        };
+        let (on_face, free): (Vec<usize>, Vec<usize>) = (0..at.len()).partition(|&axis| is_on_face(axis));
+        let turn = if is_turned { direction_of(self.points.len(), free.len()) } else { vec![0.0; free.len()] };
+        for axis in 0..at.len() {
+            for signed in [distance, -distance] {
+                let moved = |by: f64| {
+                    let mut place = at.clone();
+                    let mut shift = |axis: usize, by: f64| {
+                        place[axis] =
+                            self.axes.inside(axis, place[axis] + by, [region.lower[axis], region.upper[axis]]);
+                    };
+                    match free.iter().position(|free| *free == axis) {
+                        // A column of 1 - 2 v vᵀ.
+                        Some(own) => free.iter().zip(&turn).enumerate().for_each(|(k, (&free, v))| {
+                            shift(free, by * (f64::from(u8::from(k == own)) - 2.0 * v * turn[own]));
+                        }),
+                        None => shift(axis, by),
+                    }
+                    place
+                };
+                let place = Place { combination: *combination, at: moved(signed) };
+                let is_taken = |point: &Place| self.axes.distance(point, &place) < 0.5 * distance;
+                let falls_by = fall(&place.at);
+                let is_slope = on_face.contains(&axis) && falls_by < SLOPE_RATIO * fall(&moved(0.25 * signed));
+                let shows_nothing = falls_by <= resolution || is_slope;
+                if place.at != *at
+                    && !shows_nothing
+                    && !self.points.iter().any(is_taken)
+                    && !chosen.iter().any(is_taken)
+                {
+                    chosen.push(place);
+                }
+            }
+        }
+    }
+}
+
+/// A direction among `dimensions` axes, another one for each number of points.
+fn direction_of(points: usize, dimensions: usize) -> Vec<f64> {
+    let seed = hash(TURNS, points as u64);
+    let uniform = |axis: usize| (hash(seed, axis as u64) >> 11) as f64 / (1_u64 << 53) as f64;
+    let normal: Vec<f64> = (0..dimensions).map(|axis| normal_quantile(uniform(axis).max(1e-12))).collect();
+    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    normal.into_iter().map(|x| x / length).collect()
+}
