@@ -11,7 +11,7 @@ const POINTS: usize = 256;
 
 /// Fails where the summit 0 of `slopes`, moved and turned otherwise for each seed, lies outside the widened bounds.
 #[track_caller]
-fn check(slopes: impl Fn(f64, f64) -> f64 + Sync, seeds: core::ops::Range<u64>) {
+fn check(slopes: impl Fn(f64, f64) -> f64 + Sync, seeds: &[u64]) {
     let missed = |&seed: &u64| {
         let share = |index: u64| (hash(seed, index) >> 11) as f64 / (1_u64 << 53) as f64;
         let (x_of_summit, y_of_summit) = (0.2 + 0.6 * share(0), 0.2 + 0.6 * share(1));
@@ -26,17 +26,19 @@ fn check(slopes: impl Fn(f64, f64) -> f64 + Sync, seeds: core::ops::Range<u64>) 
         assert!(upper.value > -0.01 && upper.widened < 0.5, "{upper:?}");
         (upper.widened < 0.0).then_some((seed, upper.value, upper.widened))
     };
-    let seeds: Vec<u64> = seeds.collect();
     let missed: Vec<(u64, f64, f64)> = seeds.par_iter().filter_map(missed).collect();
     assert!(missed.is_empty(), "seed, attained, widened: {missed:?}");
 }
 
+// Each of these seeds is missed without one of: the turned directions, their finer distances, what is conceded where slopes meet. All of
+// the first 16 lie within their bounds, but take minutes.
+
 #[test]
 fn analytic_the_tip_of_a_cone_lies_within_its_bounds() {
-    check(|x, y| -(x * x + 0.5 * y * y).sqrt(), 0..8);
+    check(|x, y| -(x * x + 0.5 * y * y).sqrt(), &[7, 8]);
 }
 
 #[test]
 fn analytic_the_summit_of_a_turned_roof_lies_within_its_bounds() {
-    check(|x, y| -x.abs() - 0.3 * y.abs(), 0..8);
+    check(|x, y| -x.abs() - 0.3 * y.abs(), &[3, 6]);
 }
