@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use super::StudyReader;
 use super::description::{Ask, Study};
+use super::problem::StudyProblem;
 use super::words::{NUMBERS, statistic_name};
 use crate::bounds::Statistic;
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, Span, nearest_name};
@@ -114,12 +115,6 @@ pub enum AccuracyProblem {
         /// What the accuracy is of.
         what: String,
     },
-    /// A list without a value.
-    #[error("{what} is empty; at least one is due")]
-    Empty {
-        /// What the accuracy is of.
-        what: String,
-    },
     /// A value that is not positive.
     #[error("{what} is {found}; must be > 0")]
     NotPositive {
@@ -153,9 +148,7 @@ impl Problem for AccuracyProblem {
             Self::WrongDimension { .. } => Code::WrongDimension,
             Self::MissingUnit { .. } => Code::MissingUnit,
             Self::NothingAsked { .. } => Code::AskNotPossible,
-            Self::NotPositive { .. } | Self::NotWhole { .. } | Self::Twice { .. } | Self::Empty { .. } => {
-                Code::BreaksRule
-            }
+            Self::NotPositive { .. } | Self::NotWhole { .. } | Self::Twice { .. } => Code::BreaksRule,
             Self::Budget { .. } => Code::ExpressionSyntax,
         }
     }
@@ -182,7 +175,7 @@ impl Problem for AccuracyProblem {
                 Some("accuracies are of mean, standard_deviation, quantile and counted probabilities".to_owned())
             }
             Self::Twice { .. } => Some("leave one of them out".to_owned()),
-            Self::NotPositive { .. } | Self::NotWhole { .. } | Self::Empty { .. } => None,
+            Self::NotPositive { .. } | Self::NotWhole { .. } => None,
             Self::Budget { .. } => Some("for example 20000 runs, 30 min or 12 rounds".to_owned()),
         }
     }
@@ -392,7 +385,7 @@ impl StudyReader {
         let Some(entry) = table.get("accuracy") else { return found };
         let entries = if entry.is_list() { self.reader.list(&entry).unwrap_or_default() } else { vec![entry.clone()] };
         if entry.is_empty_list() {
-            self.reader.complain(&AccuracyProblem::Empty { what: entry.path.describe() }, entry.span);
+            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, &entry);
         }
         for entry in entries {
             let Some((text, measured)) = self.any_value(&entry) else { continue };
