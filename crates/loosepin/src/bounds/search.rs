@@ -196,8 +196,10 @@ impl<'a> Search<'a> {
         } else {
             reach(model, direction, region, CONCEDED).optimistic
         };
-        let kink = reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region);
-        let most = kink.filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
+        // What is noise grows no less steep towards an extreme.
+        let kink = (branch.noise_variance() == 0.0)
+            .then(|| reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region));
+        let most = kink.flatten().filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 

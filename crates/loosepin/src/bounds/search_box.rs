@@ -109,6 +109,9 @@ pub(super) struct Region {
 /// A place as near to a region as this counts as inside: values and fractions are not exact inverses.
 const REGION_TOLERANCE: f64 = 1e-9;
 
+/// A coordinate nearer to a face than this lies on it.
+const FACE_THICKNESS: f64 = 1e-6;
+
 impl Region {
     /// The whole box.
     pub fn whole(dimensions: usize) -> Self {
@@ -119,6 +122,15 @@ impl Region {
     pub fn holds(&self, at: &[f64]) -> bool {
         let ends = self.lower.iter().zip(&self.upper);
         at.iter().zip(ends).all(|(x, (low, high))| *x >= low - REGION_TOLERANCE && *x <= high + REGION_TOLERANCE)
+    }
+
+    /// The axes along which `at` lies on a face of it.
+    pub fn faces(&self, axes: &Axes, at: &[f64]) -> Vec<usize> {
+        let is_on_face = |&axis: &usize| {
+            let is_near = |face: f64| (at[axis] - face).abs() < FACE_THICKNESS;
+            !axes.is_periodic(axis) && (is_near(self.lower[axis]) || is_near(self.upper[axis]))
+        };
+        (0..at.len()).filter(is_on_face).collect()
     }
 
     /// The point of the region that lies as `fractions` do in the unit box.

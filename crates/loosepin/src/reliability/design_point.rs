@@ -1,7 +1,7 @@
 //! Where the event is nearest: design points of first-order reliability.
 
-use super::{dot, normal, square};
-use crate::uncertainty::hash;
+use super::{dot, square};
+use crate::uncertainty::{hash, normal};
 
 /// Half the distance of the differences that give a gradient, in standard deviations: wide enough for a simulation that is exact to a
 /// hundredth of its scatter, narrow against the curvature of limit states.

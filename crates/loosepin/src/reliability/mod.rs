@@ -15,8 +15,6 @@ pub use importance::{ImportanceSampling, importance_sampling};
 pub use subset::{SubsetSimulation, subset_simulation};
 pub use worst_case::{BoxSearch, IndexExtreme, IndexRange, index_range};
 
-use crate::uncertainty::{hash, normal_quantile};
-
 /// Confidence of the interval of a [`RareProbability`].
 pub const RARE_CONFIDENCE: f64 = 0.95;
 
@@ -40,16 +38,6 @@ impl RareProbability {
     pub fn coefficient_of_variation(&self) -> f64 {
         if self.value > 0.0 { self.standard_error / self.value } else { f64::INFINITY }
     }
-}
-
-/// A number uniform in (0, 1) that belongs to `key` and `counter`.
-fn uniform(key: u64, counter: u64) -> f64 {
-    ((hash(key, counter) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-}
-
-/// A standard normal number that belongs to `key` and `counter`.
-fn normal(key: u64, counter: u64) -> f64 {
-    normal_quantile(uniform(key, counter))
 }
 
 /// Σ x².

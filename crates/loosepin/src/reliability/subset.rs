@@ -1,7 +1,7 @@
 //! Subset simulation: a small probability as a product of larger ones.
 
-use super::{RARE_CONFIDENCE, RareProbability, normal};
-use crate::uncertainty::{hash, normal_quantile};
+use super::{RARE_CONFIDENCE, RareProbability};
+use crate::uncertainty::{hash, normal, normal_quantile};
 
 /// Share of each level that the next one begins from.
 const LEVEL_SHARE: usize = 10;

@@ -1,5 +1,7 @@
 //! Random bits that belong to a position, not to a moment: the same key gives the same bits in any order of asking.
 
+use super::normal::normal_quantile;
+
 /// Mixes 64 bits: the finaliser of SplitMix64 (variant 13 of D. Stafford), a bijection with good avalanche.
 const fn mix(bits: u64) -> u64 {
     let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -14,6 +16,16 @@ const fn mix(bits: u64) -> u64 {
 /// `hash(hash(seed, replicate), dimension)`.
 pub const fn hash(key: u64, counter: u64) -> u64 {
     mix(mix(key.wrapping_add(0x9e37_79b9_7f4a_7c15)).wrapping_add(counter.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
+}
+
+/// A number uniform in (0, 1) that belongs to `key` and `counter`.
+pub(crate) fn uniform(key: u64, counter: u64) -> f64 {
+    ((hash(key, counter) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+}
+
+/// A standard normal number that belongs to `key` and `counter`.
+pub(crate) fn normal(key: u64, counter: u64) -> f64 {
+    normal_quantile(uniform(key, counter))
 }
 
 #[cfg(test)]

@@ -26,6 +26,9 @@ mod student;
 
 pub use correlation::{CopulaError, GaussianCopula, Pair, normal_of_rank, rank_of_normal};
 pub use counter::hash;
+pub(crate) use counter::normal;
+#[cfg(test)]
+pub(crate) use counter::uniform;
 pub use distribution::{Distribution, DistributionError};
 pub use epistemic::{EpistemicVariable, Members, MembersError};
 pub use evidence::{Evidence, EvidenceError, FocalElement, MASS_TOLERANCE};

@@ -4,7 +4,7 @@ use super::{Direction, LEAST_DISTANCE, MOST_LOCATED_TARGETS, Search, defined, ex
 use crate::bounds::search_box::{Place, Region};
 use crate::bounds::structure::Element;
 use crate::bounds::target::Target;
-use crate::uncertainty::{hash, normal_quantile};
+use crate::uncertainty::{hash, normal};
 
 /// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
 /// units of the box, the largest first.
@@ -170,28 +170,19 @@ impl Search<'_> {
             return;
         }
         let Some(model) = self.model(target, &defined(target, group)) else { return };
+        // What a model takes for noise does not end however near it looks.
+        if is_turned && model.is_smoothed() {
+            return;
+        }
         let fall = |place: &[f64]| (model.at(place).mean() - target.values[extreme]).abs();
-        let is_on_face = |axis: usize| {
-            !self.axes.is_periodic(axis) && (at[axis] == region.lower[axis] || at[axis] == region.upper[axis])
-        };
-        let (on_face, free): (Vec<usize>, Vec<usize>) = (0..at.len()).partition(|&axis| is_on_face(axis));
-        let turn = if is_turned { direction_of(self.points.len(), free.len()) } else { vec![0.0; free.len()] };
-        for axis in 0..at.len() {
+        let on_face = region.faces(self.axes, at);
+        let turn = is_turned.then_some(self.points.len());
+        for (axis, direction) in frame(at.len(), &on_face, turn).iter().enumerate() {
             for signed in [distance, -distance] {
-                let moved = |by: f64| {
-                    let mut place = at.clone();
-                    let mut shift = |axis: usize, by: f64| {
-                        place[axis] =
-                            self.axes.inside(axis, place[axis] + by, [region.lower[axis], region.upper[axis]]);
-                    };
-                    match free.iter().position(|free| *free == axis) {
-                        // A column of 1 - 2 v vᵀ.
-                        Some(own) => free.iter().zip(&turn).enumerate().for_each(|(k, (&free, v))| {
-                            shift(free, by * (f64::from(u8::from(k == own)) - 2.0 * v * turn[own]));
-                        }),
-                        None => shift(axis, by),
-                    }
-                    place
+                let moved = |by: f64| -> Vec<f64> {
+                    let ends = |axis: usize| [region.lower[axis], region.upper[axis]];
+                    let shifted = at.iter().zip(direction).enumerate();
+                    shifted.map(|(axis, (x, share))| self.axes.inside(axis, x + by * share, ends(axis))).collect()
                 };
                 let place = Place { combination: *combination, at: moved(signed) };
                 let is_taken = |point: &Place| self.axes.distance(point, &place) < 0.5 * distance;
@@ -210,11 +201,44 @@ impl Search<'_> {
     }
 }
 
-/// A direction among `dimensions` axes, another one for each number of points.
-fn direction_of(points: usize, dimensions: usize) -> Vec<f64> {
-    let seed = hash(TURNS, points as u64);
-    let uniform = |axis: usize| (hash(seed, axis as u64) >> 11) as f64 / (1_u64 << 53) as f64;
-    let normal: Vec<f64> = (0..dimensions).map(|axis| normal_quantile(uniform(axis).max(1e-12))).collect();
-    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
-    normal.into_iter().map(|x| x / length).collect()
+/// Directions at right angles to each other: those of the axes or, for `turn`, mirrored by another plane for each number of points,
+/// 1 - 2 v vᵀ with v a random direction that leaves the axes `on_face` as they are.
+fn frame(dimensions: usize, on_face: &[usize], turn: Option<usize>) -> Vec<Vec<f64>> {
+    let mut normal_of_plane = vec![0.0; dimensions];
+    if let Some(turn) = turn {
+        for axis in (0..dimensions).filter(|axis| !on_face.contains(axis)) {
+            normal_of_plane[axis] = normal(hash(TURNS, turn as u64), axis as u64);
+        }
+        let length = normal_of_plane.iter().map(|v| v * v).sum::<f64>().sqrt();
+        normal_of_plane.iter_mut().for_each(|v| *v /= length.max(f64::MIN_POSITIVE));
+    }
+    let mirrored = |axis: usize| -> Vec<f64> {
+        let mut direction: Vec<f64> = normal_of_plane.iter().map(|v| -2.0 * v * normal_of_plane[axis]).collect();
+        direction[axis] += 1.0;
+        direction
+    };
+    (0..dimensions).map(mirrored).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::frame;
+
+    #[test]
+    fn identity_turned_directions_are_at_right_angles_and_leave_faces_alone() {
+        const ROUND_OFF: f64 = 1e-14;
+        for turn in 0..50 {
+            let frame = frame(4, &[2], Some(turn));
+            for (i, a) in frame.iter().enumerate() {
+                for (j, b) in frame.iter().enumerate() {
+                    let product: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
+                    assert!((product - f64::from(u8::from(i == j))).abs() < ROUND_OFF, "{turn}: {a:?} {b:?}");
+                }
+            }
+            assert_eq!(frame[2], [0.0, 0.0, 1.0, 0.0]);
+            assert!(frame[0][0] < 0.999, "turn {turn} turns nothing");
+        }
+        assert_eq!(frame(2, &[], None), [[1.0, 0.0], [0.0, 1.0]]);
+        assert_eq!(frame(2, &[0, 1], Some(7)), [[1.0, 0.0], [0.0, 1.0]]);
+    }
 }
