@@ -13,9 +13,8 @@ const POINTS: usize = 256;
 #[track_caller]
 fn check(slopes: impl Fn(f64, f64) -> f64 + Sync, seeds: &[u64]) {
     let missed = |&seed: &u64| {
-        let share = |index: u64| uniform(seed, index);
-        let (x_of_summit, y_of_summit) = (0.2 + 0.6 * share(0), 0.2 + 0.6 * share(1));
-        let (sine, cosine) = libm::sincos(core::f64::consts::TAU * share(2));
+        let (x_of_summit, y_of_summit) = (0.2 + 0.6 * uniform(seed, 0), 0.2 + 0.6 * uniform(seed, 1));
+        let (sine, cosine) = libm::sincos(core::f64::consts::TAU * uniform(seed, 2));
         let mut problem = problem(&[], &[(0.0, 1.0), (0.0, 1.0)], &[Statistic::Mean]);
         problem.sampling = Sampling { outer: POINTS, seed, ..Sampling::default() };
         let of = |_: &[f64], u: &[f64]| {

@@ -4,7 +4,7 @@ use super::exact_cases::{
     Function, SLIDER_CRANK_EPISTEMIC, SLIDER_CRANK_RANDOM, STANDARD_NORMAL, problem, slider_crank,
 };
 use super::{Problem, Request, Sampling, Statistic, evaluate};
-use crate::uncertainty::{Distribution, hash, normal_cdf, normal_quantile};
+use crate::uncertainty::{Distribution, hash, normal, normal_cdf};
 
 /// A miss is a bound narrower than the truth by more than round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -168,8 +168,7 @@ fn analytic_hill_in_three_intervals_is_missed_as_rarely_as_stated() {
 
 /// 0.5 u1 + 0.6 X + 0.8 × (standard normal noise that any change of X or u draws anew), as a chaotic motion would have it.
 fn chaotic(x: &[f64], u: &[f64]) -> f64 {
-    let bits = hash(hash(x[0].to_bits(), u[0].to_bits()), u[1].to_bits());
-    let noise = normal_quantile(((bits >> 11) as f64 + 0.5) / (1_u64 << 53) as f64);
+    let noise = normal(hash(x[0].to_bits(), u[0].to_bits()), u[1].to_bits());
     0.5 * u[0] + 0.6 * x[0] + 0.8 * noise
 }
 

@@ -196,10 +196,13 @@ impl<'a> Search<'a> {
         } else {
             reach(model, direction, region, CONCEDED).optimistic
         };
-        // What is noise grows no less steep towards an extreme.
-        let kink = (branch.noise_variance() == 0.0)
-            .then(|| reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region));
-        let most = kink.flatten().filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
+        // Noise does not become less towards an extreme, so that it looks like a kink.
+        let kink = if branch.noise_variance() > 0.0 {
+            None
+        } else {
+            reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region)
+        };
+        let most = kink.filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
         most + direction.sign() * SEARCH_RESOLUTION * target.range()
     }
 

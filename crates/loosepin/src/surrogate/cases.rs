@@ -2,7 +2,7 @@
 
 use super::trials::{ishigami, ishigami_inputs, oscillator, oscillator_inputs, points};
 use super::{Choice, Input, Kind, Options, Surrogate, SurrogateError, TrainingData, TrainingOutput, Verdict};
-use crate::uncertainty::{Distribution, Interval, RandomVariable, hash, normal_quantile};
+use crate::uncertainty::{Distribution, Interval, RandomVariable, normal};
 
 /// A normal, an interval and a lognormal input.
 fn mixed_inputs() -> Vec<Input> {
@@ -20,7 +20,7 @@ fn smooth(x: &[f64]) -> f64 {
 
 /// Standard normal numbers that belong to a run.
 fn noise(run: usize) -> f64 {
-    normal_quantile(((hash(20_261, run as u64) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64)
+    normal(20_261, run as u64)
 }
 
 fn fit_number(inputs: Vec<Input>, at: Vec<Vec<f64>>, values: Vec<Option<f64>>, choice: Choice) -> Surrogate {

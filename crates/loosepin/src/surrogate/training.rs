@@ -13,7 +13,7 @@
 
 use super::network::Network;
 use crate::math::dense::{Cholesky, dot};
-use crate::uncertainty::{hash, normal_quantile};
+use crate::uncertainty::normal;
 
 const STEPS: usize = 120;
 /// Steps before α and β begin to change, unless one gains less than this share of F: weights that have not found their place
@@ -166,8 +166,7 @@ fn group_of(k: usize, inputs: usize, neurons: usize) -> usize {
 /// Inner weights that spread the bends over the inputs (D. Nguyen and B. Widrow, IJCNN 1990), small outer ones.
 fn first_weights(inputs: usize, neurons: usize, seed: u64) -> Vec<f64> {
     let size = Network::size(inputs, neurons);
-    let share = |k: usize| ((hash(seed, k as u64) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
-    let mut weights: Vec<f64> = (0..size).map(|k| normal_quantile(share(k))).collect();
+    let mut weights: Vec<f64> = (0..size).map(|k| normal(seed, k as u64)).collect();
     let length = 0.7 * libm::pow(neurons as f64, 1.0 / inputs as f64);
     let hidden = neurons * (inputs + 1);
     for row in weights[..hidden].chunks_mut(inputs + 1) {

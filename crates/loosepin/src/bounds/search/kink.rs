@@ -30,13 +30,12 @@ pub(super) fn reach_of_kink(
     direction: Direction,
     region: &Region,
 ) -> Option<f64> {
-    let inside = members.iter().copied().filter(|&point| region.holds(&points[point].at));
-    let extreme = extreme_among(values, inside, direction)?;
+    let inside = || members.iter().copied().filter(|&point| region.holds(&points[point].at));
+    let extreme = extreme_among(values, inside(), direction)?;
     let centre = &points[extreme].at;
     let faces = region.faces(axes, centre);
     let mut beside: Vec<Neighbour> = Vec::new();
-    let others = members.iter().copied().filter(|&point| point != extreme && region.holds(&points[point].at));
-    for point in others {
+    for point in inside() {
         let at = &points[point].at;
         let steps = (0..centre.len()).map(|axis| axes.step(axis, centre[axis], at[axis]));
         let distance = steps.map(|step| step * step).sum::<f64>().sqrt();

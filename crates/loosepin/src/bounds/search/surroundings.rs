@@ -3,7 +3,7 @@
 use super::{Direction, LEAST_DISTANCE, MOST_LOCATED_TARGETS, Search, defined, extreme_among};
 use crate::bounds::search_box::{Place, Region};
 use crate::bounds::structure::Element;
-use crate::bounds::target::Target;
+use crate::bounds::target::{Target, TargetModel};
 use crate::uncertainty::{hash, normal};
 
 /// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
@@ -25,13 +25,13 @@ const SLOPE_RATIO: f64 = 8.0;
 /// Slopes that differ by less than this share belong to a straight line.
 const STRAIGHTNESS: f64 = 0.25;
 
-/// The surroundings of an extreme.
+/// An extreme that may be looked around.
 struct Around<'a> {
     extreme: usize,
+    value: f64,
     region: &'a Region,
-    distance: f64,
-    is_turned: bool,
     resolution: f64,
+    model: TargetModel<'a>,
 }
 
 impl Search<'_> {
@@ -51,21 +51,20 @@ impl Search<'_> {
             return Vec::new();
         }
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
+        let mut extremes: Vec<Around<'_>> = Vec::new();
+        for (target, directions) in targets {
+            for (element, members) in elements.iter().zip(&members) {
+                for &direction in directions {
+                    extremes.extend(self.around(target, direction, element, members, most_points));
+                }
+            }
+        }
         let along_axes = CONFIRMING_DISTANCES.map(|distance| (distance, false));
         let turned = TURNED_DISTANCES.map(|distance| (distance, true));
         for (distance, is_turned) in along_axes.into_iter().chain(turned) {
             let mut chosen: Vec<Place> = Vec::new();
-            for (target, directions) in targets {
-                for (element, members) in elements.iter().zip(&members) {
-                    for &direction in directions {
-                        let extreme = extreme_among(&target.values, members.iter().copied(), direction);
-                        if let Some(extreme) = extreme {
-                            let resolution = target.resolution(direction, target.values[extreme]) / element.mass;
-                            let around = Around { extreme, region: &element.region, distance, is_turned, resolution };
-                            self.confirm(target, &around, most_points, &mut chosen);
-                        }
-                    }
-                }
+            for around in &extremes {
+                self.confirm(around, distance, is_turned, &mut chosen);
             }
             chosen.truncate(count);
             if !chosen.is_empty() {
@@ -161,20 +160,36 @@ impl Search<'_> {
         Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
     }
 
-    /// Adds the places around one extreme that tell something.
-    fn confirm(&self, target: &Target, around: &Around<'_>, most_points: usize, chosen: &mut Vec<Place>) {
-        let &Around { extreme, region, distance, is_turned, resolution } = around;
-        let Place { combination, at } = &self.points[extreme];
-        let group = &self.groups[*combination];
+    /// The extreme of `target` among `members` of `element` with the model of its combination; nothing where there is none, and where the
+    /// combination has `most_points` already.
+    fn around<'e>(
+        &'e self,
+        target: &Target,
+        direction: Direction,
+        element: &'e Element,
+        members: &[usize],
+        most_points: usize,
+    ) -> Option<Around<'e>> {
+        let extreme = extreme_among(&target.values, members.iter().copied(), direction)?;
+        let group = &self.groups[self.points[extreme].combination];
         if group.len() >= most_points {
-            return;
+            return None;
         }
-        let Some(model) = self.model(target, &defined(target, group)) else { return };
+        let value = target.values[extreme];
+        let resolution = target.resolution(direction, value) / element.mass;
+        let model = self.model(target, &defined(target, group))?;
+        Some(Around { extreme, value, region: &element.region, resolution, model })
+    }
+
+    /// Adds the places at `distance` around one extreme that tell something.
+    fn confirm(&self, around: &Around<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<Place>) {
+        let &Around { extreme, value, region, resolution, ref model } = around;
+        let Place { combination, at } = &self.points[extreme];
         // What a model takes for noise does not end however near it looks.
         if is_turned && model.is_smoothed() {
             return;
         }
-        let fall = |place: &[f64]| (model.at(place).mean() - target.values[extreme]).abs();
+        let fall = |place: &[f64]| (model.at(place).mean() - value).abs();
         let on_face = region.faces(self.axes, at);
         let turn = is_turned.then_some(self.points.len());
         for (axis, direction) in frame(at.len(), &on_face, turn).iter().enumerate() {
