@@ -128,6 +128,11 @@ impl Model {
         })
     }
 
+    /// How often the process can be differentiated.
+    pub fn smoothness(&self) -> Smoothness {
+        self.kernel.smoothness
+    }
+
     /// τ
     pub fn noise_ratio(&self) -> f64 {
         self.noise_ratio

@@ -106,6 +106,11 @@ impl IndexForecast {
 }
 
 impl<'a> IndexModel<'a> {
+    /// Whether the index has no kinks, as far as its values tell.
+    pub fn is_smoothest(&self) -> bool {
+        self.fit.is_smoothest()
+    }
+
     /// Models the `indices` at the points of `smoother`, in the scale in which they are likelier: the likelihood of x under a model of
     /// z is that of z times the slopes dz/dx = cosh x (E. Snelson, C. E. Rasmussen and Z. Ghahramani, "Warped Gaussian processes",
     /// Advances in Neural Information Processing Systems 16, 2004).

@@ -401,7 +401,7 @@ impl DoubleLoop {
         }
         let search =
             Search::new(self.epistemic_box.axes(), &points, &self.candidates, targets.iter().map(|(target, _)| target));
-        next_or_confirming(&search, &targets, &self.searched_elements, count)
+        next_or_surrounding(&search, &targets, &self.searched_elements, count)
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
@@ -434,7 +434,7 @@ impl DoubleLoop {
             &self.joint_candidates,
             targets.iter().map(|(target, _)| target),
         );
-        next_or_confirming(&search, &targets, &self.whole_joint_box, count)
+        next_or_surrounding(&search, &targets, &self.whole_joint_box, count)
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -678,7 +678,7 @@ impl DoubleLoop {
 }
 
 /// Where two slopes meet and where models promise more than was attained; where neither does, the surroundings of what was attained.
-fn next_or_confirming(
+fn next_or_surrounding(
     search: &Search<'_>,
     targets: &[(Target, Vec<Direction>)],
     elements: &[Element],
@@ -688,7 +688,7 @@ fn next_or_confirming(
     if places.len() < count {
         places.extend(search.next_points(targets, elements, count - places.len(), MOST_POINTS));
     }
-    if places.is_empty() { search.confirming_points(targets, elements, count, MOST_POINTS) } else { places }
+    if places.is_empty() { search.surroundings(targets, elements, count, MOST_POINTS) } else { places }
 }
 
 /// How many of `budget` points the first round takes: the corners, the centre, and about half of the budget.

@@ -1,6 +1,7 @@
 //! Where to look next: where a model of a statistic promises the most beyond what has been attained.
 
 mod kink;
+mod summits;
 mod surroundings;
 
 use std::collections::BTreeMap;
@@ -258,8 +259,13 @@ impl<'a> Search<'a> {
                 })
             })
             .collect();
+        self.new_places(located, count)
+    }
+
+    /// The first `count` of `places` that keep their distances.
+    fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
         let mut chosen: Vec<Place> = Vec::new();
-        for place in located {
+        for place in places {
             let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE)
                 && chosen.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
             if is_new && chosen.len() < count {

@@ -13,9 +13,14 @@ const VERTICES_OF_A_CIRCLE: [f64; 2] = [1.0 / 6.0, 5.0 / 6.0];
 
 impl Axes {
     /// Axes that all end at faces.
-    #[cfg(test)]
     pub fn open(dimensions: usize) -> Self {
         Self { is_periodic: vec![false; dimensions] }
+    }
+
+    /// Axes of which some close.
+    #[cfg(test)]
+    pub fn closing(is_periodic: &[bool]) -> Self {
+        Self { is_periodic: is_periodic.to_vec() }
     }
 
     /// Some of the axes.

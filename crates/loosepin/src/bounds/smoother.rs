@@ -173,6 +173,11 @@ impl Fit<'_> {
         self.noise_variance
     }
 
+    /// Whether it passes through the values and they are those of something as smooth as the smoothest processes.
+    pub fn is_smoothest(&self) -> bool {
+        self.noise_variance == 0.0 && self.model.smoothness() == Smoothness::FourTimes
+    }
+
     /// -2 ln likelihood of the values for each degree of freedom: what models of the same values in other scales are compared by, each
     /// with twice the mean logarithm of the slope of its scale.
     pub fn misfit(&self) -> f64 {

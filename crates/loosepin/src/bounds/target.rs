@@ -139,6 +139,15 @@ impl<'a> TargetModel<'a> {
         }
     }
 
+    /// Whether the target is exact and without kinks, as far as its values tell.
+    pub fn is_smoothest(&self) -> bool {
+        match self {
+            Self::Plain(fit) => fit.is_smoothest(),
+            Self::Index(model) => model.is_smoothest(),
+            Self::Either(models) => models.iter().all(IndexModel::is_smoothest),
+        }
+    }
+
     /// Whether it passes beside the values rather than through them.
     pub fn is_smoothed(&self) -> bool {
         self.noise_variance() > 0.0

@@ -3,6 +3,7 @@
 mod angle;
 mod arctangent;
 pub mod dense;
+pub mod descent;
 mod dual;
 mod exponential;
 mod gram;

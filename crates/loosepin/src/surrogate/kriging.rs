@@ -10,10 +10,10 @@
 //! Processes for Machine Learning", MIT Press 2006; leave-one-out in closed form after O. Dubrule, Mathematical Geology 15
 //! (1983) 687-699. Departure: the prior.
 
-use super::descent::{Minimum, minimise};
 use super::kernel::Kernel;
 use super::likelihood::{Observations, Solved, square_distance};
 use crate::math::dense::dot;
+use crate::math::descent::{Minimum, minimise};
 use serde::{Deserialize, Serialize};
 
 /// Standard deviation of the prior of ln ℓ.

@@ -17,7 +17,6 @@
 
 mod chaos;
 mod data;
-mod descent;
 mod design;
 mod eigen;
 mod ensemble;

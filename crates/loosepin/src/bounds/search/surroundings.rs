@@ -26,21 +26,22 @@ const SLOPE_RATIO: f64 = 8.0;
 const STRAIGHTNESS: f64 = 0.25;
 
 /// An extreme that may be looked around.
-struct Around<'a> {
-    extreme: usize,
-    value: f64,
-    region: &'a Region,
-    resolution: f64,
-    model: TargetModel<'a>,
+pub(super) struct Extreme<'a> {
+    pub target: &'a Target,
+    pub direction: Direction,
+    pub point: usize,
+    pub value: f64,
+    pub region: &'a Region,
+    pub resolution: f64,
+    /// The model of its combination.
+    pub model: TargetModel<'a>,
 }
 
 impl Search<'_> {
-    /// At most `count` places around the extremes of `targets` in each of `elements`, where their models promise nothing more than
-    /// has been attained: a model can be wrong about its own error, and what is found there tells it so.
-    ///
-    /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
-    /// above the resolution, and the way down a slope from a face. None where there are many targets: the poses of a curve.
-    pub fn confirming_points(
+    /// At most `count` places near the extremes of `targets` in each of `elements`, where their models promise nothing more than has
+    /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. None where there
+    /// are many targets: the poses of a curve.
+    pub fn surroundings(
         &self,
         targets: &[(Target, Vec<Direction>)],
         elements: &[Element],
@@ -51,20 +52,29 @@ impl Search<'_> {
             return Vec::new();
         }
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
-        let mut extremes: Vec<Around<'_>> = Vec::new();
+        let mut extremes: Vec<Extreme<'_>> = Vec::new();
         for (target, directions) in targets {
             for (element, members) in elements.iter().zip(&members) {
                 for &direction in directions {
-                    extremes.extend(self.around(target, direction, element, members, most_points));
+                    extremes.extend(self.extreme(target, direction, element, members, most_points));
                 }
             }
         }
+        let summits = self.summits(&extremes, count);
+        if summits.is_empty() { self.confirming_points(&extremes, count) } else { summits }
+    }
+
+    /// At most `count` places around `extremes`: a model can be wrong about its own error, and what is found there tells it so.
+    ///
+    /// Left out is what would show nothing: a place beside which there is a point already, one at which the model expects no change
+    /// above the resolution, and the way down a slope from a face.
+    fn confirming_points(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<Place> {
         let along_axes = CONFIRMING_DISTANCES.map(|distance| (distance, false));
         let turned = TURNED_DISTANCES.map(|distance| (distance, true));
         for (distance, is_turned) in along_axes.into_iter().chain(turned) {
             let mut chosen: Vec<Place> = Vec::new();
-            for around in &extremes {
-                self.confirm(around, distance, is_turned, &mut chosen);
+            for extreme in extremes {
+                self.confirm(extreme, distance, is_turned, &mut chosen);
             }
             chosen.truncate(count);
             if !chosen.is_empty() {
@@ -160,31 +170,31 @@ impl Search<'_> {
         Some((Place { combination: centre.combination, at }, at_left + falling * (offset - left)))
     }
 
-    /// The extreme of `target` among `members` of `element` with the model of its combination; nothing where there is none, and where the
-    /// combination has `most_points` already.
-    fn around<'e>(
+    /// The extreme of `target` among `members` of `element`; nothing where there is none, and where its combination has `most_points`
+    /// already.
+    fn extreme<'e>(
         &'e self,
-        target: &Target,
+        target: &'e Target,
         direction: Direction,
         element: &'e Element,
         members: &[usize],
         most_points: usize,
-    ) -> Option<Around<'e>> {
-        let extreme = extreme_among(&target.values, members.iter().copied(), direction)?;
-        let group = &self.groups[self.points[extreme].combination];
+    ) -> Option<Extreme<'e>> {
+        let point = extreme_among(&target.values, members.iter().copied(), direction)?;
+        let group = &self.groups[self.points[point].combination];
         if group.len() >= most_points {
             return None;
         }
-        let value = target.values[extreme];
+        let value = target.values[point];
         let resolution = target.resolution(direction, value) / element.mass;
         let model = self.model(target, &defined(target, group))?;
-        Some(Around { extreme, value, region: &element.region, resolution, model })
+        Some(Extreme { target, direction, point, value, region: &element.region, resolution, model })
     }
 
     /// Adds the places at `distance` around one extreme that tell something.
-    fn confirm(&self, around: &Around<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<Place>) {
-        let &Around { extreme, value, region, resolution, ref model } = around;
-        let Place { combination, at } = &self.points[extreme];
+    fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<Place>) {
+        let &Extreme { point, value, region, resolution, ref model, .. } = extreme;
+        let Place { combination, at } = &self.points[point];
         // What a model takes for noise does not end however near it looks.
         if is_turned && model.is_smoothed() {
             return;

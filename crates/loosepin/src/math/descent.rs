@@ -9,7 +9,7 @@ const SUFFICIENT: f64 = 1e-4;
 
 /// A place and the value there.
 #[derive(Debug, Clone)]
-pub(super) struct Minimum {
+pub(crate) struct Minimum {
     pub place: Vec<f64>,
     pub value: f64,
 }
@@ -20,7 +20,7 @@ pub(super) struct Minimum {
 ///
 /// Source: J. Nocedal and S. J. Wright, "Numerical Optimization", 2nd edition, Springer 2006, algorithms 7.4 and 3.1, and
 /// section 16.7 for the bounds.
-pub(super) fn minimise(
+pub(crate) fn minimise(
     function: impl Fn(&[f64]) -> Option<(f64, Vec<f64>)>,
     start: &[f64],
     bounds: &[(f64, f64)],
@@ -54,7 +54,7 @@ pub(super) fn minimise(
         if !(length > 0.0) {
             break;
         }
-        // Parameters are logarithms: no step moves one by more than a factor e^2.
+        // No step moves a coordinate by more than 2: of a parameter, its logarithm, a factor e².
         let largest = direction.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
         let mut step = if pairs.is_empty() { (0.5 / largest).min(1.0) } else { (2.0 / largest).min(1.0) };
         let mut next = None;
