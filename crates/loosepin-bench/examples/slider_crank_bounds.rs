@@ -22,7 +22,8 @@ fn name(statistic: Statistic) -> String {
 
 fn main() {
     let seeds = std::env::args().nth(1).map_or(12, |word| word.parse::<u64>().expect("a number of seeds"));
-    let case = slider_crank_with_play(FRAC_PI_3);
+    // As the other programs are asked.
+    let case = slider_crank_with_play(FRAC_PI_3).cut_open();
     println!("seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds");
     for seed in 1..=seeds {
         let started = Instant::now();

@@ -37,7 +37,7 @@ fn main() {
         "network" => Choice::Only(Kind::Network),
         _ => Choice::Auto,
     };
-    let case = slider_crank_with_play(FRAC_PI_3);
+    let case = slider_crank_with_play(FRAC_PI_3).cut_open();
     let settings = SurrogateSettings {
         choice,
         training,

@@ -71,11 +71,23 @@ impl KnownCase {
         }
     }
 
+    /// The same for programs that know of no angles: those that go round are intervals.
+    #[must_use]
+    pub fn cut_open(self) -> Self {
+        let open = |variable: EpistemicVariable| match variable {
+            EpistemicVariable::Periodic(turn) => EpistemicVariable::Interval(turn),
+            other => other,
+        };
+        let epistemic = self.epistemic.into_iter().map(open).collect();
+        Self { name: format!("{}, cut open", self.name), epistemic, ..self }
+    }
+
     /// All cases.
     pub fn all() -> Vec<Self> {
-        let own =
-            [sum(), product(), power(), challenge(), inside_four(), ridge(), jump(), slider_crank_with_play(FRAC_PI_3)];
-        own.into_iter().chain(pairings()).chain(box_weighted()).chain(weighted()).collect()
+        let slider_crank = || slider_crank_with_play(FRAC_PI_3);
+        let own = [sum(), product(), power(), challenge(), inside_four(), ridge(), jump()];
+        let own = own.into_iter().chain([slider_crank(), slider_crank().cut_open()]);
+        own.chain(pairings()).chain(box_weighted()).chain(weighted()).collect()
     }
 }
 
@@ -88,11 +100,11 @@ impl Response for KnownCase {
 
 /// Inputs in these intervals.
 fn within(intervals: &[(f64, f64)]) -> Vec<EpistemicVariable> {
-    let interval = |&(lower, upper): &(f64, f64)| match Interval::try_new(lower, upper) {
-        Ok(interval) => interval.into(),
-        Err(error) => panic!("[{lower}, {upper}]: {error}"),
-    };
-    intervals.iter().map(interval).collect()
+    intervals.iter().map(|&ends| interval(ends).into()).collect()
+}
+
+fn interval((lower, upper): (f64, f64)) -> Interval {
+    Interval::try_new(lower, upper).unwrap_or_else(|error| panic!("[{lower}, {upper}]: {error}"))
 }
 
 /// Y = X + u.
@@ -247,10 +259,10 @@ const CRANK_MM: [f64; 2] = [50.0, 0.02];
 const ROD_MM: [f64; 2] = [120.0, 0.03];
 const CLEARANCE_MM: (f64, f64) = (0.1, 0.5);
 
-/// The slider-crank with play of method.md section 4 at a crank angle: lengths r and l normal, the clearance and its direction
-/// in intervals.
+/// The slider-crank with play of method.md section 4 at a crank angle: lengths r and l normal, the clearance in an interval, its
+/// direction anywhere in the turn.
 ///
-/// The angle is an interval of no width, so that one function serves all poses.
+/// The crank angle is an interval of no width, so that one function serves all poses.
 pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
     let (sine, cosine) = (libm::sin(crank_angle_rad), libm::cos(crank_angle_rad));
     let nominal_mm = CRANK_MM[0] * cosine + (ROD_MM[0].powi(2) - (CRANK_MM[0] * sine).powi(2)).sqrt();
@@ -300,7 +312,11 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
             (Statistic::ProbabilityBeyond(0.45), extremes(&|u: &[f64]| beyond(0.45, u), &intervals)),
             (Statistic::ProbabilityBeyond(0.60), extremes(&|u: &[f64]| beyond(0.60, u), &intervals)),
         ],
-        epistemic: within(&[CLEARANCE_MM, (0.0, TAU), (crank_angle_rad, crank_angle_rad)]),
+        epistemic: vec![
+            interval(CLEARANCE_MM).into(),
+            EpistemicVariable::Periodic(interval((0.0, TAU))),
+            interval((crank_angle_rad, crank_angle_rad)).into(),
+        ],
         function: Arc::new(|x, u| {
             let (sine, cosine) = (libm::sin(u[2]), libm::cos(u[2]));
             let height = x[0] * sine + u[0] * libm::sin(u[1]);
