@@ -35,7 +35,9 @@ const DIRECT_STUDIES: u64 = 3;
 /// The kind of surrogate, if left out, and how it is made: runs to learn from, and direct runs at each witness.
 const KIND: &str = "kriging";
 const TRAINING: usize = 120;
-const CONFIRMING: usize = 32;
+const CONFIRMING: usize = 48;
+/// Mechanisms at each value of the unknown inputs in the double loop on the surrogate, which costs no runs.
+const INNER_ON_SURROGATE: usize = 1024;
 /// The direct study makes at least so many times the runs of one by surrogate.
 const LEAST_RATIO: f64 = 10.0;
 const LEAST_RATIO_SMOOTH: f64 = 20.0;
@@ -203,7 +205,7 @@ fn surrogate_studies(
     let mut verdicts: Vec<Vec<SurrogateVerdict>> = vec![Vec::new(); tallies.len()];
     let (mut most_runs, mut all_agree) = (0, 0);
     for seed in 1..=repetitions as u64 {
-        let result = run(&regime.study(seed, INNER, &further));
+        let result = run(&regime.study(seed, INNER_ON_SURROGATE, &further));
         most_runs = most_runs.max(result.counts.runs);
         let mut is_agreeing = true;
         for (place, (found, exact)) in result.bounds.iter().zip(&reference.bounds).enumerate() {

@@ -84,7 +84,7 @@ fn output_sentence(
     }
     if output.largest_ratio > 0.0 {
         sentence.push_str(&format!(
-            " Direct runs at the bounds differ by up to {:.1} standard deviations of it; {:.1} are conceded.",
+            " Direct runs at the bounds differ by up to {:.1} standard deviations of it; up to {:.1} are conceded.",
             output.largest_ratio, output.reach
         ));
     }

@@ -208,6 +208,24 @@ fn analytic_white_noise_is_recognised_and_its_scatter_kept() {
 }
 
 #[test]
+fn analytic_errors_that_average_out_widen_a_mean_less_than_a_quantile() {
+    // Y = X + 0.5 u with noise of the deviation 0.1/√3 on top, which has no part in the mean.
+    const MOST_SHARE: f64 = 0.9; // 2σ for 3σ, and what the noise that is drawn moves the mean by
+    let slope = Function(|x: &[f64], u: &[f64]| x[0] + 0.5 * u[0] + 0.1 * noise(x, u));
+    let statistics = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.8)];
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
+    let settings = SurrogateSettings { confirming: 64, ..settings(Kind::Kriging, 60) };
+    let pairs = &bounds(of, settings, &slope).groups[0].pairs;
+    let scatter = (1.0 + 0.01 / 3.0_f64).sqrt();
+    holds(&pairs[0], (-0.75, 0.35));
+    holds(&pairs[1], (scatter, scatter));
+    for end in [|pair: &BoundPair| pair.lower.error.surrogate, |pair: &BoundPair| pair.upper.error.surrogate] {
+        let [mean, deviation, quantile] = [0, 1, 2].map(|place| end(&pairs[place].pair));
+        assert!(mean < MOST_SHARE * quantile && deviation < MOST_SHARE * quantile, "{mean} {deviation} {quantile}");
+    }
+}
+
+#[test]
 fn analytic_a_step_is_recognised_and_its_bounds_hold() {
     let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
     let step = Function(|x: &[f64], u: &[f64]| if u[0] > -0.3 { 2.3 } else { 0.4 } + 0.05 * x[0]);

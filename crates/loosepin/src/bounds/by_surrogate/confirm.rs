@@ -9,7 +9,7 @@ use super::super::statistic::Statistic;
 use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::learned::LearnedGroup;
 use super::plan::SurrogatePlan;
-use super::response::LearnedFunction;
+use super::response::{DeviationsOverX, LearnedFunction};
 use super::search::Searched;
 
 /// ŝ for the runs of a replicate; nothing where the surrogate gave no answer.
@@ -86,6 +86,8 @@ pub(super) struct Confirmed {
     surrogate: Vec<Answers>,
     /// The same for the direct runs: their values, ŝ and σ.
     direct: Vec<DirectAnswers>,
+    /// σ over X; nothing where the surrogate gave no answer.
+    deviations: Option<DeviationsOverX>,
 }
 
 /// A corrected estimate with the distances to both ends of its confidence interval.
@@ -115,7 +117,8 @@ pub(super) fn confirmed(
                 let answer = function.at(&inputs.random, epistemic).ok();
                 surrogate[inputs.replicate as usize].push(answer.map(|(values, _)| values));
             }
-            Confirmed { epistemic: epistemic.clone(), surrogate, direct: vec![Vec::new(); replicates] }
+            let deviations = function.spread(epistemic);
+            Confirmed { epistemic: epistemic.clone(), surrogate, direct: vec![Vec::new(); replicates], deviations }
         })
         .collect();
     for (run, inputs) in table.inputs().iter().enumerate() {
@@ -156,6 +159,55 @@ impl Confirmed {
         (0..first[0].len()).map(of_place).fold(0.0, f64::max)
     }
 
+    /// How far the error moves the mean at `place`, at most: the mean of it with its own error, over the largest σ. Infinite where that
+    /// is 0, where runs are missing, and without replicates that tell the error.
+    pub fn shift_of_mean(&self, place: usize, confidence: &Confidence) -> f64 {
+        let means: Option<Vec<f64>> = self.differences(place).into_iter().map(mean_of).collect();
+        let Some(means) = means.filter(|means| means.len() > 1) else { return f64::INFINITY };
+        let (below, above) = replicate_error(&means, confidence);
+        let mean = means.iter().sum::<f64>() / means.len() as f64;
+        self.over(|of| of.largest[place], mean.abs() + below.max(above))
+    }
+
+    /// How far it moves the deviation at `place`, at most: the deviation of it, over σ̄. Infinite where that is 0 and where runs are
+    /// missing.
+    pub fn shift_of_deviation(&self, place: usize) -> f64 {
+        let Some(errors) = self.errors(place).filter(|errors| errors.len() > 1) else { return f64::INFINITY };
+        let (mean, mean_square) = mean_and_mean_square(&errors);
+        let count = errors.len() as f64;
+        let deviation = ((mean_square - mean * mean).max(0.0) * count / (count - 1.0)).sqrt();
+        self.over(|of| of.root_mean_square[place], deviation)
+    }
+
+    /// Square of the mean of the error at `place`, and its mean square; nothing where runs are missing.
+    pub fn squares(&self, place: usize) -> Option<[f64; 2]> {
+        let (mean, mean_square) = mean_and_mean_square(&self.errors(place).filter(|errors| !errors.is_empty())?);
+        Some([mean * mean, mean_square])
+    }
+
+    /// The same for all replicates; nothing where runs are missing.
+    fn errors(&self, place: usize) -> Option<Vec<f64>> {
+        Some(self.differences(place).into_iter().collect::<Option<Vec<Vec<f64>>>>()?.concat())
+    }
+
+    /// What direct runs are beyond ŝ, replicate by replicate; nothing in those where runs are missing.
+    fn differences(&self, place: usize) -> Vec<Option<Vec<f64>>> {
+        let difference = |row: &Option<[Vec<f64>; 3]>| row.as_ref().map(|[direct, own, _]| direct[place] - own[place]);
+        self.direct.iter().map(|rows| rows.iter().map(difference).collect()).collect()
+    }
+
+    fn over(&self, of: impl Fn(&DeviationsOverX) -> f64, error: f64) -> f64 {
+        match self.deviations.as_ref().map(of) {
+            Some(deviation) if deviation > 0.0 => error / deviation,
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Number of places.
+    pub fn places(&self) -> usize {
+        self.deviations.as_ref().map_or(0, |of| of.largest.len())
+    }
+
     /// Direct runs that gave nothing, or at which the surrogate gave no answer.
     pub fn failed(&self) -> usize {
         self.direct.iter().flatten().filter(|row| row.is_none()).count()
@@ -177,21 +229,17 @@ impl Confirmed {
             Statistic::ProbabilityBeyond(limit) => Box::new(move |y| f64::from(u8::from(y.abs() > limit))),
             Statistic::StandardDeviation | Statistic::Quantile(_) | Statistic::Cdf => return None,
         };
-        let mean = |values: Option<Vec<f64>>| {
-            let values = values.filter(|values| !values.is_empty())?;
-            Some(values.iter().sum::<f64>() / values.len() as f64)
-        };
         let of_replicate = |(surrogate, direct): (&Answers, &DirectAnswers)| {
             let differences = direct.iter().map(|row| {
                 let [direct, surrogate, _] = row.as_ref()?;
                 Some(of(direct[place]) - of(surrogate[place]))
             });
-            let difference = mean(differences.collect())?;
+            let difference = mean_of(differences.collect())?;
             if known.is_some() {
                 return Some(difference);
             }
             let all = surrogate.iter().map(|row| Some(of(row.as_ref()?[place])));
-            Some(mean(all.collect())? + difference)
+            Some(mean_of(all.collect())? + difference)
         };
         let means: Vec<f64> = self.surrogate.iter().zip(&self.direct).map(of_replicate).collect::<Option<_>>()?;
         let (start, error) = known.unwrap_or((0.0, 0.0));
@@ -203,5 +251,73 @@ impl Confirmed {
         }
         let kept = value.clamp(0.0, 1.0);
         Some(Corrected { value: kept, below: below + (kept - value).abs(), above: above + (kept - value).abs() })
+    }
+}
+
+fn mean_and_mean_square(values: &[f64]) -> (f64, f64) {
+    let count = values.len() as f64;
+    (values.iter().sum::<f64>() / count, values.iter().map(|value| value * value).sum::<f64>() / count)
+}
+
+/// The mean of what is all there and not empty.
+fn mean_of(values: Option<Vec<f64>>) -> Option<f64> {
+    let values = values.filter(|values| !values.is_empty())?;
+    Some(values.iter().sum::<f64>() / values.len() as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::sample::Confidence;
+    use super::super::response::DeviationsOverX;
+    use super::Confirmed;
+
+    const CONFIDENCE: f64 = 0.95;
+
+    /// Four replicates of four direct runs with these errors; σ is 0.8 at the most over X, σ̄ = 0.5.
+    fn confirmed(errors: [[f64; 4]; 4]) -> Confirmed {
+        let row = |error: f64| Some([vec![7.0 + error], vec![7.0], vec![0.5]]);
+        Confirmed {
+            epistemic: vec![0.3],
+            surrogate: Vec::new(),
+            direct: errors.map(|errors| errors.map(row).to_vec()).to_vec(),
+            deviations: Some(DeviationsOverX { largest: vec![0.8], root_mean_square: vec![0.5] }),
+        }
+    }
+
+    #[test]
+    fn analytic_an_error_to_one_side_moves_the_mean_and_not_the_deviation() {
+        const ROUND_OFF: f64 = 1e-12;
+        let confidence = Confidence::new(CONFIDENCE, 4);
+        let biased = confirmed([[-0.2; 4]; 4]);
+        assert!((biased.shift_of_mean(0, &confidence) - 0.25).abs() < ROUND_OFF);
+        assert!(biased.shift_of_deviation(0) < ROUND_OFF);
+        // Errors of 0.2 to either side: their deviation is 0.2 √(16/15), their mean 0 in every replicate.
+        let balanced = confirmed([[-0.2, 0.2, 0.2, -0.2]; 4]);
+        assert!(balanced.shift_of_mean(0, &confidence) < ROUND_OFF);
+        assert!((balanced.shift_of_deviation(0) - 0.4 * (16.0_f64 / 15.0).sqrt()).abs() < ROUND_OFF);
+    }
+
+    #[test]
+    fn analytic_the_mean_of_the_error_is_taken_with_its_own_error() {
+        // Means of the replicates 0.1, 0.3, 0.1, 0.3: 0.2 ± t √(0.04/3/4), t = 3.182446 of three degrees of freedom.
+        const TOLERANCE: f64 = 1e-5;
+        let scattered = confirmed([[0.1; 4], [0.3; 4], [0.1; 4], [0.3; 4]]);
+        let expected = (0.2 + 3.182_446 * (0.04_f64 / 12.0).sqrt()) / 0.8;
+        let shift = scattered.shift_of_mean(0, &Confidence::new(CONFIDENCE, 4));
+        assert!((shift - expected).abs() < TOLERANCE, "{shift} {expected}");
+    }
+
+    #[test]
+    fn what_is_not_known_may_move_a_statistic_any_distance() {
+        let confidence = Confidence::new(CONFIDENCE, 4);
+        let known = || confirmed([[0.1; 4]; 4]);
+        let mut failed = known();
+        failed.direct[2][1] = None;
+        let without_answer = Confirmed { deviations: None, ..known() };
+        let of_one_run = Confirmed { direct: vec![vec![known().direct[0][0].clone()]], ..known() };
+        for unknown in [failed, without_answer, of_one_run] {
+            assert_eq!(unknown.shift_of_mean(0, &confidence), f64::INFINITY);
+            assert_eq!(unknown.shift_of_deviation(0), f64::INFINITY);
+        }
     }
 }

@@ -14,10 +14,10 @@
 //! **What is conceded.** A surrogate says ŝ(X, u) with a standard deviation σ(X, u) whose square is right on average over
 //! held-out runs. The double loop goes over ŝ and over both ends of the band ŝ ± kσ at once, as columns of one response: an extreme
 //! of the mean, of a quantile or of a probability on the far end of the band is what the statistic can be when the surrogate
-//! errs everywhere by kσ to the same side, at whichever u that goes furthest. A deviation moves by no more than the root mean
-//! square of the error. k is 3 at first; where direct runs differ from ŝ by more than σ in the root mean square, k grows
-//! by that factor. The distance from the bound on ŝ to that on the band is the part `surrogate` of
-//! [`BoundError`](super::BoundError).
+//! errs everywhere by kσ to the same side, at whichever u that goes furthest. k is 3 at first; where direct runs differ from ŝ by
+//! more than twice σ in the root mean square, it is 1.5 times as much. A mean moves by the mean of the error over X and a deviation
+//! by no more than that of the error, so that both have a smaller k, told by the same direct runs (`reach.rs`).
+//! The distance from the bound on ŝ to that on the band is the part `surrogate` of [`BoundError`](super::BoundError).
 //!
 //! **What is corrected.** At the witness u*, with direct runs g at some of the inner points,
 //!
@@ -36,6 +36,7 @@
 mod confirm;
 mod learned;
 mod plan;
+mod reach;
 mod response;
 mod results;
 mod rounds;

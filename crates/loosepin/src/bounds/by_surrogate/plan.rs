@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use thiserror::Error;
 
+use super::super::bound::Reading;
 use super::super::evaluate::EvaluateError;
 use super::super::plan::{DoubleLoop, PlanError};
 use super::super::problem::{Problem, Request};
@@ -16,6 +17,7 @@ use super::results::{FIRST_REACH, SurrogateBounds};
 use super::search::search_all;
 use super::space::{SurrogateInput, TrainingSpace};
 use crate::surrogate::{Choice, FEWEST_RUNS};
+use crate::uncertainty::EpistemicVariable;
 
 /// Columns that are learned together: a number, or a curve place by place.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,6 +118,12 @@ impl SurrogatePlan {
     /// The problem.
     pub fn problem(&self) -> &Problem {
         self.direct.problem()
+    }
+
+    /// Whether every statistic belongs to a single u, with errors of the surrogate that differ over X alone.
+    pub(super) fn is_at_single_values(&self) -> bool {
+        let problem = self.problem();
+        problem.reading == Reading::FixedButUnknown && !problem.epistemic.iter().any(EpistemicVariable::is_structured)
     }
 
     /// The inputs of the surrogates, in their order.

@@ -21,7 +21,7 @@ pub(super) enum Aspect {
     Low,
     /// ŝ + kσ
     High,
-    /// k²σ²
+    /// k²σ̄²
     Square,
 }
 
@@ -54,18 +54,33 @@ impl LearnedFunction<'_> {
         Ok(answers.first().map(|answer| (of(&answer.values), of(&answer.deviations))).unwrap_or_default())
     }
 
-    /// The largest σ at the first inner runs, those of one replicate, at the places; nothing where none has an answer.
-    fn largest_deviations(&self, epistemic: &[f64]) -> Option<Vec<f64>> {
+    /// σ at the first inner runs, those of one replicate, at the places; nothing where none has an answer.
+    pub fn spread(&self, epistemic: &[f64]) -> Option<DeviationsOverX> {
         let runs = self.plan.direct.runs_at(0, 0, epistemic.to_vec()).filter(|inputs| inputs.replicate == 0);
-        let deviations = runs.filter_map(|inputs| Some(self.at(&inputs.random, epistemic).ok()?.1));
-        deviations.reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect())
+        let deviations: Vec<Vec<f64>> =
+            runs.filter_map(|inputs| Some(self.at(&inputs.random, epistemic).ok()?.1)).collect();
+        let of_place = |place: usize| deviations.iter().map(move |row| row[place]);
+        let places = 0..deviations.first()?.len();
+        let mean_square = |place| of_place(place).map(|x| x * x).sum::<f64>() / deviations.len() as f64;
+        Some(DeviationsOverX {
+            largest: places.clone().map(|place| of_place(place).fold(0.0, f64::max)).collect(),
+            root_mean_square: places.map(|place| mean_square(place).sqrt()).collect(),
+        })
     }
+}
+
+/// σ of each place over X, at one u.
+pub(super) struct DeviationsOverX {
+    pub largest: Vec<f64>,
+    /// σ̄
+    pub root_mean_square: Vec<f64>,
 }
 
 /// The same as a response: for each place, every aspect.
 ///
 /// The band is as wide as it is at its widest over X, at each u by itself: it moves every statistic further than a width that
-/// varies, and leaves the response as smooth in X as ŝ is, so that statistics are known as well on its ends as on ŝ.
+/// varies, and leaves the response as smooth in X as ŝ is, so that statistics are known as well on its ends as on ŝ. A deviation moves
+/// by no more than the root mean square of the error over X: it takes that of σ, where every statistic belongs to a single u.
 pub(super) struct BandResponse<'a> {
     of: LearnedFunction<'a>,
     /// k
@@ -73,7 +88,7 @@ pub(super) struct BandResponse<'a> {
     /// Whether the band is widened where σ is larger than at any of the first inner runs.
     is_at_least_own: bool,
     /// σ by the bits of u.
-    deviations: Mutex<BTreeMap<Vec<u64>, Arc<Vec<f64>>>>,
+    deviations: Mutex<BTreeMap<Vec<u64>, Arc<DeviationsOverX>>>,
 }
 
 impl<'a> BandResponse<'a> {
@@ -86,14 +101,14 @@ impl<'a> BandResponse<'a> {
         Self { is_at_least_own: true, ..self }
     }
 
-    fn deviations(&self, epistemic: &[f64]) -> Option<Arc<Vec<f64>>> {
+    fn deviations(&self, epistemic: &[f64]) -> Option<Arc<DeviationsOverX>> {
         let key: Vec<u64> = epistemic.iter().map(|value| value.to_bits()).collect();
         let known = self.deviations.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
         if known.is_some() {
             return known;
         }
         // Others may find the same meanwhile: it is the same.
-        let found = Arc::new(self.of.largest_deviations(epistemic)?);
+        let found = Arc::new(self.of.spread(epistemic)?);
         self.deviations.lock().unwrap_or_else(PoisonError::into_inner).insert(key, Arc::clone(&found));
         Some(found)
     }
@@ -115,8 +130,10 @@ impl Response for BandResponse<'_> {
         for (slot, column) in row.enumerate() {
             let value = values[slot] + rest.as_ref().map_or(0.0, |rest| rest[self.of.places[slot]]);
             let own = if self.is_at_least_own { own[slot] } else { 0.0 };
-            let half = self.reach * deviations[slot].max(own);
-            column.copy_from_slice(&[value, value - half, value + half, half * half]);
+            let half = self.reach * deviations.largest[slot].max(own);
+            let of_square =
+                if self.of.plan.is_at_single_values() { self.reach * deviations.root_mean_square[slot] } else { half };
+            column.copy_from_slice(&[value, value - half, value + half, of_square * of_square]);
         }
         Ok(())
     }

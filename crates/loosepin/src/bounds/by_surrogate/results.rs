@@ -9,6 +9,7 @@ use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::confirm::{Confirmation, Confirmed, confirmed};
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
+use super::reach::share_of_reach;
 use super::response::Aspect;
 use super::search::{Searched, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
@@ -16,7 +17,7 @@ use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatmen
 /// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
 pub(super) const FIRST_REACH: f64 = 3.0;
 /// k is at least so many times the largest error that direct runs have shown, in σ.
-const MARGIN: f64 = 1.5;
+pub(super) const MARGIN: f64 = 1.5;
 
 /// Bounds of one requested statistic by a surrogate.
 #[derive(Debug, Clone)]
@@ -32,7 +33,7 @@ pub struct SurrogatePair {
 pub struct GroupBounds {
     /// What was learned, or why nothing was.
     pub learned: LearnedGroup,
-    /// k: by how many of its standard deviations the surrogate is taken to err.
+    /// k: by how many of its standard deviations the surrogate is taken to err, at most.
     pub reach: f64,
     /// The largest error at the witnesses, in σ.
     pub largest_ratio: f64,
@@ -192,8 +193,10 @@ fn group_bounds(
             }
             for (request, pair) in near.values(pairs) {
                 let place = learned.group.columns.iter().position(|&column| column == request.column).unwrap_or(0);
+                let share = share_of_reach(plan, confirmed, request.statistic, reach);
                 let end = |bound: &Bound, direction| {
-                    let furthest = far.furthest(far_pairs, request, direction);
+                    let on_band = far.furthest(far_pairs, request, direction);
+                    let furthest = bound.widened + share * (on_band - bound.widened);
                     put_together(plan, bound, furthest, (confirmed, has_rest), (place, request), direction)
                 };
                 let (mut lower, is_lower) = end(&pair.lower, Direction::Minimum);
@@ -258,8 +261,8 @@ fn put_together(
         (corrected.value, if is_mean { own } else { own.max(bound.error.sampling) })
     });
     let known = sampling + bound.error.optimisation;
-    let surrogate = (sign * (furthest - value) - known).max(0.0);
-    let surrogate = if surrogate.is_nan() { f64::INFINITY } else { surrogate };
+    let surrogate = sign * (furthest - value) - known;
+    let surrogate = if surrogate.is_nan() { f64::INFINITY } else { surrogate.max(0.0) };
     let error = BoundError { sampling, optimisation: bound.error.optimisation, surrogate };
     let widened = value + sign * error.total();
     let widened = match request.statistic {

@@ -132,7 +132,7 @@ impl Searched {
         own.map(|((request, _), pair)| (*request, pair)).collect::<Vec<_>>().into_iter()
     }
 
-    /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ.
+    /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0.
     pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
         let end = |pair: &BoundPair| -> Bound {
             match direction {
@@ -153,7 +153,6 @@ impl Searched {
                 furthest = widened;
             }
         }
-        let furthest = furthest + direction.sign() * square.sqrt();
-        if request.statistic == Statistic::StandardDeviation { furthest.max(0.0) } else { furthest }
+        furthest + direction.sign() * square.sqrt()
     }
 }

@@ -1,0 +1,51 @@
+//! By how many of its standard deviations σ the surrogate is taken to err where errors average out.
+//!
+//! A quantile or a probability moves furthest where every run errs as much as the worst one, to the same side: by the k of the group.
+//! A mean moves by the mean of the error over X, and a deviation by that of the error at most; direct runs at the witnesses
+//! show both, and how much of the error is the same at all X, so that it does not average out at any other u either.
+//!
+//! The distance from the bound on ŝ to that on the band grows at least in proportion to k (the end of a mean is the greatest of straight
+//! lines in k, one for each u; that of a deviation moves by k times the largest σ̄), so that for a smaller k the same share of it is enough.
+
+use super::super::statistic::Statistic;
+use super::confirm::Confirmed;
+use super::plan::SurrogatePlan;
+use super::results::MARGIN;
+
+/// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.
+const LEAST_REACH_OF_MEAN: f64 = 1.0;
+const LEAST_REACH_OF_DEVIATION: f64 = 2.0;
+
+/// The k of `statistic` over `reach`, that of its group: 1 at most, and 1 where what belongs to one u says nothing of the statistic. As
+/// `reach` itself, it is told by the place of a curve that is worst.
+pub(super) fn share_of_reach(plan: &SurrogatePlan, confirmed: &[Confirmed], statistic: Statistic, reach: f64) -> f64 {
+    let is_known = plan.is_at_single_values() && !confirmed.is_empty() && reach.is_finite();
+    let places = 0..confirmed.iter().map(Confirmed::places).max().unwrap_or(0);
+    let largest = |shift: &dyn Fn(&Confirmed, usize) -> f64| {
+        let of_place = |place| confirmed.iter().map(move |at| shift(at, place)).fold(0.0, f64::max);
+        MARGIN * places.clone().map(of_place).fold(0.0, f64::max)
+    };
+    let own = match statistic {
+        Statistic::Mean if is_known => {
+            let shown = largest(&|at, place| at.shift_of_mean(place, plan.direct.confidence()));
+            let at_all_x = places.clone().map(|place| share_at_all_x(confirmed, place)).fold(0.0, f64::max);
+            LEAST_REACH_OF_MEAN.max(shown).max(reach * at_all_x)
+        }
+        Statistic::StandardDeviation if is_known => {
+            LEAST_REACH_OF_DEVIATION.max(largest(&|at, place| at.shift_of_deviation(place)))
+        }
+        _ => return 1.0,
+    };
+    (own / reach).min(1.0)
+}
+
+/// Of the root mean square of the error at `place`, the share that is the same at all X, over all witnesses:
+/// √(Σ E(g - ŝ)²/Σ E((g - ŝ)²)). All of it where runs are missing.
+fn share_at_all_x(confirmed: &[Confirmed], place: usize) -> f64 {
+    let squares: Option<Vec<[f64; 2]>> = confirmed.iter().map(|at| at.squares(place)).collect();
+    let sum = |squares: &[[f64; 2]], of: usize| squares.iter().map(|both| both[of]).sum::<f64>();
+    squares.map_or(1.0, |squares| match sum(&squares, 1) {
+        all if all > 0.0 => (sum(&squares, 0) / all).sqrt(),
+        _ => 0.0,
+    })
+}
