@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::super::exact_cases::{Function, STANDARD_NORMAL, problem};
 use super::super::{
-    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Request, Response, RunInputs, SampleTable, Sampling,
-    Standing, Statistic, evaluate, execute,
+    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Reading, Request, Response, RunInputs, SampleTable,
+    Sampling, Standing, Statistic, evaluate, execute,
 };
 use super::{
     ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
@@ -223,6 +223,27 @@ fn analytic_errors_that_average_out_widen_a_mean_less_than_a_quantile() {
         let [mean, deviation, quantile] = [0, 1, 2].map(|place| end(&pairs[place].pair));
         assert!(mean < MOST_SHARE * quantile && deviation < MOST_SHARE * quantile, "{mean} {deviation} {quantile}");
     }
+}
+
+#[test]
+fn analytic_errors_as_large_as_a_deviation_leave_nothing_of_its_lower_bound() {
+    // Noise alone, of the deviation 1/√3, which is that of the errors too: less two of them is less than 0.
+    let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::StandardDeviation]), 3);
+    let pair = &bounds(of, settings(Kind::Kriging, 60), &Function(noise)).groups[0].pairs[0];
+    assert_eq!(pair.pair.lower.widened, 0.0, "{pair:?}");
+    holds(pair, (1.0 / 3.0_f64.sqrt(), 1.0 / 3.0_f64.sqrt()));
+}
+
+#[test]
+fn identity_errors_do_not_average_out_where_every_mechanism_has_a_value_of_its_own() {
+    let slope = Function(|x: &[f64], u: &[f64]| x[0] + 0.5 * u[0] + 0.1 * noise(x, u));
+    let surrogate_part = |reading: Reading| {
+        let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
+        let settings = SurrogateSettings { confirming: 64, ..settings(Kind::Kriging, 60) };
+        bounds(Problem { reading, ..of }, settings, &slope).groups[0].pairs[0].pair.upper.error.surrogate
+    };
+    let (fixed, own) = (surrogate_part(Reading::FixedButUnknown), surrogate_part(Reading::UnknownDistribution));
+    assert!(own > 1.2 * fixed, "{own} {fixed}");
 }
 
 #[test]
