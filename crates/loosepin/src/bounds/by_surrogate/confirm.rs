@@ -203,11 +203,6 @@ impl Confirmed {
         }
     }
 
-    /// Number of places.
-    pub fn places(&self) -> usize {
-        self.deviations.as_ref().map_or(0, |of| of.largest.len())
-    }
-
     /// Direct runs that gave nothing, or at which the surrogate gave no answer.
     pub fn failed(&self) -> usize {
         self.direct.iter().flatten().filter(|row| row.is_none()).count()

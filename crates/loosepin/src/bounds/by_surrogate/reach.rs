@@ -16,27 +16,40 @@ use super::results::MARGIN;
 const LEAST_REACH_OF_MEAN: f64 = 1.0;
 const LEAST_REACH_OF_DEVIATION: f64 = 2.0;
 
-/// The k of `statistic` over `reach`, that of its group: 1 at most, and 1 where what belongs to one u says nothing of the statistic. As
-/// `reach` itself, it is told by the place of a curve that is worst.
-pub(super) fn share_of_reach(plan: &SurrogatePlan, confirmed: &[Confirmed], statistic: Statistic, reach: f64) -> f64 {
-    let is_known = plan.is_at_single_values() && !confirmed.is_empty() && reach.is_finite();
-    let places = 0..confirmed.iter().map(Confirmed::places).max().unwrap_or(0);
-    let largest = |shift: &dyn Fn(&Confirmed, usize) -> f64| {
-        let of_place = |place| confirmed.iter().map(move |at| shift(at, place)).fold(0.0, f64::max);
-        MARGIN * places.clone().map(of_place).fold(0.0, f64::max)
-    };
-    let own = match statistic {
-        Statistic::Mean if is_known => {
-            let shown = largest(&|at, place| at.shift_of_mean(place, plan.direct.confidence()));
-            let at_all_x = places.clone().map(|place| share_at_all_x(confirmed, place)).fold(0.0, f64::max);
-            LEAST_REACH_OF_MEAN.max(shown).max(reach * at_all_x)
+/// The k of statistics over that of their group: 1 at most.
+pub(super) struct SharesOfReach {
+    of_mean: f64,
+    of_deviation: f64,
+}
+
+impl SharesOfReach {
+    /// What `confirmed` says where the group has `places` and the k `reach`. As `reach` itself, it is told by the worst place of a curve;
+    /// all is 1 where what belongs to one u says nothing of a statistic.
+    pub fn new(plan: &SurrogatePlan, confirmed: &[Confirmed], places: usize, reach: f64) -> Self {
+        if !plan.is_at_single_values() || confirmed.is_empty() || !reach.is_finite() {
+            return Self { of_mean: 1.0, of_deviation: 1.0 };
         }
-        Statistic::StandardDeviation if is_known => {
-            LEAST_REACH_OF_DEVIATION.max(largest(&|at, place| at.shift_of_deviation(place)))
+        let worst = |of_place: &dyn Fn(usize) -> f64| (0..places).map(of_place).fold(0.0, f64::max);
+        let largest = |shift: &dyn Fn(&Confirmed, usize) -> f64| {
+            MARGIN * worst(&|place| confirmed.iter().map(|at| shift(at, place)).fold(0.0, f64::max))
+        };
+        let mean = largest(&|at, place| at.shift_of_mean(place, plan.direct.confidence()));
+        let deviation = largest(&|at, place| at.shift_of_deviation(place));
+        let at_all_x = reach * worst(&|place| share_at_all_x(confirmed, place));
+        Self {
+            of_mean: (LEAST_REACH_OF_MEAN.max(mean).max(at_all_x) / reach).min(1.0),
+            of_deviation: (LEAST_REACH_OF_DEVIATION.max(deviation) / reach).min(1.0),
         }
-        _ => return 1.0,
-    };
-    (own / reach).min(1.0)
+    }
+
+    /// That of `statistic`.
+    pub fn of(&self, statistic: Statistic) -> f64 {
+        match statistic {
+            Statistic::Mean => self.of_mean,
+            Statistic::StandardDeviation => self.of_deviation,
+            _ => 1.0,
+        }
+    }
 }
 
 /// Of the root mean square of the error at `place`, the share that is the same at all X, over all witnesses:

@@ -87,13 +87,16 @@ pub(super) struct BandResponse<'a> {
     reach: f64,
     /// Whether the band is widened where σ is larger than at any of the first inner runs.
     is_at_least_own: bool,
+    /// Whether every statistic belongs to a single u.
+    is_at_single_values: bool,
     /// σ by the bits of u.
     deviations: Mutex<BTreeMap<Vec<u64>, Arc<DeviationsOverX>>>,
 }
 
 impl<'a> BandResponse<'a> {
     pub fn new(of: LearnedFunction<'a>, reach: f64) -> Self {
-        Self { of, reach, is_at_least_own: false, deviations: Mutex::default() }
+        let is_at_single_values = of.plan.is_at_single_values();
+        Self { of, reach, is_at_least_own: false, is_at_single_values, deviations: Mutex::default() }
     }
 
     /// The same for points that the random inputs do not come to, such as the corners of what they are cut to.
@@ -132,7 +135,7 @@ impl Response for BandResponse<'_> {
             let own = if self.is_at_least_own { own[slot] } else { 0.0 };
             let half = self.reach * deviations.largest[slot].max(own);
             let of_square =
-                if self.of.plan.is_at_single_values() { self.reach * deviations.root_mean_square[slot] } else { half };
+                if self.is_at_single_values { self.reach * deviations.root_mean_square[slot] } else { half };
             column.copy_from_slice(&[value, value - half, value + half, of_square * of_square]);
         }
         Ok(())

@@ -9,7 +9,7 @@ use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::confirm::{Confirmation, Confirmed, confirmed};
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
-use super::reach::share_of_reach;
+use super::reach::SharesOfReach;
 use super::response::Aspect;
 use super::search::{Searched, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
@@ -180,6 +180,7 @@ fn group_bounds(
 ) -> Result<GroupBounds, SurrogatePlanError> {
     let largest_ratio = confirmed.iter().map(Confirmed::ratio).fold(0.0, f64::max);
     let reach = FIRST_REACH.max(MARGIN * largest_ratio);
+    let shares = SharesOfReach::new(plan, confirmed, learned.group.columns.len(), reach);
     // The values stay those whose witnesses were looked at; only what is conceded grows.
     let again = if reach > FIRST_REACH { Some(search_group(plan, &learned, reach)?) } else { None };
     let wide = again.as_deref().unwrap_or(searched);
@@ -193,10 +194,9 @@ fn group_bounds(
             }
             for (request, pair) in near.values(pairs) {
                 let place = learned.group.columns.iter().position(|&column| column == request.column).unwrap_or(0);
-                let share = share_of_reach(plan, confirmed, request.statistic, reach);
                 let end = |bound: &Bound, direction| {
                     let on_band = far.furthest(far_pairs, request, direction);
-                    let furthest = bound.widened + share * (on_band - bound.widened);
+                    let furthest = bound.widened + shares.of(request.statistic) * (on_band - bound.widened);
                     put_together(plan, bound, furthest, (confirmed, has_rest), (place, request), direction)
                 };
                 let (mut lower, is_lower) = end(&pair.lower, Direction::Minimum);
