@@ -282,7 +282,7 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     );
     desk.fail(
         &["study", "study.toml", "--budget", "3min", "--shard", "1/3"],
-        "error[E0611]: a budget of time cannot be shared by shards, which run at different times\n\
+        "--budget:1:1: error[E0611]: a budget of time cannot be shared by shards, which run at different times\n\
          hint: state it in runs or rounds, for example 200000runs",
     );
     let said = desk.run(&["study", "study.toml", "--shard", "4/3"]);

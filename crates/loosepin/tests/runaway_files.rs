@@ -30,12 +30,12 @@ fn said(text: &str) -> String {
 fn more_turns_than_anybody_waits_for_are_refused() {
     assert_eq!(
         said("[cycle]\nrecorded_turns = 1e6"),
-        "study.toml:1:1: error[E0608]: 1000000 turns are recorded; must be at most 1000\n\
+        "study.toml:4:18: error[E0608]: 1000000 turns are recorded; must be at most 1000\n\
          hint: transient_turns and recorded_turns stand in the [cycle] of the study, or of its model"
     );
     assert_eq!(
         said("[cycle]\ntransient_turns = 987654.25\nrecorded_turns = 0.5"),
-        "study.toml:1:1: error[E0608]: 987654.75 turns are run; must be at most 10000\n\
+        "study.toml:4:19: error[E0608]: 987654.75 turns are run; must be at most 10000\n\
          hint: transient_turns and recorded_turns stand in the [cycle] of the study, or of its model"
     );
 }

@@ -99,12 +99,24 @@ fn identity_a_budget_ends_at_a_round_that_repeats() {
 fn a_budget_below_the_first_round_is_refused_before_it_begins() {
     let mut study = study("");
     study.set_budget("500 runs").unwrap_or_else(|complaint| panic!("{complaint:?}"));
-    let said = plan_runs(&study).expect_err("the budget is too small").to_string();
-    assert!(said.starts_with("a budget of 500 runs; the first round and what follows it take at most "), "{said}");
+    let said = plan_runs(&study).expect_err("the budget is too small").complaint(&study).to_string();
+    let due = "--budget:1:1: error[E0611]: a budget of 500 runs; the first round and what follows it take at most ";
+    assert!(said.starts_with(due), "{said}");
     assert!(matches!(
         conduct(&study, "", &Means { threads: 1, progress: &Silent, stop: &AtomicBool::new(false), store: None }),
         Err(StudyError::BudgetTooSmall { budget: 500, .. })
     ));
+}
+
+#[test]
+fn a_budget_in_the_file_is_refused_at_its_place() {
+    let study = study("budget = 500");
+    let said = plan_runs(&study).expect_err("the budget is too small").complaint(&study);
+    let place = said.place.expect("it has a place");
+    let text = study.source().text();
+    let line = text.lines().nth(place.line_and_column().0 - 1).expect("a line");
+    assert!(line.starts_with("budget = 500"), "{line}");
+    assert_eq!(&text[study.source().clamp(place.span)], "500");
 }
 
 #[test]

@@ -69,6 +69,7 @@ pub use evaluate::{EvaluateError, Response, evaluate, execute};
 pub use pinching::{PinchedInput, Pinching};
 pub use plan::{DoubleLoop, PlanError};
 pub use probability_box::ProbabilityBox;
+pub(crate) use problem::MOST_OUTER;
 pub use problem::{NotReweighted, Problem, ProblemError, Request, Reweightable, Sampling};
 pub use refinement::{Assessment, Goal, Refinement, Standing};
 pub use reweighting::Reweighted;

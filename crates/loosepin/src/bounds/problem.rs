@@ -377,6 +377,9 @@ const MOST_ELEMENTS: usize = 256;
 /// Every combination of members is run, and searched by itself.
 const MOST_COMBINATIONS: usize = 64;
 
+/// Points in the box of the epistemic inputs at most, with all combinations of the members of lists.
+pub(crate) const MOST_OUTER: usize = MOST_POINTS * MOST_COMBINATIONS;
+
 impl ProblemError {
     /// The number of runs, of points or of replicates that it is about, by the name of its field.
     pub fn key(&self) -> Option<&'static str> {

@@ -116,24 +116,27 @@ impl StudyError {
                 }
                 complaint
             }
+            Self::Prepare(PrepareError::TooManyTurns { key, .. }) => {
+                Complaint::error(self, Some(place_within("cycle", Some(key), study)))
+            }
+            Self::Prepare(PrepareError::TooManyPoses { .. }) => {
+                Complaint::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
+            }
             Self::Prepare(
                 PrepareError::Law(_)
                 | PrepareError::UncertainStart { .. }
                 | PrepareError::SpeedThroughZero { .. }
-                | PrepareError::TooManyPoses { .. }
-                | PrepareError::TooManyTurns { .. }
                 | PrepareError::TooManyLaws { .. }
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
-            Self::BudgetTooSmall { .. }
-            | Self::Threads(_)
+            Self::BudgetTooSmall { .. } | Self::TimeOfShards => Complaint::error(self, study.budget_place().cloned()),
+            Self::Threads(_)
             | Self::Store(_)
             | Self::Table(_)
             | Self::RoundOpen(_)
             | Self::NotMade { .. }
             | Self::TooManyFailed(_)
-            | Self::TimeOfShards
             | Self::Interrupted { .. } => Complaint::error(self, None),
         }
     }

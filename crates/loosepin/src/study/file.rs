@@ -3,6 +3,7 @@
 mod accuracy;
 mod allow;
 mod ask;
+mod asked_before;
 mod check;
 mod correlation;
 mod description;
@@ -26,6 +27,7 @@ use std::sync::Arc;
 use accuracy::WrittenAccuracies;
 pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
 use ask::KnownPose;
+use asked_before::KnownQuestion;
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
     EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study,
@@ -44,7 +46,7 @@ use crate::bounds::Reading;
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
 use crate::model::{Cycle, Model};
-use crate::uncertainty::CorrelationSeries;
+use crate::uncertainty::{CorrelationSeries, EpistemicVariable};
 use crate::units::{Dimension, Rule};
 
 /// Percentiles of statistics that are themselves random, where the file does not say.
@@ -105,6 +107,11 @@ impl Study {
         &self.source
     }
 
+    /// Where the budget is written: in the file or on the command line.
+    pub fn budget_place(&self) -> Option<&Place> {
+        self.budget_place.as_ref()
+    }
+
     /// Linear correlations of the values of random inputs, for what is computed to first order.
     pub fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
         let stated = self.correlation.iter().flat_map(|correlation| &correlation.stated);
@@ -157,10 +164,11 @@ fn read(
         tables: Vec::new(),
         parameters: Parameters::default(),
         poses: Vec::new(),
+        questions: Vec::new(),
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
-    let (mut sampling, written_accuracies, budget, reweighting) = file.sampling(&root);
+    let (mut sampling, written_accuracies, written_budget, reweighting) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -181,6 +189,7 @@ fn read(
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
     }
+    let (budget, budget_place) = written_budget.unzip();
     let mut warnings: Vec<Complaint> = file.model.warnings.clone();
     warnings.extend(file.reader.complaints.sorted().into_iter().cloned());
     Ok(Study {
@@ -201,6 +210,7 @@ fn read(
         allowances,
         accuracy,
         budget,
+        budget_place,
         warnings,
         source: file.reader.source,
         tables: file.tables,
@@ -229,6 +239,8 @@ pub(super) struct StudyReader {
     pub parameters: Parameters,
     /// Angles at which single numbers are asked for or required.
     pub poses: Vec<KnownPose>,
+    /// What is asked so far.
+    pub questions: Vec<KnownQuestion>,
 }
 
 impl StudyReader {
@@ -279,6 +291,13 @@ impl StudyReader {
         if entries.is_empty() {
             self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
         }
+        let is_second_order = |input: &EpistemicInput| matches!(input.variable, EpistemicVariable::SecondOrder(_));
+        // Where an input is wrong it may be the one with a distribution.
+        if !self.reader.complaints.has_errors() && !self.epistemic.iter().any(is_second_order) {
+            let problem = StudyProblem::PercentilesOfNothing { entry: written.path.describe() };
+            let place = self.reader.place(written.at_key().span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
         let mut percentiles: Vec<f64> = Vec::new();
         for entry in &entries {
             let Some(percentile) = self.reader.measured(entry, Dimension::NUMBER, Rule::Probability) else { continue };
@@ -294,7 +313,7 @@ impl StudyReader {
     fn sampling(
         &mut self,
         root: &Table<'_>,
-    ) -> (Sampling, WrittenAccuracies, Option<Budget>, Option<WrittenReweighting>) {
+    ) -> (Sampling, WrittenAccuracies, Option<(Budget, Place)>, Option<WrittenReweighting>) {
         let mut sampling = Sampling::default();
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
             return (sampling, WrittenAccuracies::default(), None, None);

@@ -69,6 +69,8 @@ pub enum PrepareError {
         what: &'static str,
         /// How many there may be.
         most: f64,
+        /// The key under `[cycle]` that says so.
+        key: &'static str,
     },
     /// More mechanisms than are made.
     #[error("{combinations} combinations of contact laws; must be at most {MOST_LAWS}")]
@@ -370,10 +372,12 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
 /// A run must end in a person's time.
 fn check_turns(study: &Study) -> Result<(), PrepareError> {
     let (transient, recorded) = (study.cycle.transient_turns, study.cycle.recorded_turns);
-    for (turns, what, most) in [(recorded, "recorded", MOST_RECORDED_TURNS), (transient + recorded, "run", MOST_TURNS)]
-    {
+    for (turns, what, most, key) in [
+        (recorded, "recorded", MOST_RECORDED_TURNS, "recorded_turns"),
+        (transient + recorded, "run", MOST_TURNS, "transient_turns"),
+    ] {
         if turns > most {
-            return Err(PrepareError::TooManyTurns { turns, what, most });
+            return Err(PrepareError::TooManyTurns { turns, what, most, key });
         }
     }
     Ok(())

@@ -254,6 +254,7 @@ impl Study {
         let source = Source::new("--budget", text);
         let budget = parse_budget(text).map_err(|problem| complaint(&problem, &source, 0..text.len()))?;
         self.budget = Some(budget);
+        self.budget_place = Some(Place::new(&source, 0..text.len()));
         Ok(())
     }
 
@@ -434,15 +435,15 @@ impl StudyReader {
         targets
     }
 
-    /// Reads a budget.
-    pub fn budget(&mut self, table: &Table<'_>) -> Option<Budget> {
+    /// Reads a budget, and where it is written.
+    pub fn budget(&mut self, table: &Table<'_>) -> Option<(Budget, Place)> {
         let entry = table.get("budget")?;
         let text = match self.reader.written(&entry)? {
             Written::Number(number) => number.to_string(),
             Written::Text(text) => text.to_owned(),
         };
         match parse_budget(&text) {
-            Ok(budget) => Some(budget),
+            Ok(budget) => Some((budget, self.reader.place(entry.span))),
             Err(problem) => {
                 self.reader.complain(&problem, entry.span);
                 None

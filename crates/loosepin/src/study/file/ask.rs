@@ -28,9 +28,12 @@ const FORMS: [(&str, &str); 7] = [
     ("std", "\"standard_deviation\""),
 ];
 
+/// Keys that say where in the cycle; one is due.
+const PLACES: [&str; 3] = ["at", "poses", "reduce"];
+
 /// An entry of the list of statistics.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Asked {
+pub enum Asked {
     Statistic(Statistic),
     Contributors,
     Rare(Statistic, RareMethod),
@@ -109,8 +112,13 @@ impl StudyReader {
         // Without the output the dimension of limits is not known.
         let output = output?;
         let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
-        let asked = statistics?;
-        let location = location?;
+        let entries = statistics?;
+        let (deviation, location) = (deviation?, location?);
+        // Of two places one is wrong, and which is not known.
+        if PLACES.into_iter().filter(|key| table.has(key)).count() == 1 {
+            self.check_new(&entries, (output, deviation), &location);
+        }
+        let asked: Vec<Asked> = entries.into_iter().map(|(_, asked)| asked).collect();
         let contributors = asked.contains(&Asked::Contributors);
         let rare: Vec<(Statistic, RareMethod)> = asked
             .iter()
@@ -134,7 +142,7 @@ impl StudyReader {
             Asked::Contributors | Asked::SimultaneousBand(_) => None,
         });
         let statistics = statistics.collect();
-        Some(Ask { output, deviation: deviation?, location, statistics, contributors, rare, simultaneous_bands: bands })
+        Some(Ask { output, deviation, location, statistics, contributors, rare, simultaneous_bands: bands })
     }
 
     /// Reads the requirements.
@@ -244,6 +252,11 @@ impl StudyReader {
             }
             for angle in self.reader.list(&entry)? {
                 let Some(angle_rad) = self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite) else { continue };
+                if angles_rad.contains(&angle_rad) {
+                    let pose = format_value(angle_rad, Dimension::ANGLE);
+                    self.complain(&StudyProblem::PoseTwice { entry: angle.path.describe(), pose }, &angle);
+                    continue;
+                }
                 self.check_apart(&angle, KnownPose { of, angle_rad });
                 angles_rad.push(angle_rad);
             }
@@ -275,7 +288,7 @@ impl StudyReader {
         self.poses.push(pose);
     }
 
-    fn statistics(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<Asked>> {
+    fn statistics<'t>(&mut self, table: &Table<'t>, dimension: Dimension) -> Option<Vec<(Entry<'t>, Asked)>> {
         let entry = table.get("statistics")?;
         let entries = self.reader.list(&entry)?;
         if entries.is_empty() {
@@ -283,7 +296,7 @@ impl StudyReader {
             return None;
         }
         let asked: Vec<Option<Asked>> = entries.iter().map(|entry| self.statistic(entry, dimension)).collect();
-        asked.into_iter().collect()
+        entries.into_iter().zip(asked).map(|(entry, asked)| Some((entry, asked?))).collect()
     }
 
     fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::accuracy::{AccuracyTarget, Budget};
 use crate::bounds::{Reading, Statistic};
 use crate::contact::NormalDescription;
-use crate::diagnostics::{Complaint, Source};
+use crate::diagnostics::{Complaint, Place, Source};
 use crate::model::{ContactId, Cycle, Model, QuantityId};
 use crate::surrogate::Choice;
 use crate::uncertainty::{
@@ -53,6 +53,8 @@ pub struct Study {
     pub accuracy: Vec<AccuracyTarget>,
     /// Where the study ends although its bounds are not yet as near.
     pub budget: Option<Budget>,
+    /// Where the budget is written.
+    pub(super) budget_place: Option<Place>,
     /// What is allowed in model and study and yet looks like an oversight.
     pub warnings: Vec<Complaint>,
     pub(super) source: Arc<Source>,

@@ -1,5 +1,6 @@
 //! The keys of a study file.
 
+use crate::bounds::MOST_OUTER;
 use crate::document::{Key, Keys, Kind, optional, required};
 use crate::model::CYCLE_NUMBERS;
 use crate::units::Rule;
@@ -11,8 +12,6 @@ use super::words::{
 
 /// What a double holds exactly, so that a seed survives every file format.
 const LARGEST_SEED: u64 = (1 << 53) - 1;
-/// Points in the box of the epistemic inputs, at most.
-const MOST_OUTER: u64 = 1 << 20;
 /// Samples of the random inputs, at most: that many Sobol' points are distinct.
 const MOST_INNER: u64 = 1 << 24;
 /// Randomisations, at most.
@@ -29,7 +28,7 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
     &[
         optional(
             "outer",
-            Kind::Count { least: 1, most: MOST_OUTER },
+            Kind::Count { least: 1, most: MOST_OUTER as u64 },
             "64",
             "points in the box of the intervals; 64 if left out",
         ),

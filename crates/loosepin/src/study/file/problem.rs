@@ -317,6 +317,34 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// The same question again.
+    #[error("{entry}: {what} is asked before, of the same output at the same place")]
+    AskedTwice {
+        /// The entry.
+        entry: String,
+        /// What is asked, as it is written.
+        what: String,
+    },
+    /// An angle that stands in a list twice.
+    #[error("{entry}: {pose} is in this list before")]
+    PoseTwice {
+        /// The entry.
+        entry: String,
+        /// The angle.
+        pose: String,
+    },
+    /// Percentiles over nothing.
+    #[error("{entry}: no parameter of a distribution has a distribution, so that none is told")]
+    PercentilesOfNothing {
+        /// The entry.
+        entry: String,
+    },
+    /// Direct runs that confirm no surrogate.
+    #[error("{entry} is \"confirming\"; there is no surrogate that direct runs could confirm")]
+    NothingToConfirm {
+        /// The entry.
+        entry: String,
+    },
     /// A question that the surrogate alone does not answer.
     #[error("{entry}: {of} are had from direct runs alone")]
     NeedsDirectRuns {
@@ -463,6 +491,10 @@ impl Problem for StudyProblem {
             Self::UnknownOutput { .. } => Code::UnknownReference,
             Self::PathOutput { .. }
             | Self::WrongDrive { .. }
+            | Self::AskedTwice { .. }
+            | Self::PoseTwice { .. }
+            | Self::PercentilesOfNothing { .. }
+            | Self::NothingToConfirm { .. }
             | Self::PosesTooNear { .. }
             | Self::Empty { .. }
             | Self::Limit { .. }
@@ -503,6 +535,11 @@ impl Problem for StudyProblem {
             Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
             Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
             Self::DegreesTwice { .. } => Some("leave it out".to_owned()),
+            Self::AskedTwice { .. } | Self::PoseTwice { .. } => Some("leave one of the two out".to_owned()),
+            Self::PercentilesOfNothing { .. } => {
+                Some("leave it out, or give a parameter of a random input a distribution of its own".to_owned())
+            }
+            Self::NothingToConfirm { .. } => Some("leave it out, or write kind = \"auto\"".to_owned()),
             Self::SingleMember { .. } => Some("write the value in the model file, or name the others".to_owned()),
             Self::MemberTwice { .. } => Some("keep one of the two".to_owned()),
             Self::Law { error, .. } => error.hint(),

@@ -37,7 +37,11 @@ impl StudyReader {
         }
         let table = self.reader.table(&entry, &SURROGATE_KEYS)?;
         if let Some(kind) = table.get("kind") {
-            surrogate.choice = self.reader.choice(&kind, &SURROGATES)??;
+            let Some(choice) = self.reader.choice(&kind, &SURROGATES)? else {
+                self.check_nothing_to_confirm(&table);
+                return None;
+            };
+            surrogate.choice = choice;
         }
         for (key, count) in
             [("training_runs", &mut surrogate.training_runs), ("confirming_runs", &mut surrogate.confirming_runs)]
@@ -53,6 +57,14 @@ impl StudyReader {
             }
         }
         Some(surrogate)
+    }
+
+    /// Without a surrogate the double loop is all there is.
+    fn check_nothing_to_confirm(&mut self, table: &Table<'_>) {
+        let Some(entry) = table.get("direct") else { return };
+        if self.reader.choice(&entry, &DIRECT_RUNS) == Some(true) {
+            self.complain(&StudyProblem::NothingToConfirm { entry: entry.path.describe() }, &entry);
+        }
     }
 
     /// What is asked that the runs of the double loop alone answer.
