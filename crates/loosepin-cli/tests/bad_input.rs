@@ -249,7 +249,8 @@ fn a_path_of_nothing_and_a_model_that_is_not_there() {
     bad_study(
         "model = \"model.toml\"",
         "model = \"modle.toml\"",
-        "study.toml:2:9: error[E0101]: cannot read modle.toml: there is no such file",
+        "study.toml:2:9: error[E0101]: cannot read modle.toml: there is no such file\n\
+         hint: did you mean 'model.toml'?",
     );
 }
 
@@ -285,12 +286,20 @@ fn an_error_in_the_model_of_a_study_is_placed_in_the_model() {
 fn files_that_cannot_be_read() {
     let desk = Desk::with_model("slider_crank_5000");
     fs::create_dir(desk.path("folder")).expect("writable");
+    fs::create_dir(desk.path("full")).expect("writable");
+    for name in ["full/study.toml", "full/notes.txt", "full/model.toml"] {
+        desk.write(name, "");
+    }
     fs::write(desk.path("latin.toml"), b"name = \"gro\xdf\"\n").expect("writable");
     desk.write("empty.toml", "");
     desk.write("big.toml", &" ".repeat(2_000_000));
     for command in ["check", "simulate", "motion", "study"] {
         desk.fail(&[command, "nothing.toml"], "error[E0101]: cannot read nothing.toml: there is no such file");
         desk.fail(&[command, "folder"], "error[E0101]: cannot read folder: it is a folder");
+        desk.fail(
+            &[command, "full"],
+            "error[E0101]: cannot read full: it is a folder\nhint: name a file in it: model.toml or study.toml",
+        );
         desk.fail(
             &[command, "latin.toml"],
             "latin.toml:1:12: error[E0102]: the file is not UTF-8 text from here on\nhint: save the file as UTF-8",

@@ -107,6 +107,20 @@ fn wrong_tables_are_told_with_their_places() {
          hint: columns are separated by commas"
     );
     assert_eq!(
+        refused("# bench 3\nangle [deg], slider [mm]\n0, 1\n"),
+        "m.csv:1:1: error[E1001]: the header '# bench 3' is not written name [unit]\n\
+         hint: a table has no lines of comment: leave this one out"
+    );
+    assert_eq!(
+        refused("angle [deg], slider [mm]\n# at noon\n0,5, 1,25\n1,\"1,5\"\n2, \u{2212}1\n"),
+        "m.csv:2:1: error[E1001]: a table has no lines of comment\nhint: leave the line out\n\
+         m.csv:3:1: error[E1001]: the row has 4 cells; the header has 2\n\
+         hint: a comma separates columns; decimal numbers have a point\n\
+         m.csv:4:1: error[E1001]: '1,5' is no finite number\nhint: decimal numbers have a point\n\
+         m.csv:5:4: error[E1001]: '\u{2212}1' is no finite number\n\
+         hint: the minus sign of numbers is the hyphen of the keyboard"
+    );
+    assert_eq!(
         refused("angle [degr], slider [mm]\n0, 1\n"),
         "m.csv:1:1: error[E0302]: 'degr' is not a known unit\nhint: did you mean 'deg'?"
     );

@@ -5,6 +5,7 @@
 
 mod entry;
 mod keys;
+mod meant_file;
 mod path;
 mod problem;
 mod reader;

@@ -18,6 +18,8 @@ pub enum DocumentProblem {
         file: String,
         /// What the operating system says.
         reason: String,
+        /// What may be meant.
+        hint: Option<String>,
     },
     /// A byte that is not UTF-8.
     #[error("the file is not UTF-8 text from here on")]
@@ -252,6 +254,7 @@ impl Problem for DocumentProblem {
             Self::BreaksRule { rule: Rule::Probability | Rule::RequiredProbability, .. } => {
                 Some("probabilities are written as numbers, 97.5 % is 0.975".to_owned())
             }
+            Self::NotReadable { hint, .. } => hint.clone(),
             Self::DecimalComma { written, .. } => Some(format!("write \"{written}\"")),
             Self::DuplicateKey { .. } => Some("a key, and the header of a table, stands once".to_owned()),
             Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),

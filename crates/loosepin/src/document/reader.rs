@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::entry::{Entry, Table, Written, shortened};
 use super::keys::Keys;
+use super::meant_file::{file_of_like_name, files_inside};
 use super::path::{EntryPath, is_name};
 use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, nearest_name};
@@ -30,13 +31,18 @@ pub(crate) fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
             std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
             _ => error.to_string(),
         };
-        Complaints::one(&DocumentProblem::NotReadable { file: name.clone(), reason }, None)
+        let hint = match error.kind() {
+            std::io::ErrorKind::NotFound => file_of_like_name(path),
+            std::io::ErrorKind::IsADirectory => files_inside(path),
+            _ => None,
+        };
+        Complaints::one(&DocumentProblem::NotReadable { file: name.clone(), reason, hint }, None)
     };
     // Asked first, so that a device or an enormous file is not read into memory.
     let metadata = std::fs::metadata(path).map_err(not_readable)?;
     if !metadata.is_file() && !metadata.is_dir() {
         let reason = "it is neither a file nor a folder".to_owned();
-        return Err(Complaints::one(&DocumentProblem::NotReadable { file: name, reason }, None));
+        return Err(Complaints::one(&DocumentProblem::NotReadable { file: name, reason, hint: None }, None));
     }
     let size_bytes = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
     let check_size = |size_bytes| {
@@ -62,7 +68,7 @@ pub(crate) fn read_beside(source: &Source, written: &str) -> Result<Arc<Source>,
     let name = path.display().to_string();
     files.iter().find(|file| file.name() == name).cloned().ok_or_else(|| {
         let reason = "it was not given with the text that names it".to_owned();
-        Complaints::one(&DocumentProblem::NotReadable { file: name, reason }, None)
+        Complaints::one(&DocumentProblem::NotReadable { file: name, reason, hint: None }, None)
     })
 }
 

@@ -76,6 +76,9 @@ pub enum MeasuredProblem {
         /// Cells of the header.
         due: usize,
     },
+    /// A line of comment.
+    #[error("a table has no lines of comment")]
+    Comment,
     /// What is no finite number.
     #[error("'{text}' is no finite number")]
     NotANumber {
@@ -146,6 +149,9 @@ impl Problem for MeasuredProblem {
             Self::Empty { .. } | Self::NothingMeasured { .. } => {
                 Some("for example a first line: angle [deg], slider [mm]".to_owned())
             }
+            Self::NoUnit { text } | Self::NotANumber { text } if text.starts_with('#') => {
+                Some("a table has no lines of comment: leave this one out".to_owned())
+            }
             Self::NoUnit { text } if text.contains(';') => Some("columns are separated by commas".to_owned()),
             Self::NoUnit { .. } => Some("for example: angle [deg], slider [mm]; a pure number has [1]".to_owned()),
             Self::Unit { error } => error.hint(),
@@ -160,6 +166,14 @@ impl Problem for MeasuredProblem {
                 Some(format!("name it, for example column = \"{first}\"; there is {}", known.join(", ")))
             }
             Self::OutsideRecord { .. } => Some("record more turns with --turns, or cut the table".to_owned()),
+            Self::Comment => Some("leave the line out".to_owned()),
+            Self::RowLength { found, due } if found > due => {
+                Some("a comma separates columns; decimal numbers have a point".to_owned())
+            }
+            Self::NotANumber { text } if text.contains('\u{2212}') => {
+                Some("the minus sign of numbers is the hyphen of the keyboard".to_owned())
+            }
+            Self::NotANumber { text } if text.contains(',') => Some("decimal numbers have a point".to_owned()),
             Self::NotANumber { .. } => Some("leave a cell empty where nothing was measured".to_owned()),
             _ => None,
         }

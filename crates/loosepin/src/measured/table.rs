@@ -224,8 +224,10 @@ impl TableReader {
     pub fn has_length(&mut self, row: &Row, due: usize) -> bool {
         let found = row.cells.len();
         if found != due {
+            let is_comment = row.cells.first().is_some_and(|(text, _)| text.starts_with('#'));
+            let problem = if is_comment { MeasuredProblem::Comment } else { MeasuredProblem::RowLength { found, due } };
             let end = row.cells.last().map_or(row.start, |(_, place)| place.end);
-            self.complain(&MeasuredProblem::RowLength { found, due }, Span { start: row.start, end });
+            self.complain(&problem, Span { start: row.start, end });
         }
         found == due
     }
