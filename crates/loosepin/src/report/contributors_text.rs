@@ -3,7 +3,7 @@
 use super::number::{NumberWriter, plain_name};
 use super::study_page::{band_share, known_share, share_range};
 use super::terminal::{push_table, table};
-use super::wording::{deviation_words, listed, output_words, place_words};
+use super::wording::{listed, response_words};
 use crate::study::result::StudyResult;
 
 /// One table for each question that asks for contributors.
@@ -11,11 +11,9 @@ pub(super) fn contributors_text(result: &StudyResult, writer: &NumberWriter) -> 
     let mut text = String::new();
     for one in &result.contributors {
         text.push_str(&format!(
-            "\nWhat would make the 95 % band narrower, which is {} wide\n\n{}: {}, {}\n",
+            "\nWhat would make the 95 % band narrower, which is {} wide\n\n{}\n",
             writer.value(one.band_width_si, &one.unit),
-            output_words(&one.output, &result.outputs),
-            deviation_words(one.of),
-            place_words(one.at, writer)
+            response_words(result, (&one.output, one.of, one.at), writer)
         ));
         let head = ["input", "way", "part of the band", "variance alone", "in all", "quasi-static"];
         let mut rows = table(&head, &[2, 3, 4, 5]);

@@ -6,8 +6,8 @@ use super::number::{NumberWriter, Rounding};
 use super::study_page::bound_value;
 use super::terminal::{push_table, table, wrapped};
 use super::wording::{
-    band_digits, count, counted, deviation_words, listed, output_words, place_words, share_words, statistic_words,
-    treatment_words,
+    band_digits, count, counted, deviation_words, listed, output_words, place_words, response_words, share_words,
+    statistic_words, treatment_words,
 };
 use crate::study::result::{
     BoundRecord, ResponsePoint, StudyResult, SurrogateLearning, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
@@ -208,20 +208,6 @@ pub(super) fn treatment_rows(
     comparison.bands.iter().map(row).collect()
 }
 
-/// Which response the treatments are of.
-pub(super) fn treatments_title(
-    result: &StudyResult,
-    comparison: &TreatmentComparison,
-    writer: &NumberWriter,
-) -> String {
-    format!(
-        "{}: {}, {}",
-        output_words(&comparison.output, &result.outputs),
-        deviation_words(comparison.of),
-        place_words(comparison.at, writer)
-    )
-}
-
 /// What the columns of [`treatment_rows`] are.
 pub(super) const TREATMENT_HEAD: [&str; 5] =
     ["treatment", "direct", "by surrogate", "± surrogate", "share inside, by surrogate"];
@@ -258,7 +244,10 @@ pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> Str
         treatment_rows(result, comparison, writer).into_iter().for_each(|row| {
             rows.add_row(row);
         });
-        text.push_str(&format!("\n{}\n", treatments_title(result, comparison, writer)));
+        text.push_str(&format!(
+            "\n{}\n",
+            response_words(result, (&comparison.output, comparison.of, comparison.at), writer)
+        ));
         push_table(&mut text, &rows);
     }
     text

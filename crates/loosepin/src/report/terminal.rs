@@ -13,7 +13,7 @@ use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
-    output_words, place_words, promise_word, reading_beside, share_words, statistic_words, treatment_words,
+    place_words, promise_word, reading_beside, response_words, share_words, statistic_words, treatment_words,
     unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
@@ -58,10 +58,8 @@ pub fn study_text(result: &StudyResult) -> String {
             rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
         {
             text.push_str(&format!(
-                "\n{}: {}, {}{}\n\n{}\n",
-                output_words(&group[0].output, &result.outputs),
-                deviation_words(group[0].of),
-                place_words(group[0].at, &writer),
+                "\n{}{}\n\n{}\n",
+                response_words(result, (&group[0].output, group[0].of, group[0].at), &writer),
                 reading_beside(result, group[0]),
                 bounds_table(result, group, &writer)
             ));

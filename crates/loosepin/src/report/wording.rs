@@ -162,6 +162,15 @@ pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String 
     named_words(name, words)
 }
 
+/// `slider (x of slider.pin): deviation, largest in the cycle`, as headings have it.
+pub(super) fn response_words(
+    result: &StudyResult,
+    (output, of, at): (&str, DeviationKind, ResponsePoint),
+    writer: &NumberWriter,
+) -> String {
+    format!("{}: {}, {}", output_words(output, &result.outputs), deviation_words(of), place_words(at, writer))
+}
+
 /// A name with its meaning where there is one.
 pub(super) fn named_words(name: &str, words: &str) -> String {
     if words.is_empty() { name.to_owned() } else { format!("{name} ({words})") }

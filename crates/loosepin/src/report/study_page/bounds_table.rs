@@ -5,8 +5,8 @@ use maud::{Markup, html};
 use crate::report::answer::output_unit;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::wording::{
-    MASSES_ADD, deviation_words, further, guarantee_words, has_parts, has_unknown, only_curves, output_words,
-    place_words, reading_beside, statistic_words, unknown_words,
+    MASSES_ADD, further, guarantee_words, has_parts, has_unknown, only_curves, reading_beside, response_words,
+    statistic_words, unknown_words,
 };
 use crate::study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
@@ -46,8 +46,7 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
                 tbody.group {
                     tr {
                         th scope="rowgroup" colspan="5" {
-                            (output_words(&group[0].output, &result.outputs)) ": "
-                            (deviation_words(group[0].of)) ", " (place_words(group[0].at, writer))
+                            (response_words(result, (&group[0].output, group[0].of, group[0].at), writer))
                             (reading_beside(result, group[0]))
                         }
                     }

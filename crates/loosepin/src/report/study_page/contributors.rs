@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use crate::report::number::{NumberWriter, Rounding, plain_name};
 use crate::report::still_figures::percent_of;
-use crate::report::wording::{deviation_words, output_words, place_words};
+use crate::report::wording::response_words;
 use crate::study::result::{Contributors, ShareRange, StudyResult};
 
 pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Markup {
@@ -22,7 +22,7 @@ fn figure(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Ma
     html! {
         figure.treatments {
             h3 {
-                (output_words(&one.output, &result.outputs)) ": " (deviation_words(one.of)) ", " (place_words(one.at, writer))
+                (response_words(result, (&one.output, one.of, one.at), writer))
             }
             table.cards {
                 thead {

@@ -9,9 +9,9 @@ use crate::report::script_data::rounded;
 use crate::report::surrogate_figure::surrogate_figure;
 use crate::report::surrogate_text::{
     MOST_ROWS, direct_bound, output_sentences, range_words, runs_sentence, single_bounds, surrogate_error,
-    treatment_rows, treatments_title,
+    treatment_rows,
 };
-use crate::report::wording::{deviation_words, output_words, place_words, statistic_words};
+use crate::report::wording::{deviation_words, output_words, response_words, statistic_words};
 use crate::study::result::{
     BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentComparison,
 };
@@ -54,8 +54,7 @@ fn bounds(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -
                 tbody.group {
                     tr {
                         th scope="rowgroup" colspan="4" {
-                            (output_words(&group[0].output, &result.outputs)) ": "
-                            (deviation_words(group[0].of)) ", " (place_words(group[0].at, writer))
+                            (response_words(result, (&group[0].output, group[0].of, group[0].at), writer))
                         }
                     }
                     @for bound in group {
@@ -81,7 +80,7 @@ fn treatments(result: &StudyResult, comparison: &TreatmentComparison, writer: &N
     let [treatment, direct, learned, error, share] =
         ["Treatment", "Direct", "By surrogate", "± surrogate", "Share inside"];
     html! {
-        h3 { (treatments_title(result, comparison, writer)) }
+        h3 { (response_words(result, (&comparison.output, comparison.of, comparison.at), writer)) }
         table.cards {
             thead {
                 tr {

@@ -6,8 +6,8 @@ use crate::report::answer::treatment_sentences;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::still_figures::percent_of;
 use crate::report::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, deviation_words, has_lists, output_words, place_words, promise_word,
-    share_words, treatment_words, unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, has_lists, promise_word, response_words, share_words, treatment_words,
+    unknown_words,
 };
 use crate::study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
 
@@ -44,8 +44,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
     html! {
         figure.treatments {
             h3 {
-                (output_words(&comparison.output, &result.outputs)) ": " (deviation_words(comparison.of)) ", "
-                (place_words(comparison.at, writer))
+                (response_words(result, (&comparison.output, comparison.of, comparison.at), writer))
             }
             table.cards {
                 thead {
