@@ -220,22 +220,21 @@ pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> Str
         text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
     }
     let shown = single_bounds(record);
-    let mut rows = table(&["statistic", "direct", "by surrogate", "± surrogate"], &[1, 2, 3]);
-    for bound in shown.iter().take(MOST_ROWS) {
-        let direct = direct_bound(result, bound);
-        let name = format!(
-            "{} {}",
-            bound.output,
-            statistic_words(bound.statistic, &output_unit(result, &bound.output), writer)
-        );
-        rows.add_row([
-            name,
-            direct.map_or("-".to_owned(), |direct| range_words(direct, writer)),
-            range_words(bound, writer),
-            surrogate_error(bound, writer),
-        ]);
+    for group in shown[..shown.len().min(MOST_ROWS)].chunk_by(|a, b| (&a.output, a.of, a.at) == (&b.output, b.of, b.at))
+    {
+        let mut rows = table(&["statistic", "direct", "by surrogate", "± surrogate"], &[1, 2, 3]);
+        for bound in group {
+            let direct = direct_bound(result, bound);
+            rows.add_row([
+                statistic_words(bound.statistic, &output_unit(result, &bound.output), writer),
+                direct.map_or("-".to_owned(), |direct| range_words(direct, writer)),
+                range_words(bound, writer),
+                surrogate_error(bound, writer),
+            ]);
+        }
+        text.push_str(&format!("\n{}\n", response_words(result, (&group[0].output, group[0].of, group[0].at), writer)));
+        push_table(&mut text, &rows);
     }
-    push_table(&mut text, &rows);
     if shown.len() > MOST_ROWS {
         text.push_str(&format!("\n{} more in summary.json\n", shown.len() - MOST_ROWS));
     }
