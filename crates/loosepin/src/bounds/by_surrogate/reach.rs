@@ -10,8 +10,11 @@
 use super::super::statistic::Statistic;
 use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
-use super::results::MARGIN;
 
+/// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
+pub(super) const FIRST_REACH: f64 = 3.0;
+/// k is at least so many times the largest error that direct runs have shown, in σ.
+pub(super) const MARGIN: f64 = 1.5;
 /// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.
 const LEAST_REACH_OF_MEAN: f64 = 1.0;
 const LEAST_REACH_OF_DEVIATION: f64 = 2.0;

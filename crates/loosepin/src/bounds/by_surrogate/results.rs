@@ -9,15 +9,10 @@ use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::confirm::{Confirmation, Confirmed, confirmed};
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
-use super::reach::SharesOfReach;
+use super::reach::{FIRST_REACH, MARGIN, SharesOfReach};
 use super::response::Aspect;
 use super::search::{Searched, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
-
-/// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
-pub(super) const FIRST_REACH: f64 = 3.0;
-/// k is at least so many times the largest error that direct runs have shown, in σ.
-pub(super) const MARGIN: f64 = 1.5;
 
 /// Bounds of one requested statistic by a surrogate.
 #[derive(Debug, Clone)]
