@@ -37,6 +37,8 @@ pub enum DocumentProblem {
     Syntax {
         /// What the TOML parser says.
         reason: String,
+        /// The line.
+        line: String,
     },
     /// A number with a decimal comma.
     #[error("{entry} has a decimal comma; numbers have a point")]
@@ -224,6 +226,17 @@ fn one_of(choices: &[&'static str]) -> String {
     listed(&quoted, "or")
 }
 
+/// The first number behind an equals sign that is written with a decimal comma, with a point instead.
+fn number_with_comma(line: &str) -> Option<String> {
+    line.split('=').skip(1).find_map(|value| {
+        let (before, rest) = value.trim_start().split_once(',')?;
+        let after: String = rest.chars().take_while(char::is_ascii_digit).collect();
+        let digits = before.strip_prefix(['+', '-']).unwrap_or(before);
+        let is_number = !digits.is_empty() && digits.chars().all(|letter| letter.is_ascii_digit()) && !after.is_empty();
+        is_number.then(|| format!("{before}.{after}"))
+    })
+}
+
 impl Problem for DocumentProblem {
     fn code(&self) -> Code {
         match self {
@@ -256,6 +269,9 @@ impl Problem for DocumentProblem {
             }
             Self::NotReadable { hint, .. } => hint.clone(),
             Self::DecimalComma { written, .. } => Some(format!("write \"{written}\"")),
+            Self::Syntax { line, .. } => {
+                number_with_comma(line).map(|written| format!("decimal numbers have a point: {written}"))
+            }
             Self::DuplicateKey { .. } => Some("a key, and the header of a table, stands once".to_owned()),
             Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),
             Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),

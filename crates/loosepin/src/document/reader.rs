@@ -107,11 +107,17 @@ pub(crate) fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, C
             let key = error.span().map(|span| source.text()[source.clamp(span.into())].to_owned());
             DocumentProblem::DuplicateKey { key: shortened(&key.unwrap_or_default()) }
         } else {
-            DocumentProblem::Syntax { reason: error.message().replace('\n', "; ") }
+            let line = place.as_ref().map_or(String::new(), |place| line_of(source, place));
+            DocumentProblem::Syntax { reason: error.message().replace('\n', "; "), line }
         };
         complaints.push(Complaint::error(&problem, place));
     }
     Err(complaints)
+}
+
+/// The line that a place is in.
+fn line_of(source: &Source, place: &Place) -> String {
+    source.text().lines().nth(place.line_and_column().0 - 1).unwrap_or_default().to_owned()
 }
 
 /// Collects complaints while a file is read.

@@ -121,12 +121,19 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         ));
     }
     for joint in &record.joints {
+        let force = writer.value(joint.peak_force_n, &SiUnit::FORCE);
+        let contact = if joint.impacts == 0 {
+            format!("no impact, with up to {force} contact force")
+        } else {
+            format!(
+                "{} with up to {} approach speed and {force} contact force",
+                counted(joint.impacts, "impact", writer),
+                writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            )
+        };
         sentences.push(format!(
-            "{}: {} with up to {} approach speed and {} contact force; the surfaces are pressed together by {} at most.",
+            "{}: {contact}; the surfaces are pressed together by {} at most.",
             joint.joint,
-            counted(joint.impacts, "impact", writer),
-            writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
-            writer.value(joint.peak_force_n, &SiUnit::FORCE),
             writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
@@ -142,7 +149,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     sentences
 }
 
-/// The outcome of the quasi-static check: the output that breaks it, or else the one that comes closest.
+/// The outcome of the quasi-static check: the output that breaks it, or else the one that departs furthest.
 fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> Option<String> {
     let worst = checks.iter().max_by(|a, b| {
         (a.is_exceeded, a.largest_share)
@@ -159,7 +166,7 @@ fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> 
         )
     } else {
         format!(
-            "No output departs further than clearances and penetrations allow; the {} comes closest, with {} of that.",
+            "No output departs further than clearances and penetrations allow; the {} departs furthest, by {} of what they allow.",
             worst.output,
             writer.percent(worst.largest_share, Rounding::Up)
         )
@@ -431,7 +438,7 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
             html! {
                 (writer.value(joint.largest_penetration_m, &SiUnit::LENGTH))
                 @if joint.radial_clearance_m > 0.0 {
-                    ", " (writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Nearest))
+                    ", " (writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up))
                     " of the clearance of " (writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH))
                 }
             },

@@ -47,6 +47,7 @@ pub(super) fn surrogate_figure(
     let at = picture.pose_rad.map_or(output.at, |pose_rad| ResponsePoint::Pose { pose_rad });
     let at = place_words(at, writer);
     let input = plain_name(&picture.path, &result.inputs);
+    let subject = format!("{} of {}", deviation_words(output.of), output.output);
     let alternative = format!(
         "{} training runs of {name} against the {input}, and the surrogate with its band.",
         picture.run_input_si.len()
@@ -55,11 +56,11 @@ pub(super) fn surrogate_figure(
         figure.section {
             svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(alternative) {
                 (axes.grid())
-                path.irregular stroke-width="5" d=(dots) {}
+                path.irregular.dots d=(dots) {}
                 path.regular d=(line(&picture.output_si)) {}
                 path.regular stroke-dasharray="5 5" d=(line(&low)) {}
                 path.regular stroke-dasharray="5 5" d=(line(&high)) {}
-                (axes.labels([&input, &across.symbol], [&output.output, &up.symbol]))
+                (axes.labels([&input, &across.symbol], [&subject, &up.symbol]))
             }
             figcaption {
                 strong { (name) ", " (deviation_words(output.of)) ", " (at) ", against the " (input) "." }

@@ -139,6 +139,9 @@ pub enum ExpressionProblem {
     },
 }
 
+/// What stands for turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.
+const TURNS_A_MINUTE: [&str; 9] = ["U", "Umdr", "tr", "ob", "giri", "rev", "revs", "turn", "turns"];
+
 impl Problem for ExpressionProblem {
     fn code(&self) -> Code {
         match self {
@@ -163,6 +166,12 @@ impl Problem for ExpressionProblem {
     fn hint(&self) -> Option<String> {
         match self {
             Self::Empty => Some("write a number with its unit, for example \"0.5 mm\"".to_owned()),
+            Self::Unexpected { found, .. } if found == "','" => {
+                Some("decimal numbers have a point, for example \"0.5 mm\"".to_owned())
+            }
+            Self::UnknownUnit { symbol, .. } if TURNS_A_MINUTE.contains(&symbol.as_str()) => {
+                Some("turns a minute are written rpm".to_owned())
+            }
             Self::UnknownUnit { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownUnit { .. } => Some(
                 "known units include m, mm, µm, kg, g, s, ms, rad, deg, rpm, N, kN, Pa, GPa, J, W; products and powers are \

@@ -40,7 +40,8 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         let label = format!("{} for the whole cycle", writer.percent(each.share, Rounding::Nearest));
         add(label, Role::Mixed, true, EntryValues::pair(&lower, &upper));
     }
-    if curve.random.lower_si.iter().any(|value| value.is_finite()) {
+    let has_random = curve.random.lower_si.iter().any(|value| value.is_finite());
+    if has_random {
         let (lower, upper) = range(&curve.random);
         add(format!("{share}, random scatter alone"), Role::Random, false, EntryValues::band(&lower, &upper));
     }
@@ -74,10 +75,13 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         height: 380,
         caption: html! {
             strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
-            "At each angle, " (share) " of mechanisms lie inside the blue band if the unknown values are in the middle \
-             of their ranges"
-            @if !centre.is_empty() { " (" (centre) ")" }
-            ", and inside the orange band whatever they are. The orange band " (worst_words)
+            "At each angle, " (share) " of mechanisms lie inside "
+            @if has_random {
+                "the blue band if the unknown values are in the middle of their ranges"
+                @if !centre.is_empty() { " (" (centre) ")" }
+                ", and inside "
+            }
+            "the orange band whatever " @if has_random { "they" } @else { "the unknown values" } " are. The orange band " (worst_words)
             "; its numerical error, up to " (writer.error(curve.numerical_error_si, &curve.unit))
             ", is included."
             @for each in &curve.simultaneous {
@@ -85,7 +89,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             }
         },
         alternative: format!(
-            "Chart of the {} of {} over one turn of {}; the band for every unknown value is {worst_words}.",
+            "Chart of the {} of {} over one turn of {}; the band for every unknown value {worst_words}.",
             deviation_words(curve.of),
             subject,
             result.cycle.drive

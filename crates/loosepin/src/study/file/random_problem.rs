@@ -310,6 +310,9 @@ impl Problem for RandomProblem {
             Self::PoorFit { .. } => {
                 Some("try another family, or leave fitted out to take the sample as it is".to_owned())
             }
+            Self::NoTolerance { text, .. } if text.contains(',') => {
+                Some(format!("decimal numbers have a point: \"{}\"", text.replace(',', ".")))
+            }
             Self::NoTolerance { .. } => Some("write \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned()),
             Self::CapabilitiesExchanged { .. } => Some("exchange them, or leave cp out".to_owned()),
             Self::Fit { error: FitError::NotAFit { .. }, .. } => {
