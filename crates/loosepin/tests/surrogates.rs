@@ -173,7 +173,7 @@ fn identity_a_surrogate_alone_makes_no_other_runs_and_agrees_with_the_direct_bou
             }
         }
     }
-    assert!(study_page(&alone).contains("from which a surrogate was learned"));
+    assert!(study_page(&alone).contains("by which a surrogate was learned"));
     let text = study_text(&alone);
     assert!(text.contains("from 30 runs; held-out error") && !text.contains("NaN"), "{text}");
 }

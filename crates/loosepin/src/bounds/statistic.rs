@@ -18,3 +18,10 @@ pub enum Statistic {
     /// P(|Y| > limit), limit >= 0.
     ProbabilityBeyond(f64),
 }
+
+impl Statistic {
+    /// Whether it is a probability.
+    pub fn is_probability(self) -> bool {
+        matches!(self, Self::ProbabilityAbove(_) | Self::ProbabilityBelow(_) | Self::ProbabilityBeyond(_))
+    }
+}

@@ -2,7 +2,9 @@
 
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::study_page::bound_value;
-use super::wording::{counted, deviation_words, listed, output_words, place_words, statistic_words, unknown_words};
+use super::wording::{
+    counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words, unknown_words,
+};
 use crate::study::result::{
     BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, ResponsePoint, StatisticKind,
     StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
@@ -36,7 +38,8 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
         (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
         (None, None) => match result.bounds.iter().find(|bound| bound.treatment == TreatmentKind::Mixed) {
             Some(bound) => statistic_sentence(result, bound, &conditions, writer),
-            None => format!("{conditions} nothing was asked for."),
+            None if result.requirements.is_empty() => format!("{conditions} nothing was asked for."),
+            None => format!("{conditions} no more was asked for than whether the requirements are met."),
         },
     };
     let mut details = Vec::new();
@@ -220,9 +223,12 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             let unit = output_unit(result, &requirement.output);
             let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
             let verdict = match requirement.verdict {
-                Verdict::Met => "is met",
-                Verdict::NotMet => "is not met",
-                Verdict::Undecided => "is undecided, because the numerical error reaches over it (larger 'inner' and 'outer' make it smaller)",
+                Verdict::Met => "is met".to_owned(),
+                Verdict::NotMet => "is not met".to_owned(),
+                Verdict::Undecided => {
+                    let way_out = way_to_decide(result, requirement.probability_at_least, writer);
+                    format!("is undecided, because the numerical error reaches over it ({way_out})")
+                }
             };
             format!(
                 "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
@@ -235,6 +241,26 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             )
         })
         .collect()
+}
+
+/// What would decide a requirement.
+fn way_to_decide(result: &StudyResult, probability_at_least: f64, writer: &NumberWriter) -> String {
+    // Of n mechanisms of which none lies beyond the limit a share of 6/n to 7/n may still do so, with 99 % confidence at either witness.
+    const NONE_BEYOND: [f64; 2] = [6.0, 7.0];
+    let [least, needed] = NONE_BEYOND.map(|beyond| beyond / (1.0 - probability_at_least));
+    if is_by_surrogate(result) && result.counts.failed > 0 {
+        "what fails is told by direct runs alone: direct = \"double-loop\"".to_owned()
+    } else if needed.is_finite() && (result.counts.inner as f64) < least {
+        format!(
+            "{} do not show so large a share, even where all lie inside: 'inner' should be {} at least",
+            counted(result.counts.inner, "mechanism", writer),
+            super::wording::count((needed as u64).next_power_of_two(), writer)
+        )
+    } else if is_by_surrogate(result) {
+        "more training_runs, a larger 'inner' or direct = \"double-loop\" may tell".to_owned()
+    } else {
+        "larger 'inner' and 'outer' make it smaller".to_owned()
+    }
 }
 
 /// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
@@ -270,9 +296,12 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
             (true, all) => format!("It and {} of the {} other bounds are", inner - 1, all - 1),
             (false, all) => format!("{inner} of {all} bounds {}", if inner == 1 { "is" } else { "are" }),
         };
-        sentence.push_str(&format!(
-            " {subject} not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be wider."
-        ));
+        let by = if is_by_surrogate(result) {
+            "by direct runs at their values"
+        } else {
+            "by the search or for want of samples beyond them (larger 'inner')"
+        };
+        sentence.push_str(&format!(" {subject} not confirmed, {by}, and may be wider."));
     }
     sentence
 }
@@ -375,8 +404,13 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             };
             let kept = if band.is_promise_unknown(promised) {
                 format!(
-                    "Whether its band keeps the promise of {promise} the surrogate does not tell: where the truth is unkind, \
-                     {least_by_surrogate} lie inside"
+                    "Whether its band keeps the promise of {promise} {} not tell: where the truth is unkind, {} lie inside",
+                    if band.ends.is_some() { "the surrogate does" } else { "the runs do" },
+                    if band.ends.is_some() {
+                        least_by_surrogate
+                    } else {
+                        writer.percent_range((band.coverage_minimum - band.coverage_error).max(0.0), band.coverage_minimum)
+                    }
                 )
             } else if band.coverage_minimum >= 1.0 {
                 "Its band keeps the promise: every run lies inside, whatever is true".to_owned()

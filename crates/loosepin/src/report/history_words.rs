@@ -73,6 +73,8 @@ mod tests {
             kinds: vec!["Kriging".into()],
             runs: 80,
             missing: 0,
+            failed: 0,
+            share_outside: 0.0,
             held_out_si: 2.3e-5,
             q2: Some(q2),
             verdict: Some(verdict),

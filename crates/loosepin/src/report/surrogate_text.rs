@@ -24,16 +24,27 @@ pub(super) fn title(record: &SurrogateRecord) -> &'static str {
 
 /// How many runs the surrogates needed, beside the direct bounds.
 pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> String {
-    let failed =
-        if record.failed > 0 { format!(", {} of which failed", count(record.failed, writer)) } else { String::new() };
+    let failed = if record.failed > 0 {
+        format!("; {} of all these failed", count(record.failed, writer))
+    } else {
+        String::new()
+    };
     let direct = match record.direct_runs {
         0 => "there are no direct bounds beside".to_owned(),
         runs => format!("the direct bounds took {}", count(runs, writer)),
     };
     format!(
-        "Learned from {} and held against {} more at the values that attain the bounds{failed}; {direct}.",
+        "Learned from {}, {}{failed}; {direct}.",
         counted(record.training_runs, "run", writer),
-        count(record.confirming_runs, writer),
+        match (record.confirming_runs, record.outputs.iter().any(|output| output.largest_ratio > 0.0)) {
+            (0, _) => "held against no other".to_owned(),
+            (runs, true) =>
+                format!("and held against {} more at the values that attain the bounds", count(runs, writer)),
+            (runs, false) => format!(
+                "with {} more at extreme values, none of which says how far bounds are off",
+                count(runs, writer)
+            ),
+        },
     )
 }
 
@@ -79,8 +90,19 @@ fn output_sentence(
     if let Some(words) = history_words(output, all, writer) {
         sentence.push_str(&format!(" {words}"));
     }
-    if output.missing > 0 {
-        sentence.push_str(&format!(" {} gave no value.", counted(output.missing, "training run", writer)));
+    if output.failed > 0 {
+        sentence.push_str(&format!(
+            " {} gave no value: what share of the mechanisms fails at which values was not learned, so that nothing is known of \
+             probabilities and quantiles.",
+            counted(output.failed, "run", writer)
+        ));
+    }
+    if output.share_outside > 0.0 {
+        sentence.push_str(&format!(
+            " At a bound {} of the mechanisms lie outside of the range of its runs, where it gives no answer, and count as failed; \
+             more training_runs reach further.",
+            writer.percent(output.share_outside, Rounding::Up)
+        ));
     }
     if output.largest_ratio > 0.0 {
         sentence.push_str(&format!(
@@ -100,6 +122,7 @@ fn kinds(output: &SurrogateOutput) -> String {
         }
     }
     match (output.at, output.kinds.len()) {
+        (ResponsePoint::Whole, 0) => "the mean curve".to_owned(),
         (ResponsePoint::Whole, 1) => format!("1 mode by {}", listed(&different)),
         (ResponsePoint::Whole, modes) => format!("{modes} modes by {}", listed(&different)),
         _ => listed(&different),
@@ -130,7 +153,7 @@ fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer:
         ),
         Some(SurrogateVerdict::Jump) => format!(
             "A few errors are large and most are small{learned}: the response jumps, and near the jump the surrogate is wrong. What \
-             is left is part of its scatter here; rely on the direct bounds."
+             is left is part of its scatter here; rely on direct bounds (direct = \"double-loop\")."
         ),
         Some(SurrogateVerdict::Unknown) | None => {
             "Too few runs to tell whether more would help; what is left is taken as scatter.".to_owned()

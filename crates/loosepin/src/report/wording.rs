@@ -171,6 +171,11 @@ pub(super) fn response_words(
     format!("{}: {}, {}", output_words(output, &result.outputs), deviation_words(of), place_words(at, writer))
 }
 
+/// Whether the bounds of the study are those of a surrogate that stands alone.
+pub(super) fn is_by_surrogate(result: &StudyResult) -> bool {
+    result.surrogate.as_ref().is_some_and(|record| record.direct_runs == 0)
+}
+
 /// A name with its meaning where there is one.
 pub(super) fn named_words(name: &str, words: &str) -> String {
     if words.is_empty() { name.to_owned() } else { format!("{name} ({words})") }

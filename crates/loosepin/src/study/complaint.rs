@@ -130,6 +130,13 @@ impl StudyError {
                 | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
+            Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {
+                let hint = format!(
+                    "a budget of {least} runs suffices for a first answer; fewer training_runs and confirming_runs under \
+                     [surrogate] need fewer"
+                );
+                Complaint { hint: Some(hint), ..Complaint::error(self, study.budget_place().cloned()) }
+            }
             Self::BudgetTooSmall { .. } | Self::TimeOfShards => Complaint::error(self, study.budget_place().cloned()),
             Self::Threads(_)
             | Self::Store(_)

@@ -86,7 +86,6 @@ pub(super) fn learned_bounds(
 ) -> Result<LearnedBounds, StudyError> {
     let is_alone = plans.is_surrogate_alone;
     let goals = if is_alone { goals(runner.study, &runner.response.shared.plan) } else { Vec::new() };
-    let grows = !goals.is_empty();
     let mut rounds = SurrogateRounds::new(plan.clone(), goals)?;
     let watch = plans.watch();
     let (mut made, mut left) = (0, None);
@@ -110,7 +109,7 @@ pub(super) fn learned_bounds(
         };
         let confirmation = pool.install(|| rounds.plan().confirmation(&known, table.rounds(), table))?;
         runner.run(&confirmation.round, table)?;
-        if grows {
+        if is_alone {
             refuse_failures(runner, table)?;
         }
         let bounds = pool.install(|| rounds.plan().results(known.clone(), &confirmation, table))?;
@@ -165,6 +164,8 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
         kinds: Vec::new(),
         runs: 0,
         missing: group.learned.failed as u64,
+        failed: group.failed as u64,
+        share_outside: group.share_outside,
         held_out_si: f64::NAN,
         q2: None,
         verdict: None,

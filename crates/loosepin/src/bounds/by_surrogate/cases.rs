@@ -370,6 +370,28 @@ fn analytic_an_output_that_failed_in_some_runs_or_in_nearly_all() {
 }
 
 #[test]
+fn analytic_of_what_fails_no_probability_and_no_quantile_is_known() {
+    let asked = [Statistic::ProbabilityAbove(0.5), Statistic::Quantile(0.9), Statistic::StandardDeviation];
+    let mut of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &asked), 3);
+    of.columns = 2;
+    of.requests.extend(asked.map(|statistic| Request { column: 1, statistic }));
+    let mut settings = settings(Kind::Chaos, 40);
+    settings.groups.push(ColumnGroup { name: "rare".into(), columns: vec![1] });
+    let plan = SurrogatePlan::try_new(of.clone(), settings.clone()).unwrap();
+    let found = bounds(of, settings, &FailsSometimes);
+    // P(X + u > 0.5) is 0.58 where u = 0.7, and there half of all runs fail: it may be anything from 0 to 1.
+    let ends = |pair: &BoundPair| [pair.lower.widened, pair.upper.widened];
+    let all = found.to_bounds(&plan, 1).pairs;
+    let whole = [[0.0, 1.0], [f64::NEG_INFINITY, f64::INFINITY]];
+    assert_eq!([ends(&all[0]), ends(&all[1])], whole);
+    assert!(all[0].lower.value > 0.0 && all[1].upper.value.is_finite() && all[2].unbounded_by_failures);
+    // Of the other column nothing was learned at all.
+    assert!(found.groups[1].pairs.is_empty());
+    assert_eq!([ends(&all[3]), ends(&all[4]), ends(&all[5])], [whole[0], whole[1], [0.0, f64::INFINITY]]);
+    assert!(all[3..].iter().all(|pair| pair.guarantee() == Guarantee::Inner && pair.lower.witness.is_none()));
+}
+
+#[test]
 fn what_cannot_be_learned_from_is_refused() {
     let of = || small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean]), 3);
     let refused = |settings: SurrogateSettings| SurrogatePlan::try_new(of(), settings).unwrap_err();

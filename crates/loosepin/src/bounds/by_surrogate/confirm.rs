@@ -88,6 +88,8 @@ pub(super) struct Confirmed {
     direct: Vec<DirectAnswers>,
     /// σ over X; nothing where the surrogate gave no answer.
     deviations: Option<DeviationsOverX>,
+    /// Direct runs that gave nothing.
+    failed: usize,
 }
 
 /// A corrected estimate with the distances to both ends of its confidence interval.
@@ -118,7 +120,13 @@ pub(super) fn confirmed(
                 surrogate[inputs.replicate as usize].push(answer.map(|(values, _)| values));
             }
             let deviations = function.spread(epistemic);
-            Confirmed { epistemic: epistemic.clone(), surrogate, direct: vec![Vec::new(); replicates], deviations }
+            Confirmed {
+                epistemic: epistemic.clone(),
+                surrogate,
+                direct: vec![Vec::new(); replicates],
+                deviations,
+                failed: 0,
+            }
         })
         .collect();
     for (run, inputs) in table.inputs().iter().enumerate() {
@@ -128,7 +136,9 @@ pub(super) fn confirmed(
         let Some(confirmed) = all.iter_mut().find(|confirmed| confirmed.is_at(&inputs.epistemic)) else { continue };
         let own: Vec<f64> = group.group.columns.iter().map(|&column| table.values(run)[column]).collect();
         let answer = function.at(&inputs.random, &inputs.epistemic).ok();
-        let answer = answer.filter(|_| own.iter().all(|value| value.is_finite()));
+        let has_run = own.iter().all(|value| value.is_finite());
+        confirmed.failed += usize::from(!has_run);
+        let answer = answer.filter(|_| has_run);
         let row = answer.map(|(values, deviations)| [own, values, deviations]);
         confirmed.direct[inputs.replicate as usize].push(row);
     }
@@ -203,9 +213,21 @@ impl Confirmed {
         }
     }
 
-    /// Direct runs that gave nothing, or at which the surrogate gave no answer.
+    /// Direct runs that gave nothing.
     pub fn failed(&self) -> usize {
+        self.failed
+    }
+
+    /// Direct runs without a difference: those that gave nothing, and those at which the surrogate gave no answer.
+    pub fn without_difference(&self) -> usize {
         self.direct.iter().flatten().filter(|row| row.is_none()).count()
+    }
+
+    /// The share of the inner runs at which the surrogate gave no answer: outside of the range of its runs.
+    pub fn share_outside(&self) -> f64 {
+        let inner = self.surrogate.iter().map(Vec::len).sum::<usize>();
+        let outside = self.surrogate.iter().flatten().filter(|answer| answer.is_none()).count();
+        outside as f64 / inner.max(1) as f64
     }
 
     /// The mean or probability at `place`, corrected; nothing for other statistics and where runs are missing. `known` is that of the
@@ -275,6 +297,7 @@ mod tests {
             epistemic: vec![0.3],
             surrogate: Vec::new(),
             direct: errors.map(|errors| errors.map(row).to_vec()).to_vec(),
+            failed: 0,
             deviations: Some(DeviationsOverX { largest: vec![0.8], root_mean_square: vec![0.5] }),
         }
     }

@@ -32,6 +32,10 @@ pub struct GroupBounds {
     pub reach: f64,
     /// The largest error at the witnesses, in σ.
     pub largest_ratio: f64,
+    /// Runs that gave nothing, to learn from and at the witnesses.
+    pub failed: usize,
+    /// The largest share of the inner runs at a witness that lies outside of the range of the runs, where the surrogate gives no answer.
+    pub share_outside: f64,
     /// Bounds of what is possible at all, in the order of the requests; empty where nothing was learned.
     pub pairs: Vec<SurrogatePair>,
     /// The same to every degree, where an input is a fuzzy number.
@@ -84,7 +88,8 @@ impl SurrogateBounds {
     ///
     /// [`SurrogatePlanError::Evaluate`].
     pub fn with_treatments(mut self, plan: &SurrogatePlan) -> Result<Self, SurrogatePlanError> {
-        for group in &mut self.groups {
+        // Of bands of mechanisms, some of which fail, the surrogate knows nothing.
+        for group in self.groups.iter_mut().filter(|group| group.failed == 0) {
             group.treatments = treatments(plan, &group.learned, group.reach)?;
         }
         Ok(self)
@@ -122,7 +127,7 @@ impl SurrogateBounds {
     }
 
     /// All bounds in the shape of direct ones, in the order of the requests, for a table of `runs` runs in `rounds` rounds. Without
-    /// distribution functions and treatments; a statistic of which nothing was learned has no entry.
+    /// distribution functions and treatments; of what nothing was learned nothing is known.
     pub fn to_bounds(&self, plan: &SurrogatePlan, rounds: u32) -> Bounds {
         let ordered = |pairs: Vec<&SurrogatePair>| -> Vec<BoundPair> {
             let requests = plan.problem().requests.iter();
@@ -130,9 +135,12 @@ impl SurrogateBounds {
                 let own = |pair: &&&SurrogatePair| {
                     (pair.pair.column, pair.pair.statistic) == (request.column, request.statistic)
                 };
-                Some(pairs.iter().find(own)?.pair.clone())
+                pairs
+                    .iter()
+                    .find(own)
+                    .map_or_else(|| nothing_known(request, self.failed_runs), |found| found.pair.clone())
             };
-            requests.filter_map(found).collect()
+            requests.map(found).collect()
         };
         let mut alphas: Vec<f64> = Vec::new();
         for (alpha, _) in self.groups.iter().flat_map(|group| &group.levels) {
@@ -181,6 +189,7 @@ fn group_bounds(
     let wide = again.as_deref().unwrap_or(searched);
     let has_rest = learned.keeps_residual() && !plan.problem().random.is_empty();
     let failed = learned.failed + confirmed.iter().map(Confirmed::failed).sum::<usize>();
+    let missing = learned.failed + confirmed.iter().map(Confirmed::without_difference).sum::<usize>();
     let mut levels: Vec<(Option<f64>, Vec<SurrogatePair>)> = Vec::new();
     for (near, far) in searched.iter().zip(wide) {
         for (level, ((alpha, pairs), (_, far_pairs))) in near.levels().into_iter().zip(far.levels()).enumerate() {
@@ -199,15 +208,18 @@ fn group_bounds(
                 if !(is_lower && is_upper) {
                     (lower.guarantee, upper.guarantee) = (Guarantee::Inner, Guarantee::Inner);
                 }
-                let has_no_bound = matches!(request.statistic, Statistic::Mean | Statistic::StandardDeviation);
+                if failed > 0 {
+                    (lower, upper) =
+                        (not_known(lower, request, Direction::Minimum), not_known(upper, request, Direction::Maximum));
+                }
                 let pair = BoundPair {
                     column: request.column,
                     statistic: request.statistic,
                     lower,
                     upper,
                     estimates: pair.estimates.clone(),
-                    failed_runs: failed,
-                    unbounded_by_failures: has_no_bound && failed > 0,
+                    failed_runs: missing,
+                    unbounded_by_failures: is_over_finished(request.statistic) && missing > 0,
                 };
                 levels[level].1.push(SurrogatePair { pair, is_confirmed: [is_lower, is_upper] });
             }
@@ -224,12 +236,51 @@ fn group_bounds(
     Ok(GroupBounds {
         reach,
         largest_ratio,
+        failed,
+        share_outside: confirmed.iter().map(Confirmed::share_outside).fold(0.0, f64::max),
         pairs,
         levels: levels.filter_map(|(alpha, pairs)| Some((alpha?, pairs))).collect(),
         boxes: boxes.collect(),
         treatments: None,
         learned,
     })
+}
+
+/// Whether failed runs leave the statistic without any bound, so that it is one over finished runs.
+fn is_over_finished(statistic: Statistic) -> bool {
+    matches!(statistic, Statistic::Mean | Statistic::StandardDeviation)
+}
+
+/// `bound` where direct runs failed. What share of the mechanisms fails at which u was not learned: a probability may be anything, and so
+/// may a quantile.
+fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
+    if is_over_finished(request.statistic) {
+        return bound;
+    }
+    let widened = furthest_possible(request.statistic, direction);
+    let known = bound.error.sampling + bound.error.optimisation;
+    let error = BoundError { surrogate: ((widened - bound.value).abs() - known).max(0.0), ..bound.error };
+    Bound { widened, error, guarantee: Guarantee::Inner, ..bound }
+}
+
+/// What nothing is known of.
+fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
+    let [lower, upper] = Direction::BOTH.map(|direction| {
+        let value = furthest_possible(request.statistic, direction);
+        Bound { value, widened: value, witness: None, error: BoundError::default(), guarantee: Guarantee::Inner }
+    });
+    let Request { column, statistic } = *request;
+    let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
+    BoundPair { column, statistic, lower, upper, estimates: Vec::new(), failed_runs, unbounded_by_failures }
+}
+
+/// The end of all values that a statistic can have.
+fn furthest_possible(statistic: Statistic, direction: Direction) -> f64 {
+    match (statistic, direction) {
+        (Statistic::StandardDeviation, Direction::Minimum) => 0.0,
+        (statistic, direction) if statistic.is_probability() => f64::from(direction == Direction::Maximum),
+        (_, direction) => direction.sign() * f64::INFINITY,
+    }
 }
 
 /// A bound on the surrogate's value with what direct runs and the band say: whether it was corrected, too.
@@ -261,9 +312,7 @@ fn put_together(
     let error = BoundError { sampling, optimisation: bound.error.optimisation, surrogate };
     let widened = value + sign * error.total();
     let widened = match request.statistic {
-        Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) | Statistic::ProbabilityBeyond(_) => {
-            widened.clamp(0.0, 1.0)
-        }
+        statistic if statistic.is_probability() => widened.clamp(0.0, 1.0),
         Statistic::StandardDeviation => widened.max(0.0),
         _ => widened,
     };

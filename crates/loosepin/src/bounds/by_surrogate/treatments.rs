@@ -112,7 +112,10 @@ fn with_error(bands: &[&Band], has_gaps: bool) -> Band {
         let own = of(bands[0]);
         let furthest = bands.iter().map(|band| sign * of(band).widened).fold(f64::NEG_INFINITY, f64::max);
         let known = own.error.sampling + own.error.optimisation;
-        let surrogate = furthest - sign * own.value - known;
+        let values = bands.iter().map(|band| sign * of(band).value).fold(f64::NEG_INFINITY, f64::max);
+        // Where too few runs bound the end by themselves, what the surrogate adds is told by the values.
+        let furthest = if known.is_finite() { furthest - known } else { values };
+        let surrogate = furthest - sign * own.value;
         let surrogate = if has_gaps || surrogate.is_nan() { f64::INFINITY } else { surrogate.max(0.0) };
         let error = BoundError { surrogate, ..own.error };
         Bound { widened: own.value + sign * error.total(), error, guarantee: Guarantee::Inner, ..own.clone() }

@@ -7,7 +7,9 @@ use crate::report::glossary::glossary;
 use crate::report::number::{NumberWriter, Rounding};
 use crate::report::page::facts;
 use crate::report::still_figures::histogram_figure;
-use crate::report::wording::{count, counted, guarantee_words, has_unknown, listed, reading_words, unknown_words};
+use crate::report::wording::{
+    count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
+};
 use crate::study::result::{EnergyResiduals, InputKind, JointImpacts, RunPurpose, StudyResult, TreatmentKind};
 use crate::units::SiUnit;
 
@@ -15,7 +17,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
     let share = result.counts.failed as f64 / result.counts.runs.max(1) as f64;
     html! {
         p {
-            @if is_by_surrogate(result) { (counted(result.counts.runs, "run", writer)) ", from which a surrogate was learned. " }
+            @if is_by_surrogate(result) { (counted(result.counts.runs, "run", writer)) ", by which a surrogate was learned and held against them. " }
             @else {
                 (counted(result.counts.runs, "run", writer))
                 @if result.counts.by_purpose.len() > 1 { ", " (count(double_loop_runs(result), writer)) " of them in the double loop" }
@@ -187,10 +189,6 @@ fn double_loop_words(result: &StudyResult, each: &str, writer: &NumberWriter) ->
 }
 
 /// Whether there was no direct double loop.
-fn is_by_surrogate(result: &StudyResult) -> bool {
-    result.surrogate.as_ref().is_some_and(|record| record.direct_runs == 0)
-}
-
 fn purpose_words(purpose: RunPurpose) -> &'static str {
     match purpose {
         RunPurpose::Mixed => "with each as what it is",
@@ -241,7 +239,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
             "Runs".to_owned(),
             html! {
                 (count(counts.runs, writer))
-                @if is_by_surrogate(result) { ", from which a surrogate was learned" }
+                @if is_by_surrogate(result) { ", by which a surrogate was learned and held against them" }
                 @else {
                     " = " (double_loop_words(result, " × ", writer))
                 }

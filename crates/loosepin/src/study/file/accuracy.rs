@@ -9,7 +9,6 @@ use super::StudyReader;
 use super::description::{Ask, Study};
 use super::problem::StudyProblem;
 use super::words::{NUMBERS, statistic_name};
-use crate::bounds::Statistic;
 use crate::diagnostics::{Code, Complaint, Place, Problem, Source, Span, nearest_name};
 use crate::document::{Entry, Table, Written, listed};
 use crate::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
@@ -196,11 +195,7 @@ fn askable(asks: &[Ask], dimension_of: impl Fn(usize) -> Dimension) -> Vec<Askab
         let counted = ask.statistics.iter().filter(|asked| ask.rare.iter().all(|(rare, _)| rare != *asked));
         let known = counted.filter_map(|&statistic| {
             let name = statistic_name(statistic)?;
-            let is_probability = matches!(
-                statistic,
-                Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) | Statistic::ProbabilityBeyond(_)
-            );
-            let dimension = if is_probability { Dimension::NUMBER } else { dimension_of(ask.output) };
+            let dimension = if statistic.is_probability() { Dimension::NUMBER } else { dimension_of(ask.output) };
             Some(Askable { ask: place, output: ask.output, statistic: name, dimension })
         });
         known.collect::<Vec<Askable>>()

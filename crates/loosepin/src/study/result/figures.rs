@@ -160,11 +160,11 @@ impl TreatmentBand {
     }
 
     /// Whether the shares are too little known to tell if the band keeps its promise: one by a surrogate whose error is larger than the
-    /// share that may lie outside.
+    /// share that may lie outside, or one of direct runs that is hardly known, as where many failed.
     pub fn is_promise_unknown(&self, promised_coverage: f64) -> bool {
-        self.ends.is_some()
-            && self.coverage_error > 1.0 - promised_coverage
-            && (self.coverage_minimum - promised_coverage).abs() < self.coverage_error
+        const HARDLY_KNOWN: f64 = 0.25;
+        let most = if self.ends.is_some() { 1.0 - promised_coverage } else { HARDLY_KNOWN };
+        self.coverage_error > most && (self.coverage_minimum - promised_coverage).abs() < self.coverage_error
     }
 
     /// The least share inside, as small as it is where a surrogate errs; nothing is taken off what direct runs have counted.

@@ -47,6 +47,11 @@ pub struct SurrogateOutput {
     pub runs: u64,
     /// Runs without this output.
     pub missing: u64,
+    /// The same with those at the witnesses: where there are any, nothing is known of probabilities and quantiles.
+    pub failed: u64,
+    /// The largest share of the mechanisms at a witness that lies outside of the range of the runs, where the surrogate gives no answer.
+    #[serde(with = "extended")]
+    pub share_outside: f64,
     /// Root mean square of the held-out errors, over runs and along a curve.
     #[serde(with = "extended")]
     pub held_out_si: f64,
