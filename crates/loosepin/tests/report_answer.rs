@@ -71,6 +71,8 @@ fn without_quantile_and_curve_a_statistic_answers() {
         "the mean of slider (x of slider.pin) (deviation, largest in the cycle, in either direction) lies between",
     );
     result.bounds.clear();
+    assert_says(&result, "no more was asked for than whether the requirements are met.");
+    result.requirements.clear();
     assert_says(&result, "nothing was asked for.");
 }
 
@@ -117,6 +119,12 @@ fn verdicts_stand_first_and_with_their_numbers() {
         "is undecided, because the numerical error reaches over it (larger 'inner' and 'outer' make it smaller): the true share is 99.71 % to 99.75 %.",
     );
     assert!(study_page(&result).contains("Requirement undecided"));
+    // None of 256 lies outside: a share of 6 in 256 may still do so.
+    result.requirements[0].probability = [1.0 - 6.0 / 256.0, 1.0];
+    assert_says(
+        &result,
+        "(of 256 mechanisms none lies outside, and so few show no larger share: 'inner' should be 4096 or more): the true share is 97.6 % to 100 %.",
+    );
     result.requirements[0].lower_si = f64::NEG_INFINITY;
     result.requirements[0].of = DeviationKind::Value;
     assert_says(&result, "The requirement that the value of slider stays below 0.7 mm over the whole cycle");

@@ -24,7 +24,13 @@ const INNER: usize = 64;
 
 /// A slider-crank without play: crank and rod scatter, of the rod the mean is known within an interval, and of the foot of the crank a position.
 fn study(surrogate: &str) -> Result<Study, String> {
-    let text = format!(
+    let model = find_template("slider-crank").expect("template").model;
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    Study::from_text("study.toml", &text(surrogate), model).map_err(|complaints| complaints.to_string())
+}
+
+fn text(surrogate: &str) -> String {
+    format!(
         "name = \"learned\"\nmodel = \"model.toml\"\n
         {surrogate}
         [cycle]
@@ -50,10 +56,7 @@ fn study(surrogate: &str) -> Result<Study, String> {
         at = \"cycle\"
         statistics = [\"mean\"]
         "
-    );
-    let model = find_template("slider-crank").expect("template").model;
-    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    Study::from_text("study.toml", &text, model).map_err(|complaints| complaints.to_string())
+    )
 }
 
 fn conducted(surrogate: &str) -> StudyResult {
@@ -142,6 +145,35 @@ fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     assert!(lines[head - 2].starts_with("slider (") && lines[head - 2].ends_with("at 60°"), "{text}");
     let again: StudyResult = read_json(&to_json(&result).expect("json"), "summary.json").expect("summary");
     assert_eq!(again.surrogate, result.surrogate);
+}
+
+/// Of cranks about as long that the rod does not reach, nearly half: nothing was learned of which.
+#[test]
+fn a_surrogate_alone_says_nothing_of_what_fails_and_ends_where_too_much_does() {
+    let surrogate = "[surrogate]\nkind = \"chaos\"\ntraining_runs = 30\nconfirming_runs = 8\ndirect = \"confirming\"";
+    let conducted = |most_failed: &str| {
+        let text = text(surrogate)
+            .replace(
+                "mean = \"50 mm\", standard_deviation = \"0.02 mm\"",
+                "mean = \"126 mm\", standard_deviation = \"1 mm\"",
+            )
+            .replace("replicates = 4", &format!("replicates = 4\n{most_failed}"));
+        let model = find_template("slider-crank").expect("template").model;
+        let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+    };
+    assert!(matches!(conducted(""), Err(StudyError::TooManyFailed(_))));
+    let result = conducted("most_failed = 1").unwrap_or_else(|error| panic!("{error}")).result;
+    let share = result.counts.failed as f64 / result.counts.runs as f64;
+    assert!((0.2..0.8).contains(&share), "{share}");
+    let of = |statistic: fn(StatisticKind) -> bool| {
+        let bound = result.bounds.iter().find(|bound| statistic(bound.statistic)).expect("it is asked for");
+        [bound.lower.widened_si, bound.upper.widened_si]
+    };
+    assert_eq!(of(StatisticKind::is_probability), [0.0, 1.0]);
+    assert_eq!(of(|of| matches!(of, StatisticKind::Quantile { .. })), [f64::NEG_INFINITY, f64::INFINITY]);
+    assert!(study_text(&result).contains("nothing is known of"), "{}", study_text(&result));
 }
 
 #[test]

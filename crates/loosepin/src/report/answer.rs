@@ -6,8 +6,8 @@ use super::wording::{
     counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words, unknown_words,
 };
 use crate::study::result::{
-    BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, ResponsePoint, StatisticKind,
-    StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+    BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, RequirementOutcome, ResponsePoint,
+    StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
 };
 use crate::units::SiUnit;
 
@@ -226,7 +226,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 Verdict::Met => "is met".to_owned(),
                 Verdict::NotMet => "is not met".to_owned(),
                 Verdict::Undecided => {
-                    let way_out = way_to_decide(result, requirement.probability_at_least, writer);
+                    let way_out = way_to_decide(result, requirement, writer);
                     format!("is undecided, because the numerical error reaches over it ({way_out})")
                 }
             };
@@ -243,18 +243,22 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
         .collect()
 }
 
-/// What would decide a requirement.
-fn way_to_decide(result: &StudyResult, probability_at_least: f64, writer: &NumberWriter) -> String {
-    // Of n mechanisms of which none lies beyond the limit a share of 6/n to 7/n may still do so, with 99 % confidence at either witness.
-    const NONE_BEYOND: [f64; 2] = [6.0, 7.0];
-    let [least, needed] = NONE_BEYOND.map(|beyond| beyond / (1.0 - probability_at_least));
+/// What would decide a requirement that is undecided.
+fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer: &NumberWriter) -> String {
+    // Of n mechanisms of which none lies beyond the limit, a share of 6/n to 7/n may still do so.
+    const NONE_BEYOND: f64 = 7.0;
+    let inner = result.counts.inner;
+    let [least, greatest] = requirement.probability;
+    let none_is_beyond = greatest == 1.0 && (1.0 - least) * inner as f64 <= NONE_BEYOND;
     if is_by_surrogate(result) && result.counts.failed > 0 {
         "what fails is told by direct runs alone: direct = \"double-loop\"".to_owned()
-    } else if needed.is_finite() && (result.counts.inner as f64) < least {
+    } else if none_is_beyond && requirement.probability_at_least < 1.0 {
+        const MOST: f64 = 1e9;
+        let needed = (NONE_BEYOND / (1.0 - requirement.probability_at_least)).ceil().min(MOST) as u64;
         format!(
-            "{} do not show so large a share, even where all lie inside: 'inner' should be {} at least",
-            counted(result.counts.inner, "mechanism", writer),
-            super::wording::count((needed as u64).next_power_of_two(), writer)
+            "of {} none lies outside, and so few show no larger share: 'inner' should be {} or more",
+            counted(inner, "mechanism", writer),
+            super::wording::count(needed.next_power_of_two(), writer)
         )
     } else if is_by_surrogate(result) {
         "more training_runs, a larger 'inner' or direct = \"double-loop\" may tell".to_owned()

@@ -26,7 +26,7 @@ pub(super) fn history_words(
     };
     if !is_history || !is_lost {
         let is_noise = output.verdict? == SurrogateVerdict::Nothing;
-        return is_noise.then(|| "The surrogate saves nothing for it: rely on the direct bounds.".to_owned());
+        return is_noise.then(|| "The surrogate saves nothing for it: rely on direct bounds.".to_owned());
     }
     let is_statistic = |other: &&SurrogateOutput| {
         let is_same = other.output == output.output && other.of == output.of;
@@ -41,7 +41,8 @@ pub(super) fn history_words(
     };
     let learned: Vec<String> = all.iter().filter(is_statistic).map(words).collect();
     let what_instead = if learned.is_empty() {
-        "Ask for statistics of the cycle (reduce = \"rms\" or \"mean\") instead of histories, or rely on the direct bounds.".to_owned()
+        "Ask for statistics of the cycle (reduce = \"rms\" or \"mean\") instead of histories, or rely on direct bounds."
+            .to_owned()
     } else {
         format!("Statistics of the cycle are used instead: {}.", listed(&learned))
     };
@@ -113,13 +114,13 @@ mod tests {
             words(&all[0], &all[..1]).as_deref(),
             Some(
                 "The surrogate saves nothing for such a history. Ask for statistics of the cycle (reduce = \"rms\" or \"mean\") \
-                 instead of histories, or rely on the direct bounds."
+                 instead of histories, or rely on direct bounds."
             )
         );
         assert_eq!(words(&all[1], &all), None);
         assert_eq!(
             words(&output(rms, 0.02, SurrogateVerdict::Nothing), &all).as_deref(),
-            Some("The surrogate saves nothing for it: rely on the direct bounds.")
+            Some("The surrogate saves nothing for it: rely on direct bounds.")
         );
     }
 

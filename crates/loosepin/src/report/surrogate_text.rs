@@ -36,12 +36,12 @@ pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> 
     format!(
         "Learned from {}, {}{failed}; {direct}.",
         counted(record.training_runs, "run", writer),
-        match (record.confirming_runs, record.outputs.iter().any(|output| output.largest_ratio > 0.0)) {
+        match (record.confirming_runs, record.runs_at_bounds > 0) {
             (0, _) => "held against no other".to_owned(),
             (runs, true) =>
                 format!("and held against {} more at the values that attain the bounds", count(runs, writer)),
             (runs, false) => format!(
-                "with {} more at extreme values, none of which says how far bounds are off",
+                "and held against {} more at extreme values, none of them at values that attain a bound",
                 count(runs, writer)
             ),
         },

@@ -143,6 +143,7 @@ pub(super) fn surrogate_record(
     SurrogateRecord {
         training_runs: found.training_runs as u64,
         confirming_runs: found.confirming_runs as u64,
+        runs_at_bounds: found.runs_at_bounds as u64,
         failed: found.failed_runs as u64,
         direct_runs: if is_alone { 0 } else { material.bounds.runs as u64 },
         outputs: found.groups.iter().map(|group| output(material, plan, group)).collect(),

@@ -53,8 +53,10 @@ pub struct SurrogateBounds {
     pub groups: Vec<GroupBounds>,
     /// Runs to learn from.
     pub training_runs: usize,
-    /// Direct runs at witnesses.
+    /// Direct runs that it was held against: at witnesses of bounds, and at extremes of treatments.
     pub confirming_runs: usize,
+    /// Those at witnesses of bounds.
+    pub runs_at_bounds: usize,
     /// Failed ones of both.
     pub failed_runs: usize,
 }
@@ -78,6 +80,7 @@ impl SurrogateBounds {
                 .collect::<Result<_, _>>()?,
             training_runs: count(Purpose::Training),
             confirming_runs: count(Purpose::Confirming),
+            runs_at_bounds: count(Purpose::Confirming),
             failed_runs: (0..table.len()).filter(is_own).filter(|&run| table.failure(run).is_some()).count(),
         })
     }
@@ -265,9 +268,11 @@ fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
 
 /// What nothing is known of.
 fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
+    let surrogate = if request.statistic.is_probability() { 1.0 } else { f64::INFINITY };
+    let error = BoundError { surrogate, ..BoundError::default() };
     let [lower, upper] = Direction::BOTH.map(|direction| {
         let value = furthest_possible(request.statistic, direction);
-        Bound { value, widened: value, witness: None, error: BoundError::default(), guarantee: Guarantee::Inner }
+        Bound { value, widened: value, witness: None, error, guarantee: Guarantee::Inner }
     });
     let Request { column, statistic } = *request;
     let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;

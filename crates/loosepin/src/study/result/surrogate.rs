@@ -12,8 +12,10 @@ use crate::units::{SiUnit, extended};
 pub struct SurrogateRecord {
     /// Runs to learn from.
     pub training_runs: u64,
-    /// Direct runs at the witnesses of the bounds.
+    /// Direct runs that it was held against: at the witnesses of bounds, and at the extremes of treatments.
     pub confirming_runs: u64,
+    /// Those at the witnesses of bounds.
+    pub runs_at_bounds: u64,
     /// Failed ones of both.
     pub failed: u64,
     /// Runs of the direct double loop, for comparison.
