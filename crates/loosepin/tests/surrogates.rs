@@ -262,7 +262,7 @@ fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
             .expect("7 runs in 4 replicates");
     assert_eq!(
         error.complaint(&study).to_string().lines().next().unwrap_or_default(),
-        "study.toml:4:10: error[E0611]: surrogate: 7 confirming runs; must be a multiple of the 4 replicates, at least 2 in each, \
+        "study.toml:5:19: error[E0611]: surrogate: 7 confirming runs; must be a multiple of the 4 replicates, at least 2 in each, \
          and at most the 64 inner runs"
     );
 }

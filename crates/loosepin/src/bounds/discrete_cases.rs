@@ -213,7 +213,7 @@ fn rules_about_combinations_are_told_with_their_numbers() {
     };
     assert_eq!(
         refused(&|problem| problem.sampling.outer = 8),
-        "outer 8; 3 combinations of members, each with the corners and the centre of a box with 1 inputs, need at least 9\n\
+        "outer 8; 3 combinations of members, each with the corners and the centre of a box with 1 input, need at least 9\n\
          hint: 64 is a good start"
     );
     let many: Vec<f64> = (0..13).map(f64::from).collect();

@@ -178,8 +178,9 @@ pub enum ProblemError {
     },
     /// Too few points for the corners and the centre of the box.
     #[error(
-        "{name} {count}; the corners and the centre of a box with {dimensions} inputs need at least {least}\n\
-         hint: {recommended} is a good start"
+        "{name} {count}; the corners and the centre of a box with {} need at least {least}\n\
+         hint: {recommended} is a good start",
+        inputs_words(*.dimensions)
     )]
     TooFewPoints {
         /// Which number of points.
@@ -196,8 +197,9 @@ pub enum ProblemError {
     /// Too few points for the corners and the centre of a box for each combination of the members of lists.
     #[error(
         "{name} {count}; {combinations} combinations of members, each with the corners and the centre of a box with \
-         {dimensions} inputs, need at least {least}\n\
-         hint: {recommended} is a good start"
+         {}, need at least {least}\n\
+         hint: {recommended} is a good start",
+        inputs_words(*.dimensions)
     )]
     TooFewForCombinations {
         /// Which number of points.
@@ -366,6 +368,11 @@ impl Reweightable<'_> {
             None => Ok(()),
         }
     }
+}
+
+/// "1 input", "2 inputs".
+fn inputs_words(inputs: usize) -> String {
+    format!("{inputs} input{}", if inputs == 1 { "" } else { "s" })
 }
 
 /// The smoother factorises matrices of this order.

@@ -281,6 +281,11 @@ corners do not decrease. Quantiles increase with their probabilities, and they a
 angle does so after a whole turn, or after a whole fraction of one where the mechanism looks the same then. An angle that lies \
 between two ends is an interval."
 
+    FarFromModel "E0616" "a study and its model do not agree on a length or an angle"
+"The study says where a length or an angle lies, and the model has a value that is not among these (further out than six standard \
+deviations of a normal distribution). Deviations are from the ideal motion of the model, so that they hold the difference of the two. \
+That may be meant; more often one of the two has a slip in it."
+
     BadCorrelation "E0620" "a correlation is not possible"
 "A correlation joins two different random inputs of the study, each pair once, by a rank correlation (Spearman) or the linear \
 correlation of the values (Pearson), between -1 and 1. Two distributions of different shapes cannot have every linear \

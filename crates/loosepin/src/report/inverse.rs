@@ -4,6 +4,7 @@ use super::number::{NumberWriter, Rounding, plain_name};
 use super::wording::{counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words};
 use crate::study::result::{
     AllocationRecord, AllocationStop, AllowanceRecord, Loosened, RareEnd, RareMethodUsed, RareRecord, StudyResult,
+    Verdict,
 };
 
 /// Digits of a value that is allowed.
@@ -100,6 +101,14 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
         ),
         (None, _) => {
             let least = one.checks.iter().map(|check| check.value_si).fold(f64::INFINITY, f64::min);
+            if checked(least).is_some_and(|check| check.verdict == Verdict::Undecided) {
+                return format!(
+                    "With the rest as it is, no value of {subject} that was tried is shown to meet the requirements: at {}, the \
+                     least, they are undecided ({} so far), and more samples ('inner') may show it. From {runs}.",
+                    value(least, Rounding::Nearest),
+                    share(least)
+                );
+            }
             format!(
                 "With the rest as it is, no value of {subject} that was tried meets the requirements, {} being the least ({}). \
                  From {runs}.",

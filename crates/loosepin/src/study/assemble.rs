@@ -124,7 +124,8 @@ impl Material<'_> {
     }
 
     /// Both ends of the bounds of `statistic` of `column`, narrowed by what is known of the largest deviation of the whole
-    /// recorded part: no pose departs further, so |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|.
+    /// recorded part: no pose departs further, so |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|. Those of
+    /// magnitudes are not negative.
     pub fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
         let pair = self.pair(column, statistic)?;
         let (mut lower, mut upper) = (self.end(&pair.lower), self.end(&pair.upper));
@@ -151,7 +152,15 @@ impl Material<'_> {
                 _ => {}
             }
         }
+        if self.is_never_negative(column) && matches!(statistic, Statistic::Mean | Statistic::Quantile(_)) {
+            narrow(&mut lower, 0.0);
+        }
         Some([lower, upper])
+    }
+
+    /// Whether the numbers of a column are magnitudes.
+    pub fn is_never_negative(&self, column: usize) -> bool {
+        matches!(self.plan().columns[column].spot, Spot::Reduced(reduction) if reduction.is_never_negative())
     }
 
     pub fn unit_of(&self, column: usize) -> SiUnit {

@@ -5,7 +5,7 @@ use super::file::Study;
 use super::files::FilesError;
 use super::response::PrepareError;
 use super::saved_surrogates::SavedSurrogateError;
-use crate::bounds::{EvaluateError, PlanError};
+use crate::bounds::{EvaluateError, PlanError, SurrogatePlanError};
 use crate::diagnostics::{Code, Complaint, Place, Problem};
 use crate::document::parse_toml;
 use crate::surrogate::SurrogateError;
@@ -107,7 +107,12 @@ impl StudyError {
             }
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::TooManyNumbers { .. } => {
                 let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
-                let within = if let Self::Plan(PlanError::Problem(problem)) = self { problem.key() } else { None };
+                let within = match self {
+                    Self::Plan(PlanError::Problem(problem)) => problem.key(),
+                    Self::Surrogate(SurrogatePlanError::TooFewTraining { .. }) => Some("training_runs"),
+                    Self::Surrogate(SurrogatePlanError::Confirming { .. }) => Some("confirming_runs"),
+                    _ => None,
+                };
                 let mut complaint = Complaint::error(self, Some(place_within(key, within, study)));
                 // These errors bring their way out with them.
                 if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
@@ -122,12 +127,12 @@ impl StudyError {
             Self::Prepare(PrepareError::TooManyPoses { .. }) => {
                 Complaint::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
             }
+            Self::Prepare(PrepareError::UncertainStart { path } | PrepareError::SpeedThroughZero { path }) => {
+                let table = if study.random.iter().any(|input| input.path == *path) { "random" } else { "epistemic" };
+                Complaint::error(self, Some(place_within(table, Some(path), study)))
+            }
             Self::Prepare(
-                PrepareError::Law(_)
-                | PrepareError::UncertainStart { .. }
-                | PrepareError::SpeedThroughZero { .. }
-                | PrepareError::TooManyLaws { .. }
-                | PrepareError::PoseNotRecorded { .. },
+                PrepareError::Law(_) | PrepareError::TooManyLaws { .. } | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {

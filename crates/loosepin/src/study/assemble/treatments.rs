@@ -53,7 +53,13 @@ fn treatment_record(
         bands: bands
             .into_iter()
             .zip(outer_points)
-            .map(|(band, points)| treatment_band(material, band, points))
+            .map(|(band, points)| {
+                let mut band = treatment_band(material, band, points);
+                if material.is_never_negative(column) && band.lower_si < 0.0 {
+                    band.lower_si = 0.0;
+                }
+                band
+            })
             .collect(),
     }
 }

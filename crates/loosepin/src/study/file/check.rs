@@ -9,12 +9,16 @@ use crate::diagnostics::Place;
 use crate::document::{Entry, Table};
 use crate::model::{QuantityError, QuantityId};
 use crate::uncertainty::{EpistemicVariable, RandomVariable};
-use crate::units::{format_number, format_value};
+use crate::units::{Dimension, format_number, format_value};
 
 /// Share of a distribution that may be impossible; what is drawn there is a failed run.
 const MOST_IMPOSSIBLE_SHARE: f64 = 0.01;
 /// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
 const QUANTILES: usize = 1000;
+/// Probability of what a distribution is taken not to come to: beyond six standard deviations of a normal one.
+const NEARLY_NONE: f64 = 1e-9;
+/// Of numbers that are written in two files.
+const ROUND_OFF: f64 = 1e-9;
 /// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
 const MOST_CORNERS: usize = 1024;
 
@@ -70,6 +74,7 @@ impl StudyReader {
         if is_empty(self, ["ask", "require"]) {
             self.reader.complain(&StudyProblem::NothingAsked, root.span);
         }
+        self.check_model_values(root);
         if self.reader.complaints.has_errors() {
             return;
         }
@@ -92,6 +97,42 @@ impl StudyReader {
                 let place = Place::new(&self.reader.source, span);
                 self.reader.complaints.push(Complaint::error(&problem, Some(place)));
             }
+        }
+    }
+
+    /// Warns of lengths and angles that are elsewhere in the model. A clearance changes no ideal motion, and what it is in the model plays
+    /// no part.
+    fn check_model_values(&mut self, root: &Table<'_>) {
+        let random = self.random.iter().map(|input| {
+            let corners = |known: &EpistemicVariable| known.ends().to_vec();
+            let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
+            let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
+            ("random", &input.path, input.quantity, all)
+        });
+        let epistemic = self
+            .epistemic
+            .iter()
+            .filter_map(|input| Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec())));
+        let nominal = self.model.quantities.nominal();
+        let far = |(table, path, quantity, ends): (&'static str, &String, QuantityId, Vec<f64>)| {
+            let known = &self.model.quantities[quantity];
+            let is_geometric = [Dimension::LENGTH, Dimension::ANGLE].contains(&known.dimension);
+            let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+            let round_off = ROUND_OFF * nominal[quantity].abs();
+            let is_inside = (from - round_off..=to + round_off).contains(&nominal[quantity]);
+            let is_far = is_geometric && !is_inside && self.plays_of(quantity).is_empty();
+            let text = |value: f64| format_value(value, known.dimension);
+            let (path, value) = (path.clone(), text(nominal[quantity]));
+            is_far.then(|| (table, StudyProblem::FarFromModel { path, value, from: text(from), to: text(to) }))
+        };
+        let found: Vec<(&str, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();
+        for (table, problem) in found {
+            let StudyProblem::FarFromModel { path, .. } = &problem else { continue };
+            let span = root.get(table).and_then(|table| {
+                self.reader.any_keys(&table).into_iter().find(|entry| entry.name == path).map(|entry| entry.key_span)
+            });
+            let place = Place::new(&self.reader.source, span.unwrap_or(root.span));
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
     }
 

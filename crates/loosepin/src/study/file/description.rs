@@ -347,6 +347,11 @@ impl Reduction {
             Self::Range => "range",
         }
     }
+
+    /// Whether no curve gives a negative number.
+    pub const fn is_never_negative(self) -> bool {
+        matches!(self, Self::MaximumAbsolute | Self::RootMeanSquare | Self::Range)
+    }
 }
 
 /// Where in the cycle.

@@ -317,6 +317,20 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
+    /// A value of the model that the study does not come to.
+    #[error(
+        "'{path}' is {value} in the model and from {from} to {to} here; deviations are from the ideal motion of the model"
+    )]
+    FarFromModel {
+        /// The input.
+        path: String,
+        /// The value of the model with its unit.
+        value: String,
+        /// About where the input begins, with its unit.
+        from: String,
+        /// About where it ends, with its unit.
+        to: String,
+    },
     /// The same question again.
     #[error("{entry}: {what} is asked before, of the same output at the same place")]
     AskedTwice {
@@ -468,6 +482,7 @@ impl Problem for StudyProblem {
             Self::Path(error) => error.code(),
             Self::UnquotedPath { .. } => Code::UnknownPath,
             Self::InputTwice { .. } => Code::InputTwice,
+            Self::FarFromModel { .. } => Code::FarFromModel,
             Self::UncertainParameter { .. } => Code::NotYetSupported,
             Self::DistributionRule { .. }
             | Self::Distribution { .. }
@@ -534,6 +549,7 @@ impl Problem for StudyProblem {
             } => Some("cut nearer to the mean, or state a uniform distribution".to_owned()),
             Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
             Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
+            Self::FarFromModel { .. } => Some("mend the one that is wrong, unless the difference is meant".to_owned()),
             Self::DegreesTwice { .. } => Some("leave it out".to_owned()),
             Self::AskedTwice { .. } | Self::PoseTwice { .. } => Some("leave one of the two out".to_owned()),
             Self::PercentilesOfNothing { .. } => {
