@@ -109,7 +109,7 @@ fn wrong_tables_are_told_with_their_places() {
     assert_eq!(
         refused("# bench 3\nangle [deg], slider [mm]\n0, 1\n"),
         "m.csv:1:1: error[E1001]: the header '# bench 3' is not written name [unit]\n\
-         hint: a table has no lines of comment: leave this one out"
+         hint: a table has no lines of comment: take the # away, or leave the line out"
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\n# at noon\n0,5, 1,25\n1,\"1,5\"\n2, \u{2212}1\n"),

@@ -24,7 +24,7 @@ fn study(lines: &str) -> Study {
         .replace("recorded_turns = 1", "recorded_turns = 0.05")
         .replace("samples_per_turn = 180", "samples_per_turn = 40")
         .replace("outer = 16 ", "outer = 6 ")
-        .replace("inner = 128 ", &format!("inner = 16\n{lines}"));
+        .replace("inner = 1024", &format!("inner = 16\n{lines}"));
     // Poses of a twentieth of a turn, and nothing that takes longer.
     let (text, _) = text.split_once("[[ask]]").expect("the template asks");
     let asks = "[[ask]]\noutput = \"rocker\"\nof = \"total\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\", { quantile = 0.9 }]\n\

@@ -150,7 +150,7 @@ impl Problem for MeasuredProblem {
                 Some("for example a first line: angle [deg], slider [mm]".to_owned())
             }
             Self::NoUnit { text } | Self::NotANumber { text } if text.starts_with('#') => {
-                Some("a table has no lines of comment: leave this one out".to_owned())
+                Some("a table has no lines of comment: take the # away, or leave the line out".to_owned())
             }
             Self::NoUnit { text } if text.contains(';') => Some("columns are separated by commas".to_owned()),
             Self::NoUnit { .. } => Some("for example: angle [deg], slider [mm]; a pure number has [1]".to_owned()),

@@ -245,20 +245,22 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
 
 /// What would decide a requirement that is undecided.
 fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer: &NumberWriter) -> String {
-    // Of n mechanisms of which none lies beyond the limit, a share of 6/n to 7/n may still do so.
-    const NONE_BEYOND: f64 = 7.0;
+    // Of n mechanisms of which none lies beyond the limit, a share of 6/n to 7/n may still do so; of which one does, 8/n.
+    const NONE_BEYOND: std::ops::RangeInclusive<f64> = 5.9..=7.5;
+    // No more are made.
+    const MOST: f64 = 1e7;
     let inner = result.counts.inner;
     let [least, greatest] = requirement.probability;
-    let none_is_beyond = greatest == 1.0 && (1.0 - least) * inner as f64 <= NONE_BEYOND;
+    let beyond = (1.0 - least) * inner as f64;
+    let none_is_beyond = greatest == 1.0 && NONE_BEYOND.contains(&beyond);
+    let needed = beyond / (1.0 - requirement.probability_at_least);
     if is_by_surrogate(result) && result.counts.failed > 0 {
         "what fails is told by direct runs alone: direct = \"double-loop\"".to_owned()
-    } else if none_is_beyond && requirement.probability_at_least < 1.0 {
-        const MOST: f64 = 1e9;
-        let needed = (NONE_BEYOND / (1.0 - requirement.probability_at_least)).ceil().min(MOST) as u64;
+    } else if none_is_beyond && needed < MOST {
         format!(
             "of {} none lies outside, and so few show no larger share: 'inner' should be {} or more",
             counted(inner, "mechanism", writer),
-            super::wording::count(needed.next_power_of_two(), writer)
+            super::wording::count((needed.ceil() as u64).next_power_of_two(), writer)
         )
     } else if is_by_surrogate(result) {
         "more training_runs, a larger 'inner' or direct = \"double-loop\" may tell".to_owned()

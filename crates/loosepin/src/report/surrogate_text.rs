@@ -56,7 +56,7 @@ pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, w
         let own = |bound: &BoundRecord| bound.output == output.output && bound.of == output.of && bound.at == output.at;
         output.at == ResponsePoint::Whole || bounds.iter().any(own)
     };
-    // What nothing was learned of has no bounds, and is said all the same.
+    // What nothing was learned of is said whatever is asked.
     let shown = record.outputs.iter().filter(|output| output.problem.is_some() || is_asked(output));
     shown.map(|output| output_sentence(result, (output, &record.outputs), writer)).collect()
 }

@@ -152,8 +152,10 @@ impl Material<'_> {
                 _ => {}
             }
         }
-        if self.is_never_negative(column) && matches!(statistic, Statistic::Mean | Statistic::Quantile(_)) {
-            narrow(&mut lower, 0.0);
+        let is_magnitude = matches!(statistic, Statistic::Mean | Statistic::Quantile(_));
+        if is_magnitude && self.is_never_negative(column) && lower.widened_si < 0.0 {
+            lower.value_si = lower.value_si.max(0.0);
+            set_widened(&mut lower, 0.0);
         }
         Some([lower, upper])
     }
@@ -190,12 +192,17 @@ impl Material<'_> {
 fn narrow(end: &mut BoundEnd, limit_si: f64) {
     let outward = if end.widened_si >= end.value_si { 1.0 } else { -1.0 };
     if outward * (end.widened_si - limit_si) > 0.0 && outward * (limit_si - end.value_si) >= 0.0 {
-        let room = outward * (limit_si - end.value_si);
-        end.widened_si = limit_si;
-        end.error.sampling_si = end.error.sampling_si.min(room);
-        end.error.surrogate_si = end.error.surrogate_si.min(room - end.error.sampling_si);
-        end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
+        set_widened(end, limit_si);
     }
+}
+
+/// Moves the widened end of a bound to `limit`, and makes its error what is left between them.
+fn set_widened(end: &mut BoundEnd, limit_si: f64) {
+    let room = (limit_si - end.value_si).abs();
+    end.widened_si = limit_si;
+    end.error.sampling_si = end.error.sampling_si.min(room);
+    end.error.surrogate_si = end.error.surrogate_si.min(room - end.error.sampling_si);
+    end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
 }
 
 /// Angle that the drive turned through before the recorded part in whole turns, rad: poses are shown without it.

@@ -102,6 +102,9 @@ pub(super) fn learned_bounds(
             runner.most_runs = plans.most_runs_with(table.len() + most);
         }
         runner.run(&training, table)?;
+        if is_alone {
+            refuse_failures(runner, table)?;
+        }
         let pool = runner.pool;
         let known = match learned.take().filter(|_| training.is_empty()) {
             Some(known) => known,

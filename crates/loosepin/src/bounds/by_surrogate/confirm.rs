@@ -88,8 +88,6 @@ pub(super) struct Confirmed {
     direct: Vec<DirectAnswers>,
     /// σ over X; nothing where the surrogate gave no answer.
     deviations: Option<DeviationsOverX>,
-    /// Direct runs that gave nothing.
-    failed: usize,
 }
 
 /// A corrected estimate with the distances to both ends of its confidence interval.
@@ -120,13 +118,7 @@ pub(super) fn confirmed(
                 surrogate[inputs.replicate as usize].push(answer.map(|(values, _)| values));
             }
             let deviations = function.spread(epistemic);
-            Confirmed {
-                epistemic: epistemic.clone(),
-                surrogate,
-                direct: vec![Vec::new(); replicates],
-                deviations,
-                failed: 0,
-            }
+            Confirmed { epistemic: epistemic.clone(), surrogate, direct: vec![Vec::new(); replicates], deviations }
         })
         .collect();
     for (run, inputs) in table.inputs().iter().enumerate() {
@@ -136,9 +128,7 @@ pub(super) fn confirmed(
         let Some(confirmed) = all.iter_mut().find(|confirmed| confirmed.is_at(&inputs.epistemic)) else { continue };
         let own: Vec<f64> = group.group.columns.iter().map(|&column| table.values(run)[column]).collect();
         let answer = function.at(&inputs.random, &inputs.epistemic).ok();
-        let has_run = own.iter().all(|value| value.is_finite());
-        confirmed.failed += usize::from(!has_run);
-        let answer = answer.filter(|_| has_run);
+        let answer = answer.filter(|_| own.iter().all(|value| value.is_finite()));
         let row = answer.map(|(values, deviations)| [own, values, deviations]);
         confirmed.direct[inputs.replicate as usize].push(row);
     }
@@ -211,11 +201,6 @@ impl Confirmed {
             Some(deviation) if deviation > 0.0 => error / deviation,
             _ => f64::INFINITY,
         }
-    }
-
-    /// Direct runs that gave nothing.
-    pub fn failed(&self) -> usize {
-        self.failed
     }
 
     /// Direct runs without a difference: those that gave nothing, and those at which the surrogate gave no answer.
@@ -297,7 +282,6 @@ mod tests {
             epistemic: vec![0.3],
             surrogate: Vec::new(),
             direct: errors.map(|errors| errors.map(row).to_vec()).to_vec(),
-            failed: 0,
             deviations: Some(DeviationsOverX { largest: vec![0.8], root_mean_square: vec![0.5] }),
         }
     }

@@ -75,7 +75,9 @@ impl SurrogateBounds {
             groups: groups
                 .map(|(group, searched)| {
                     let confirmed = confirmed(plan, &group, confirmation, table);
-                    group_bounds(plan, group, searched, &confirmed)
+                    let failed =
+                        (0..table.len()).filter(is_own).filter(|&run| gave_nothing(&group, table, run)).count();
+                    group_bounds(plan, group, searched, &confirmed, failed)
                 })
                 .collect::<Result<_, _>>()?,
             training_runs: count(Purpose::Training),
@@ -117,6 +119,10 @@ impl SurrogateBounds {
         self.confirming_runs += table.len() - first;
         self.failed_runs += (first..table.len()).filter(|&run| table.failure(run).is_some()).count();
         for group in &mut self.groups {
+            // Where an extreme has none the ends of bands are not known.
+            if (first..table.len()).any(|run| gave_nothing(&group.learned, table, run)) {
+                group.treatments = None;
+            }
             let reach = MARGIN * largest_ratio(plan, &group.learned, table, first);
             let Some(known) = group.treatments.as_mut().filter(|_| reach > group.reach) else { continue };
             let Some(wide) = treatments(plan, &group.learned, reach)? else { continue };
@@ -143,7 +149,7 @@ impl SurrogateBounds {
                     .find(own)
                     .map_or_else(|| nothing_known(request, self.failed_runs), |found| found.pair.clone())
             };
-            requests.map(found).collect()
+            requests.filter(|request| request.statistic != Statistic::Cdf).map(found).collect()
         };
         let mut alphas: Vec<f64> = Vec::new();
         for (alpha, _) in self.groups.iter().flat_map(|group| &group.levels) {
@@ -183,6 +189,7 @@ fn group_bounds(
     learned: LearnedGroup,
     searched: &[Searched],
     confirmed: &[Confirmed],
+    failed: usize,
 ) -> Result<GroupBounds, SurrogatePlanError> {
     let largest_ratio = confirmed.iter().map(Confirmed::ratio).fold(0.0, f64::max);
     let reach = FIRST_REACH.max(MARGIN * largest_ratio);
@@ -191,7 +198,6 @@ fn group_bounds(
     let again = if reach > FIRST_REACH { Some(search_group(plan, &learned, reach)?) } else { None };
     let wide = again.as_deref().unwrap_or(searched);
     let has_rest = learned.keeps_residual() && !plan.problem().random.is_empty();
-    let failed = learned.failed + confirmed.iter().map(Confirmed::failed).sum::<usize>();
     let missing = learned.failed + confirmed.iter().map(Confirmed::without_difference).sum::<usize>();
     let mut levels: Vec<(Option<f64>, Vec<SurrogatePair>)> = Vec::new();
     for (near, far) in searched.iter().zip(wide) {
@@ -222,7 +228,8 @@ fn group_bounds(
                     upper,
                     estimates: pair.estimates.clone(),
                     failed_runs: missing,
-                    unbounded_by_failures: is_over_finished(request.statistic) && missing > 0,
+                    unbounded_by_failures: is_over_finished(request.statistic)
+                        && (missing > 0 || pair.unbounded_by_failures),
                 };
                 levels[level].1.push(SurrogatePair { pair, is_confirmed: [is_lower, is_upper] });
             }
@@ -250,7 +257,7 @@ fn group_bounds(
 }
 
 /// Whether failed runs leave the statistic without any bound, so that it is one over finished runs.
-fn is_over_finished(statistic: Statistic) -> bool {
+pub(super) fn is_over_finished(statistic: Statistic) -> bool {
     matches!(statistic, Statistic::Mean | Statistic::StandardDeviation)
 }
 
@@ -261,15 +268,13 @@ fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
         return bound;
     }
     let widened = furthest_possible(request.statistic, direction);
-    let known = bound.error.sampling + bound.error.optimisation;
-    let error = BoundError { surrogate: ((widened - bound.value).abs() - known).max(0.0), ..bound.error };
+    let error = BoundError { surrogate: nothing_known_error(request.statistic), ..bound.error };
     Bound { widened, error, guarantee: Guarantee::Inner, ..bound }
 }
 
 /// What nothing is known of.
 fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
-    let surrogate = if request.statistic.is_probability() { 1.0 } else { f64::INFINITY };
-    let error = BoundError { surrogate, ..BoundError::default() };
+    let error = BoundError { surrogate: nothing_known_error(request.statistic), ..BoundError::default() };
     let [lower, upper] = Direction::BOTH.map(|direction| {
         let value = furthest_possible(request.statistic, direction);
         Bound { value, widened: value, witness: None, error, guarantee: Guarantee::Inner }
@@ -277,6 +282,16 @@ fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
     let Request { column, statistic } = *request;
     let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
     BoundPair { column, statistic, lower, upper, estimates: Vec::new(), failed_runs, unbounded_by_failures }
+}
+
+/// By how much a statistic may be off of which nothing is known, to either side.
+fn nothing_known_error(statistic: Statistic) -> f64 {
+    if statistic.is_probability() { 1.0 } else { f64::INFINITY }
+}
+
+/// Whether `run` did not deliver the columns of `group`.
+fn gave_nothing(group: &LearnedGroup, table: &SampleTable, run: usize) -> bool {
+    group.group.columns.iter().any(|&column| !table.values(run)[column].is_finite())
 }
 
 /// The end of all values that a statistic can have.

@@ -6,7 +6,7 @@ use super::super::refinement::{Assessment, Goal, Standing};
 use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::learned::draws_residual;
 use super::plan::{SurrogatePlan, SurrogatePlanError, SurrogateSettings};
-use super::results::{GroupBounds, SurrogateBounds, SurrogatePair};
+use super::results::{GroupBounds, SurrogateBounds, SurrogatePair, is_over_finished};
 
 /// Training runs for each combination of the members of lists, at most, where they are not stated to be more: from there on learning
 /// takes longer than most runs.
@@ -207,9 +207,11 @@ impl SurrogateRounds {
                 largest = f64::INFINITY;
                 continue;
             };
+            // Of what fails no training tells more.
+            let is_told = group.failed == 0 || is_over_finished(request.statistic);
             let falls = group.learned.surrogates.iter().flatten().any(|surrogate| !draws_residual(surrogate));
-            let can_learn =
-                falls || self.training < (BELIEVED_PER_INPUT * self.plan.inputs().len()).max(LEAST_BELIEVED);
+            let is_believed = self.training < (BELIEVED_PER_INPUT * self.plan.inputs().len()).max(LEAST_BELIEVED);
+            let can_learn = is_told && (falls || is_believed);
             for (bound, is_confirmed) in
                 [(&pair.pair.lower, pair.is_confirmed[0]), (&pair.pair.upper, pair.is_confirmed[1])]
             {

@@ -188,7 +188,6 @@ fn double_loop_words(result: &StudyResult, each: &str, writer: &NumberWriter) ->
     }
 }
 
-/// Whether there was no direct double loop.
 fn purpose_words(purpose: RunPurpose) -> &'static str {
     match purpose {
         RunPurpose::Mixed => "with each as what it is",

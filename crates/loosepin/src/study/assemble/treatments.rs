@@ -27,10 +27,11 @@ pub fn learned_treatments(
         let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
         for ((record, band), unknown) in record.bands.iter_mut().zip(bands).zip(learned.coverage_surrogate) {
             record.coverage_error += unknown;
-            record.ends = Some(
-                [&band.lower, &band.upper]
-                    .map(|end| TreatmentEnd { widened_si: end.widened, error: numerical_error(end) }),
-            );
+            record.ends = Some([&band.lower, &band.upper].map(|end| {
+                let is_below = material.is_never_negative(*column) && end.widened < 0.0;
+                let widened_si = if is_below { 0.0 } else { end.widened };
+                TreatmentEnd { widened_si, error: numerical_error(end) }
+            }));
         }
         Some(record)
     };

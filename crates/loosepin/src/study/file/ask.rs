@@ -48,6 +48,15 @@ pub struct KnownPose {
     angle_rad: f64,
 }
 
+/// The number of a curve that lies beyond the limit of a probability where any of its values does.
+pub fn furthest(statistic: Statistic) -> Reduction {
+    match statistic {
+        Statistic::ProbabilityAbove(_) => Reduction::Maximum,
+        Statistic::ProbabilityBelow(_) => Reduction::Minimum,
+        _ => Reduction::MaximumAbsolute,
+    }
+}
+
 /// A question about a curve without the small probabilities in it, and these: of leaving the limit anywhere in the cycle, which is what
 /// the furthest value over the cycle does.
 fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
@@ -55,21 +64,14 @@ fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
         return (Some(ask), Vec::new());
     }
     let rare = std::mem::take(&mut ask.rare);
-    let anywhere = rare.iter().map(|&(statistic, method)| {
-        let furthest = match statistic {
-            Statistic::ProbabilityAbove(_) => Reduction::Maximum,
-            Statistic::ProbabilityBelow(_) => Reduction::Minimum,
-            _ => Reduction::MaximumAbsolute,
-        };
-        Ask {
-            output: ask.output,
-            deviation: ask.deviation,
-            location: Where::Reduced(furthest),
-            statistics: vec![statistic],
-            contributors: false,
-            rare: vec![(statistic, method)],
-            simultaneous_bands: Vec::new(),
-        }
+    let anywhere = rare.iter().map(|&(statistic, method)| Ask {
+        output: ask.output,
+        deviation: ask.deviation,
+        location: Where::Reduced(furthest(statistic)),
+        statistics: vec![statistic],
+        contributors: false,
+        rare: vec![(statistic, method)],
+        simultaneous_bands: Vec::new(),
     });
     let anywhere = anywhere.collect();
     ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));

@@ -109,10 +109,11 @@ impl StudyReader {
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
             ("random", &input.path, input.quantity, all)
         });
-        let epistemic = self
-            .epistemic
-            .iter()
-            .filter_map(|input| Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec())));
+        let is_periodic = |input: &&EpistemicInput| matches!(input.variable, EpistemicVariable::Periodic(_));
+        let epistemic =
+            self.epistemic.iter().filter(|input| !is_periodic(input)).filter_map(|input| {
+                Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec()))
+            });
         let nominal = self.model.quantities.nominal();
         let far = |(table, path, quantity, ends): (&'static str, &String, QuantityId, Vec<f64>)| {
             let known = &self.model.quantities[quantity];

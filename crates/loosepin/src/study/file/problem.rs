@@ -318,9 +318,7 @@ pub enum StudyProblem {
         entry: String,
     },
     /// A value of the model that the study does not come to.
-    #[error(
-        "'{path}' is {value} in the model and from {from} to {to} here; deviations are from the ideal motion of the model"
-    )]
+    #[error("'{path}' is {value} in the model, and from {from} to {to} here")]
     FarFromModel {
         /// The input.
         path: String,
@@ -549,7 +547,10 @@ impl Problem for StudyProblem {
             } => Some("cut nearer to the mean, or state a uniform distribution".to_owned()),
             Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
             Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
-            Self::FarFromModel { .. } => Some("mend the one that is wrong, unless the difference is meant".to_owned()),
+            Self::FarFromModel { .. } => Some(
+                "mend the one that is wrong, unless it is meant: deviations are from the ideal motion of the model"
+                    .to_owned(),
+            ),
             Self::DegreesTwice { .. } => Some("leave it out".to_owned()),
             Self::AskedTwice { .. } | Self::PoseTwice { .. } => Some("leave one of the two out".to_owned()),
             Self::PercentilesOfNothing { .. } => {

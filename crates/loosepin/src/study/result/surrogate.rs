@@ -22,7 +22,7 @@ pub struct SurrogateRecord {
     pub direct_runs: u64,
     /// What was learned, one entry for each number and each curve.
     pub outputs: Vec<SurrogateOutput>,
-    /// The bounds, for as much of [`super::StudyResult::bounds`] as was learned.
+    /// The bounds; of what nothing was learned nothing is known.
     pub bounds: Vec<BoundRecord>,
     /// The three treatments by the surrogates, beside those of the direct runs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
