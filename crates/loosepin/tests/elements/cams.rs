@@ -179,5 +179,8 @@ fn what_is_wrong_with_a_table_is_told_at_its_place() {
         "profile.csv:1:1: error[E0208]: cam 'lift': csv has too few entries; must be at least 3"
     );
     let nowhere = said(&model.replace("profile.csv", "profil.csv"), TABLE);
-    assert_eq!(nowhere, "model.toml:42:7: error[E0101]: cannot read profil.csv: there is no such file");
+    assert_eq!(
+        nowhere,
+        "model.toml:42:7: error[E0101]: cannot read profil.csv: there is no such file\nhint: did you mean 'profile.csv'?"
+    );
 }
