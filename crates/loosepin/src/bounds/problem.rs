@@ -502,7 +502,7 @@ impl Problem {
     /// A parameter with a distribution is one value for all samples, and no mass of evidence goes with it.
     fn check_second_order(&self) -> Result<(), ProblemError> {
         let mut known = self.epistemic.iter();
-        if !known.any(|known| matches!(known, EpistemicVariable::SecondOrder(_))) {
+        if !known.any(EpistemicVariable::is_second_order) {
             return Ok(());
         }
         let has_evidence = self.epistemic.iter().any(|known| matches!(known, EpistemicVariable::Evidence(_)));

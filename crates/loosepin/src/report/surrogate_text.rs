@@ -19,7 +19,7 @@ pub(super) const MOST_ROWS: usize = 24;
 
 /// What the part is called.
 pub(super) fn title(record: &SurrogateRecord) -> &'static str {
-    if record.direct_runs == 0 { "The surrogate" } else { "The same by surrogate" }
+    if record.is_alone() { "The surrogate" } else { "The same by surrogate" }
 }
 
 /// How many runs the surrogates needed, beside the direct bounds.
@@ -51,7 +51,7 @@ pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> 
 /// One sentence or more for each output: what was learned, how well, and what more runs would do.
 pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Vec<String> {
     // Where the surrogate is alone its bounds are those of the study.
-    let bounds = if record.direct_runs == 0 { &result.bounds } else { &record.bounds };
+    let bounds = if record.is_alone() { &result.bounds } else { &record.bounds };
     let is_asked = |output: &&SurrogateOutput| {
         let own = |bound: &BoundRecord| bound.output == output.output && bound.of == output.of && bound.at == output.at;
         output.at == ResponsePoint::Whole || bounds.iter().any(own)

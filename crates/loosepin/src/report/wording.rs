@@ -3,7 +3,8 @@
 use super::number::{NumberWriter, Rounding};
 use crate::study::result::{
     BoundRecord, DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription,
-    Reduction, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+    Reduction, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
+    TreatmentKind, Verdict,
 };
 use crate::units::SiUnit;
 
@@ -173,7 +174,7 @@ pub(super) fn response_words(
 
 /// Whether the bounds of the study are those of a surrogate that stands alone.
 pub(super) fn is_by_surrogate(result: &StudyResult) -> bool {
-    result.surrogate.as_ref().is_some_and(|record| record.direct_runs == 0)
+    result.surrogate.as_ref().is_some_and(SurrogateRecord::is_alone)
 }
 
 /// A name with its meaning where there is one.

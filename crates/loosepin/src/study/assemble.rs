@@ -160,8 +160,13 @@ impl Material<'_> {
         Some([lower, upper])
     }
 
+    /// `value_si` of a column, or 0 where it is negative and the column is a magnitude.
+    pub fn possible(&self, column: usize, value_si: f64) -> f64 {
+        if value_si < 0.0 && self.is_never_negative(column) { 0.0 } else { value_si }
+    }
+
     /// Whether the numbers of a column are magnitudes.
-    pub fn is_never_negative(&self, column: usize) -> bool {
+    fn is_never_negative(&self, column: usize) -> bool {
         matches!(self.plan().columns[column].spot, Spot::Reduced(reduction) if reduction.is_never_negative())
     }
 

@@ -46,7 +46,7 @@ use crate::bounds::Reading;
 use crate::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use crate::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
 use crate::model::{Cycle, Model};
-use crate::uncertainty::{CorrelationSeries, EpistemicVariable};
+use crate::uncertainty::CorrelationSeries;
 use crate::units::{Dimension, Rule};
 
 /// Percentiles of statistics that are themselves random, where the file does not say.
@@ -291,7 +291,7 @@ impl StudyReader {
         if entries.is_empty() {
             self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
         }
-        let is_second_order = |input: &EpistemicInput| matches!(input.variable, EpistemicVariable::SecondOrder(_));
+        let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
         // Where an input is wrong it may be the one with a distribution.
         if !self.reader.complaints.has_errors() && !self.epistemic.iter().any(is_second_order) {
             let problem = StudyProblem::PercentilesOfNothing { entry: written.path.describe() };

@@ -167,6 +167,11 @@ impl EpistemicVariable {
         matches!(self, Self::Periodic(_))
     }
 
+    /// Whether it is a parameter that has a distribution of its own.
+    pub fn is_second_order(&self) -> bool {
+        matches!(self, Self::SecondOrder(_))
+    }
+
     /// Whether it is made of several intervals, with masses or degrees.
     pub fn is_structured(&self) -> bool {
         matches!(self, Self::Evidence(_) | Self::Fuzzy(_))

@@ -126,10 +126,8 @@ pub(super) fn confirmed(
             continue;
         }
         let Some(confirmed) = all.iter_mut().find(|confirmed| confirmed.is_at(&inputs.epistemic)) else { continue };
-        let own: Vec<f64> = group.group.columns.iter().map(|&column| table.values(run)[column]).collect();
         let answer = function.at(&inputs.random, &inputs.epistemic).ok();
-        let answer = answer.filter(|_| own.iter().all(|value| value.is_finite()));
-        let row = answer.map(|(values, deviations)| [own, values, deviations]);
+        let row = group.group.row(table, run).zip(answer).map(|(own, (values, deviations))| [own, values, deviations]);
         confirmed.direct[inputs.replicate as usize].push(row);
     }
     all

@@ -38,10 +38,6 @@ impl Learned {
         let runs: Vec<usize> =
             (0..table.len()).filter(|&run| table.inputs()[run].purpose == Purpose::Training).collect();
         let of_group = |group: &ColumnGroup| {
-            let row = |run: usize| -> Option<Vec<f64>> {
-                let values: Vec<f64> = group.columns.iter().map(|&column| table.values(run)[column]).collect();
-                values.iter().all(|value| value.is_finite()).then_some(values)
-            };
             let of_combination = |combination: usize| {
                 let own = runs.iter().copied().filter(|&run| {
                     let inputs = &table.inputs()[run];
@@ -52,7 +48,7 @@ impl Learned {
                     .iter()
                     .map(|&run| space.point(&table.inputs()[run].random, &table.inputs()[run].epistemic))
                     .collect();
-                let output = TrainingOutput::curve(&group.name, own.iter().map(|&run| row(run)).collect());
+                let output = TrainingOutput::curve(&group.name, own.iter().map(|&run| group.row(table, run)).collect());
                 let data = TrainingData::try_new(space.inputs(problem, &points), points, vec![output])?;
                 let options = Options { choice: settings.choice, seed: problem.sampling.seed, ..Options::default() };
                 Surrogate::fit(&data, &options)
@@ -60,7 +56,7 @@ impl Learned {
             LearnedGroup {
                 group: group.clone(),
                 surrogates: (0..space.combinations()).map(of_combination).collect(),
-                failed: runs.iter().filter(|&&run| row(run).is_none()).count(),
+                failed: runs.iter().filter(|&&run| group.row(table, run).is_none()).count(),
             }
         };
         Self { groups: settings.groups.iter().map(of_group).collect() }

@@ -29,6 +29,14 @@ pub struct ColumnGroup {
     pub columns: Vec<usize>,
 }
 
+impl ColumnGroup {
+    /// What `run` gave of its columns; nothing where it did not deliver all of them.
+    pub(super) fn row(&self, table: &SampleTable, run: usize) -> Option<Vec<f64>> {
+        let values: Vec<f64> = self.columns.iter().map(|&column| table.values(run)[column]).collect();
+        values.iter().all(|value| value.is_finite()).then_some(values)
+    }
+}
+
 /// How surrogates are made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurrogateSettings {

@@ -76,7 +76,7 @@ impl SurrogateBounds {
                 .map(|(group, searched)| {
                     let confirmed = confirmed(plan, &group, confirmation, table);
                     let failed =
-                        (0..table.len()).filter(is_own).filter(|&run| gave_nothing(&group, table, run)).count();
+                        (0..table.len()).filter(is_own).filter(|&run| group.group.row(table, run).is_none()).count();
                     group_bounds(plan, group, searched, &confirmed, failed)
                 })
                 .collect::<Result<_, _>>()?,
@@ -120,7 +120,7 @@ impl SurrogateBounds {
         self.failed_runs += (first..table.len()).filter(|&run| table.failure(run).is_some()).count();
         for group in &mut self.groups {
             // Where an extreme has none the ends of bands are not known.
-            if (first..table.len()).any(|run| gave_nothing(&group.learned, table, run)) {
+            if (first..table.len()).any(|run| group.learned.group.row(table, run).is_none()) {
                 group.treatments = None;
             }
             let reach = MARGIN * largest_ratio(plan, &group.learned, table, first);
@@ -287,11 +287,6 @@ fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
 /// By how much a statistic may be off of which nothing is known, to either side.
 fn nothing_known_error(statistic: Statistic) -> f64 {
     if statistic.is_probability() { 1.0 } else { f64::INFINITY }
-}
-
-/// Whether `run` did not deliver the columns of `group`.
-fn gave_nothing(group: &LearnedGroup, table: &SampleTable, run: usize) -> bool {
-    group.group.columns.iter().any(|&column| !table.values(run)[column].is_finite())
 }
 
 /// The end of all values that a statistic can have.

@@ -107,7 +107,7 @@ fn uncertain_words(input: &RandomInput, study: &Study) -> String {
     let words = |uncertain: &UncertainParameter| {
         let known = &study.epistemic[uncertain.epistemic];
         let known_words = match known.members_written(&study.model) {
-            None if matches!(known.variable, EpistemicVariable::SecondOrder(_)) => "with a distribution".to_owned(),
+            None if known.variable.is_second_order() => "with a distribution".to_owned(),
             Some(of) => format!("any of {}", listed(&of, "and")),
             None => {
                 let [lower, upper] = known.variable.ends().map(|end| known.written(&study.model, end));

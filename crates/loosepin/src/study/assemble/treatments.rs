@@ -27,10 +27,9 @@ pub fn learned_treatments(
         let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
         for ((record, band), unknown) in record.bands.iter_mut().zip(bands).zip(learned.coverage_surrogate) {
             record.coverage_error += unknown;
-            record.ends = Some([&band.lower, &band.upper].map(|end| {
-                let is_below = material.is_never_negative(*column) && end.widened < 0.0;
-                let widened_si = if is_below { 0.0 } else { end.widened };
-                TreatmentEnd { widened_si, error: numerical_error(end) }
+            record.ends = Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
+                widened_si: material.possible(*column, end.widened),
+                error: numerical_error(end),
             }));
         }
         Some(record)
@@ -54,18 +53,12 @@ fn treatment_record(
         bands: bands
             .into_iter()
             .zip(outer_points)
-            .map(|(band, points)| {
-                let mut band = treatment_band(material, band, points);
-                if material.is_never_negative(column) && band.lower_si < 0.0 {
-                    band.lower_si = 0.0;
-                }
-                band
-            })
+            .map(|(band, points)| treatment_band(material, column, band, points))
             .collect(),
     }
 }
 
-fn treatment_band(material: &Material<'_>, band: &Band, outer_points: &[Vec<f64>]) -> TreatmentBand {
+fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_points: &[Vec<f64>]) -> TreatmentBand {
     let treatment = match band.treatment {
         bounds::Treatment::ProbabilityOnly => TreatmentKind::ProbabilityOnly,
         bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
@@ -73,7 +66,7 @@ fn treatment_band(material: &Material<'_>, band: &Band, outer_points: &[Vec<f64>
     };
     TreatmentBand {
         treatment,
-        lower_si: band.lower.value,
+        lower_si: material.possible(column, band.lower.value),
         upper_si: band.upper.value,
         coverage_minimum: band.coverage.minimum,
         coverage_maximum: band.coverage.maximum,

@@ -87,13 +87,8 @@ impl StudyReader {
         }
         for index in 0..self.random.len() {
             if let Some(problem) = self.impossible_share(index) {
-                let span = root
-                    .get("random")
-                    .and_then(|table| {
-                        let entries = self.reader.any_keys(&table);
-                        entries.into_iter().find(|entry| entry.name == self.random[index].path)
-                    })
-                    .map_or(root.span, |entry| entry.span);
+                let path = self.random[index].path.clone();
+                let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
                 let place = Place::new(&self.reader.source, span);
                 self.reader.complaints.push(Complaint::error(&problem, Some(place)));
             }
@@ -109,9 +104,9 @@ impl StudyReader {
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
             ("random", &input.path, input.quantity, all)
         });
-        let is_periodic = |input: &&EpistemicInput| matches!(input.variable, EpistemicVariable::Periodic(_));
+        let is_between = |input: &&EpistemicInput| !input.variable.is_periodic();
         let epistemic =
-            self.epistemic.iter().filter(|input| !is_periodic(input)).filter_map(|input| {
+            self.epistemic.iter().filter(is_between).filter_map(|input| {
                 Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec()))
             });
         let nominal = self.model.quantities.nominal();
@@ -121,25 +116,29 @@ impl StudyReader {
             let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
             let round_off = ROUND_OFF * nominal[quantity].abs();
             let is_inside = (from - round_off..=to + round_off).contains(&nominal[quantity]);
-            let is_far = is_geometric && !is_inside && self.plays_of(quantity).is_empty();
-            let text = |value: f64| format_value(value, known.dimension);
-            let (path, value) = (path.clone(), text(nominal[quantity]));
-            is_far.then(|| (table, StudyProblem::FarFromModel { path, value, from: text(from), to: text(to) }))
+            if !is_geometric || is_inside || !self.plays_of(quantity).is_empty() {
+                return None;
+            }
+            let [value, from, to] = [nominal[quantity], from, to].map(|value| format_value(value, known.dimension));
+            Some((table, path.clone(), StudyProblem::FarFromModel { path: path.clone(), value, from, to }))
         };
-        let found: Vec<(&str, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();
-        for (table, problem) in found {
-            let StudyProblem::FarFromModel { path, .. } = &problem else { continue };
-            let span = root.get(table).and_then(|table| {
-                self.reader.any_keys(&table).into_iter().find(|entry| entry.name == path).map(|entry| entry.key_span)
-            });
-            let place = Place::new(&self.reader.source, span.unwrap_or(root.span));
+        let found: Vec<(&str, String, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();
+        for (table, path, problem) in found {
+            let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
+            let place = Place::new(&self.reader.source, span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
     }
 
+    /// What is written of the input `path` in `table`.
+    fn entry_of<'t>(&mut self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
+        let entries = self.reader.any_keys(&root.get(table)?);
+        entries.into_iter().find(|entry| entry.name == path)
+    }
+
     /// A parameter with a distribution has one value for all samples, and no masses go with its probabilities.
     fn check_second_order(&mut self, root: &Table<'_>) {
-        let is_second_order = |input: &&EpistemicInput| matches!(input.variable, EpistemicVariable::SecondOrder(_));
+        let is_second_order = |input: &&EpistemicInput| input.variable.is_second_order();
         let Some(path) = self.epistemic.iter().find(is_second_order).map(|input| input.path.clone()) else { return };
         let has_evidence = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
         for (key, beside, is_there) in [

@@ -7,7 +7,6 @@ use super::problem::StudyProblem;
 use super::words::{DIRECT_RUNS, SURROGATES};
 use crate::document::Table;
 use crate::surrogate::Choice;
-use crate::uncertainty::EpistemicVariable;
 
 /// Training runs for each uncertain input, and at least, where the file does not say.
 const TRAINING_PER_INPUT: usize = 25;
@@ -70,7 +69,7 @@ impl StudyReader {
     /// What is asked that the runs of the double loop alone answer.
     fn direct_questions(&self, asks: &[Ask]) -> Vec<&'static str> {
         let is_asked = |of: fn(&Ask) -> bool| asks.iter().any(of);
-        let is_second_order = |input: &EpistemicInput| matches!(input.variable, EpistemicVariable::SecondOrder(_));
+        let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
         let questions = [
             ("contributors", is_asked(|ask| ask.contributors)),
             ("small probabilities by a method", is_asked(|ask| !ask.rare.is_empty())),

@@ -29,6 +29,13 @@ pub struct SurrogateRecord {
     pub treatments: Vec<TreatmentComparison>,
 }
 
+impl SurrogateRecord {
+    /// Whether there is no direct double loop beside: the bounds of the study are its own.
+    pub fn is_alone(&self) -> bool {
+        self.direct_runs == 0
+    }
+}
+
 /// What was learned of a number or a curve; where laws or members of lists have surrogates of their own, of that with the
 /// largest error.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
