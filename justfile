@@ -45,11 +45,11 @@ release *ARGUMENTS: (tool "maturin")
 
 # Who imports whom, file sizes, dependencies named: the rules of docs/architecture.md.
 architecture:
-    cargo test --locked --package loosepin --test architecture
+    cargo test --locked --package architecture
 
-# Unit tests of the library alone.
+# Unit tests of all crates.
 unit:
-    cargo test --locked --package loosepin --lib
+    cargo test --locked --workspace --lib --exclude loosepin-python
 
 # Unit, integration and documentation tests of all crates.
 rust-tests:

@@ -1,10 +1,12 @@
 //! Bounds of any vectorised function of Python: the uncertainty wing without a mechanism.
 
+use std::fmt;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{
     self, BoundPair, DoubleLoop, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic,
 };
+use loosepin::diagnostics::{self, Code};
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -21,6 +23,25 @@ const BAND: f64 = 0.95;
 const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
 /// Percentiles of statistics that are themselves random.
 const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Bounds that cannot be had of a function.
+#[derive(Debug)]
+struct FunctionProblem(EvaluateError);
+
+impl fmt::Display for FunctionProblem {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(formatter)
+    }
+}
+
+impl diagnostics::Problem for FunctionProblem {
+    fn code(&self) -> Code {
+        match self.0 {
+            EvaluateError::Plan(_) => Code::SamplingNotPossible,
+            EvaluateError::Table(_) => Code::AllRunsFailed,
+        }
+    }
+}
 
 /// How many runs are spent, as Python states it.
 #[derive(FromPyObject)]
@@ -76,7 +97,7 @@ pub fn evaluate<'py>(
             confidence: runs.confidence,
         },
     };
-    let fail = |error: EvaluateError| raise_problem(&error);
+    let fail = |error: EvaluateError| raise_problem(&FunctionProblem(error));
     let plan = DoubleLoop::try_new(problem).map_err(|error| fail(error.into()))?;
     let mut table = SampleTable::new(columns.len());
     loop {

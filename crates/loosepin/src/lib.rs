@@ -1,39 +1,31 @@
 //! How accurately a planar mechanism moves when its parts scatter (random: a distribution) and its joints have play
 //! that is known only roughly (epistemic: an interval).
 //!
-//! Two wings and one bridge. Physics: [`contact`], [`model`], [`mechanism`], [`dynamics`], [`simulate`], [`accuracy`];
-//! it knows nothing of probability. Uncertainty: [`uncertainty`], [`surrogate`], [`bounds`]; it knows nothing of mechanisms.
-//! [`study`] joins them, [`sweep`] varies one number without either, [`cases`] holds the program against answers that are
-//! known, [`report`] only reads results. [`import`] makes models of drawings, [`measured`] lays measured curves over a run.
-//! `docs/architecture.md` says who may import whom.
+//! This crate names what users of the library need, and holds nothing of its own. Each phase is a crate:
+//!
+//! * Mechanics: [`contact`], [`model`], [`mechanism`], [`dynamics`] (`loosepin-mechanics`), [`simulate`], [`accuracy`],
+//!   [`sweep`], [`measured`] (`loosepin-simulate`). They know nothing of probability.
+//! * Uncertainty: [`uncertainty`], [`contributors`], [`reliability`] (`loosepin-uncertainty`), [`surrogate`], [`bounds`].
+//!   They know nothing of mechanisms.
+//! * [`study`] joins the two wings, [`cases`] holds the program against answers that are known, [`report`] reads results.
+//!
+//! `docs/architecture.md` shows which crate stands on which.
 
-pub mod accuracy;
-pub mod bounds;
-pub mod cases;
-pub mod contact;
-pub mod contributors;
-pub mod diagnostics;
-pub mod document;
-pub mod dynamics;
-pub mod import;
-pub mod integrate;
-pub mod math;
-pub mod measured;
-pub mod mechanism;
-pub mod model;
-pub mod native;
-pub mod reliability;
-pub mod report;
-pub mod results;
-pub mod simulate;
-pub mod store;
-pub mod study;
-pub mod surrogate;
-pub mod sweep;
-pub mod templates;
-pub mod trace;
-pub mod uncertainty;
-pub mod units;
-
-/// The version of this library, as `major.minor.patch`.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub use loosepin_bounds as bounds;
+pub use loosepin_import as import;
+pub use loosepin_import::templates;
+pub use loosepin_math as math;
+pub use loosepin_math::integrate;
+pub use loosepin_mechanics::{contact, dynamics, mechanism, model};
+pub use loosepin_report as report;
+pub use loosepin_simulate as simulate;
+pub use loosepin_simulate::{accuracy, measured, sweep};
+pub use loosepin_store as store;
+pub use loosepin_store::results;
+pub use loosepin_study as study;
+pub use loosepin_study::cases;
+pub use loosepin_surrogate as surrogate;
+pub use loosepin_tape::{native, trace};
+pub use loosepin_text::{VERSION, diagnostics, document, units};
+pub use loosepin_uncertainty as uncertainty;
+pub use loosepin_uncertainty::{contributors, reliability};

@@ -1,0 +1,241 @@
+//! The steps of a plan with surrogates.
+
+use std::ops::Range;
+
+use thiserror::Error;
+
+use super::super::bound::Reading;
+use super::super::evaluate::EvaluateError;
+use super::super::plan::{DoubleLoop, PlanError};
+use super::super::problem::{Problem, Request};
+use super::super::refinement::Goal;
+use super::super::statistic::Statistic;
+use super::super::table::{Purpose, RunInputs, SampleTable};
+use super::confirm::{Confirmation, MOST_WITNESSES};
+use super::learned::Learned;
+use super::reach::FIRST_REACH;
+use super::results::SurrogateBounds;
+use super::search::search_all;
+use super::space::{SurrogateInput, TrainingSpace};
+use loosepin_surrogate::{Choice, FEWEST_RUNS};
+use loosepin_uncertainty::EpistemicVariable;
+
+/// Columns that are learned together: a number, or a curve place by place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnGroup {
+    /// Name, as in messages.
+    pub name: String,
+    /// Columns of the response.
+    pub columns: Vec<usize>,
+}
+
+impl ColumnGroup {
+    /// What `run` gave of its columns; nothing where it did not deliver all of them.
+    pub(super) fn row(&self, table: &SampleTable, run: usize) -> Option<Vec<f64>> {
+        let values: Vec<f64> = self.columns.iter().map(|&column| table.values(run)[column]).collect();
+        values.iter().all(|value| value.is_finite()).then_some(values)
+    }
+}
+
+/// How surrogates are made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurrogateSettings {
+    /// Which kind.
+    pub choice: Choice,
+    /// Runs to learn from, for each combination of the members of lists; at least [`FEWEST_RUNS`].
+    pub training: usize,
+    /// Direct runs at each witness: a multiple of the replicates, two in each at least, and no more than the inner runs.
+    pub confirming: usize,
+    /// What is learned; every column that is asked for stands in one group.
+    pub groups: Vec<ColumnGroup>,
+}
+
+/// Why there are no bounds by surrogates.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SurrogatePlanError {
+    /// The problem, or its runs.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The double loop on a surrogate.
+    #[error(transparent)]
+    Evaluate(#[from] EvaluateError),
+    /// Too few runs to learn from.
+    #[error("{training} training runs; must be at least {FEWEST_RUNS}\nhint: 30 for each uncertain input are a start")]
+    TooFewTraining {
+        /// Value given.
+        training: usize,
+    },
+    /// Direct runs that cannot be spread over the replicates.
+    #[error(
+        "{confirming} confirming runs; must be a multiple of the {replicates} replicates, at least 2 in each, and at most the \
+         {inner} inner runs"
+    )]
+    Confirming {
+        /// Value given.
+        confirming: usize,
+        /// Replicates.
+        replicates: usize,
+        /// Inner runs.
+        inner: usize,
+    },
+    /// A column that is asked for and not learned.
+    #[error("column {column} is asked for and in none of the groups that are learned")]
+    NotLearned {
+        /// The column.
+        column: usize,
+    },
+}
+
+/// A checked problem, and what is to be learned of it.
+#[derive(Debug, Clone)]
+pub struct SurrogatePlan {
+    pub(super) direct: DoubleLoop,
+    pub(super) settings: SurrogateSettings,
+    pub(super) space: TrainingSpace,
+    /// What the bounds on the surrogates alone are to be as near as, where the double loop on them is to grow.
+    pub(super) goals: Vec<Goal>,
+    /// What bounds are stated with; errors may be told with more, as where one looks repeatedly.
+    pub(super) stated_confidence: f64,
+}
+
+impl SurrogatePlan {
+    /// Checks `problem` and `settings`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError`] where either breaks a rule.
+    pub fn try_new(problem: Problem, settings: SurrogateSettings) -> Result<Self, SurrogatePlanError> {
+        let direct = DoubleLoop::try_new(problem)?;
+        let problem = direct.problem();
+        let SurrogateSettings { training, confirming, .. } = settings;
+        if training < FEWEST_RUNS {
+            return Err(SurrogatePlanError::TooFewTraining { training });
+        }
+        let (replicates, inner) = (problem.sampling.replicates, problem.sampling.inner);
+        let is_spread = confirming.is_multiple_of(replicates) && confirming >= 2 * replicates && confirming <= inner;
+        if !problem.random.is_empty() && !is_spread {
+            return Err(SurrogatePlanError::Confirming { confirming, replicates, inner });
+        }
+        let is_learned = |column: &usize| settings.groups.iter().any(|group| group.columns.contains(column));
+        if let Some(column) = direct.needed_columns().into_iter().find(|column| !is_learned(column)) {
+            return Err(SurrogatePlanError::NotLearned { column });
+        }
+        let (space, stated_confidence) = (TrainingSpace::new(problem), problem.sampling.confidence);
+        Ok(Self { direct, settings, space, goals: Vec::new(), stated_confidence })
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Problem {
+        self.direct.problem()
+    }
+
+    /// Whether every statistic belongs to a single u, with errors of the surrogate that differ over X alone.
+    pub(super) fn is_at_single_values(&self) -> bool {
+        let problem = self.problem();
+        problem.reading == Reading::FixedButUnknown && !problem.epistemic.iter().any(EpistemicVariable::is_structured)
+    }
+
+    /// The inputs of the surrogates, in their order.
+    pub fn inputs(&self) -> &[SurrogateInput] {
+        self.space.coordinates()
+    }
+
+    /// The values of the epistemic inputs that are lists, by their position, in one combination of their members.
+    pub fn members(&self, combination: usize) -> Vec<(usize, f64)> {
+        self.space.members(combination)
+    }
+
+    /// What is to be learned.
+    pub fn settings(&self) -> &SurrogateSettings {
+        &self.settings
+    }
+
+    /// The runs to learn from, as round `round` of a table.
+    ///
+    /// # Errors
+    ///
+    /// More inputs than Sobol' points have dimensions.
+    pub fn training_round(&self, round: u32) -> Result<Vec<RunInputs>, SurrogatePlanError> {
+        self.training_runs(round, 0..self.settings.training, &[])
+    }
+
+    /// Further runs to learn from: number `numbers` for each combination of the members of lists, half of them at the values `near` of the
+    /// epistemic inputs.
+    pub(super) fn training_runs(
+        &self,
+        round: u32,
+        numbers: Range<usize>,
+        near: &[Vec<f64>],
+    ) -> Result<Vec<RunInputs>, SurrogatePlanError> {
+        let before = numbers.start * self.space.combinations();
+        let places = self.space.places(self.problem(), numbers, near).map_err(PlanError::from)?;
+        let run = |(point, (random, epistemic)): (usize, (Vec<f64>, Vec<f64>))| RunInputs {
+            round,
+            purpose: Purpose::Training,
+            point: (before + point) as u32,
+            replicate: 0,
+            index: 0,
+            random,
+            epistemic,
+        };
+        Ok(places.into_iter().enumerate().map(run).collect())
+    }
+
+    /// Direct runs at witnesses, at most, with those at the extremes of the treatments.
+    pub fn most_confirming(&self) -> usize {
+        let problem = self.problem();
+        let mut ends = 0;
+        for group in &self.settings.groups {
+            let own = problem.requests.iter().filter(|request| group.columns.contains(&request.column));
+            let mut statistics: Vec<Statistic> = Vec::new();
+            for Request { statistic, .. } in own {
+                if *statistic != Statistic::Cdf && !statistics.contains(statistic) {
+                    statistics.push(*statistic);
+                }
+            }
+            ends += 2 * statistics.len();
+        }
+        let inner = if problem.random.is_empty() { 1 } else { self.settings.confirming };
+        ends.min(MOST_WITNESSES) * inner + 2 * problem.compared_columns.len()
+    }
+
+    /// Runs of all steps, at most.
+    pub fn most_runs(&self) -> usize {
+        self.settings.training * self.space.combinations() + self.most_confirming()
+    }
+
+    /// Learns from the training runs in `table`.
+    pub fn learn(&self, table: &SampleTable) -> Learned {
+        Learned::new(self.problem(), &self.space, &self.settings, table)
+    }
+
+    /// The double loop on the surrogates, and the direct runs that its bounds are to be held against, as round `round`, without those
+    /// that are in `table`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn confirmation(
+        &self,
+        learned: &Learned,
+        round: u32,
+        table: &SampleTable,
+    ) -> Result<Confirmation, SurrogatePlanError> {
+        let searched = search_all(self, learned, |_| FIRST_REACH)?;
+        Ok(Confirmation::new(self, searched, round, table))
+    }
+
+    /// Bounds from the surrogates without the treatments, with the runs of `confirmation` in `table`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn results(
+        &self,
+        learned: Learned,
+        confirmation: &Confirmation,
+        table: &SampleTable,
+    ) -> Result<SurrogateBounds, SurrogatePlanError> {
+        SurrogateBounds::new(self, learned, confirmation, table)
+    }
+}

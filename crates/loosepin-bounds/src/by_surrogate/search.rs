@@ -1,0 +1,158 @@
+//! The double loop on the surrogates of a group.
+
+use super::super::bound::{Bound, BoundPair, Bounds};
+use super::super::evaluate::{EvaluateError, evaluate, execute};
+use super::super::problem::{Problem, Request};
+use super::super::refinement::{Goal, Refinement};
+use super::super::search::Direction;
+use super::super::statistic::Statistic;
+use super::super::table::SampleTable;
+use super::learned::{Learned, LearnedGroup};
+use super::plan::SurrogatePlan;
+use super::response::{Aspect, BandResponse, LearnedFunction};
+use loosepin_surrogate::Surrogate;
+
+/// Places of a curve that go through the double loop together, so that its table stays small.
+const MOST_PLACES: usize = 64;
+/// Of what a bound may be widened by, the share that its double loop on the surrogate may take: that costs no runs.
+const FREE_SHARE: f64 = 0.25;
+/// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
+const MOST_GROWTH: usize = 16;
+
+/// What was found for some places of a group.
+pub(super) struct Searched {
+    /// Positions within the group.
+    pub places: Vec<usize>,
+    /// What each pair of the bounds is: a request of the problem, on an aspect.
+    asked: Vec<(Request, Aspect)>,
+    /// Columns are those of the aspects.
+    pub bounds: Bounds,
+}
+
+/// Searches all groups that were learned; `reach` is k of each of them.
+pub(super) fn search_all(
+    plan: &SurrogatePlan,
+    learned: &Learned,
+    reach: impl Fn(usize) -> f64,
+) -> Result<Vec<Vec<Searched>>, EvaluateError> {
+    let groups = learned.groups.iter().enumerate();
+    groups.map(|(index, group)| search_group(plan, group, reach(index))).collect()
+}
+
+/// Searches one group, a number of places at a time; nothing where it was not learned.
+pub(super) fn search_group(
+    plan: &SurrogatePlan,
+    group: &LearnedGroup,
+    reach: f64,
+) -> Result<Vec<Searched>, EvaluateError> {
+    let Ok(surrogates) = &group.surrogates else { return Ok(Vec::new()) };
+    let needed = plan.direct.needed_columns();
+    let places: Vec<usize> =
+        (0..group.group.columns.len()).filter(|&place| needed.contains(&group.group.columns[place])).collect();
+    places.chunks(MOST_PLACES).map(|places| search_places(plan, group, surrogates, places, reach)).collect()
+}
+
+fn search_places(
+    plan: &SurrogatePlan,
+    group: &LearnedGroup,
+    surrogates: &[Surrogate],
+    places: &[usize],
+    reach: f64,
+) -> Result<Searched, EvaluateError> {
+    let direct = plan.problem();
+    let column_of = |slot: usize, aspect: Aspect| slot * Aspect::ALL.len() + aspect.position();
+    let slot_of = |column: usize| places.iter().position(|&place| group.group.columns[place] == column);
+    let mut requests = Vec::new();
+    let mut asked = Vec::new();
+    for request in &direct.requests {
+        let Some(slot) = slot_of(request.column) else { continue };
+        for (aspect, statistic) in aspects(request.statistic) {
+            requests.push(Request { column: column_of(slot, aspect), statistic });
+            if statistic != Statistic::Cdf {
+                asked.push((*request, aspect));
+            }
+        }
+    }
+    let problem = Problem {
+        columns: places.len() * Aspect::ALL.len(),
+        requests,
+        // The treatments go over wider points, and by themselves.
+        compared_columns: Vec::new(),
+        ..direct.clone()
+    };
+    let response = BandResponse::new(LearnedFunction { plan, surrogates, places }, reach);
+    let goal = |goal: &Goal| {
+        let column = column_of(slot_of(goal.request.column)?, Aspect::Value);
+        Some(Goal { request: Request { column, ..goal.request }, most: FREE_SHARE * goal.most })
+    };
+    let goals: Vec<Goal> = plan.goals.iter().filter_map(goal).collect();
+    let bounds = if goals.is_empty() { evaluate(problem, &response)? } else { refined(problem, goals, &response)? };
+    Ok(Searched { places: places.to_vec(), asked, bounds })
+}
+
+/// The bounds of a double loop that grows as far as `goals` ask, within limits.
+fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> Result<Bounds, EvaluateError> {
+    let most = MOST_GROWTH * problem.sampling.outer * problem.sampling.inner;
+    let mut table = SampleTable::new(problem.columns);
+    let mut refinement = Refinement::try_new(problem, goals)?;
+    loop {
+        let round = refinement.next_round(&table)?;
+        let is_too_much = table.len() + round.len() > most && !table.is_empty();
+        if round.is_empty() || is_too_much {
+            return Ok(refinement.results(&table)?);
+        }
+        execute(round, response, &mut table)?;
+    }
+}
+
+/// What is asked of a surrogate for a statistic: of its value first, then of what its error can make of it.
+fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
+    let error = match statistic {
+        Statistic::Cdf => Vec::new(),
+        Statistic::StandardDeviation => vec![(Aspect::Square, Statistic::Mean)],
+        Statistic::Mean
+        | Statistic::Quantile(_)
+        | Statistic::ProbabilityAbove(_)
+        | Statistic::ProbabilityBelow(_)
+        | Statistic::ProbabilityBeyond(_) => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
+    };
+    [(Aspect::Value, statistic)].into_iter().chain(error).collect()
+}
+
+impl Searched {
+    /// The pairs of what is possible at all, and those of every degree.
+    pub fn levels(&self) -> Vec<(Option<f64>, &[BoundPair])> {
+        let all = (None, &self.bounds.pairs[..]);
+        [all].into_iter().chain(self.bounds.levels.iter().map(|level| (level.alpha, &level.pairs[..]))).collect()
+    }
+
+    /// The requests of these places, without those for whole distribution functions, each with the bounds on the surrogate's value.
+    pub fn values<'p>(&self, pairs: &'p [BoundPair]) -> impl Iterator<Item = (Request, &'p BoundPair)> {
+        let own = self.asked.iter().zip(pairs).filter(|((_, aspect), _)| *aspect == Aspect::Value);
+        own.map(|((request, _), pair)| (*request, pair)).collect::<Vec<_>>().into_iter()
+    }
+
+    /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0.
+    pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
+        let end = |pair: &BoundPair| -> Bound {
+            match direction {
+                Direction::Minimum => pair.lower.clone(),
+                Direction::Maximum => pair.upper.clone(),
+            }
+        };
+        let own = self.asked.iter().zip(pairs).filter(|((of, _), _)| *of == request);
+        let mut furthest = f64::NAN;
+        let mut square = 0.0;
+        for ((_, aspect), pair) in own {
+            if *aspect == Aspect::Square {
+                square = pair.upper.widened.max(0.0);
+                continue;
+            }
+            let widened = end(pair).widened;
+            if furthest.is_nan() || direction.is_beyond(widened, furthest) {
+                furthest = widened;
+            }
+        }
+        furthest + direction.sign() * square.sqrt()
+    }
+}

@@ -1,0 +1,566 @@
+//! What is asked: inputs, requests, and how many runs may be spent.
+
+use thiserror::Error;
+
+use super::bound::Reading;
+use super::points::structural_point_count;
+use super::search_box::SearchBox;
+use super::statistic::Statistic;
+use super::structure::{Structure, element_count};
+use loosepin_uncertainty::{
+    EpistemicParameter, EpistemicVariable, GaussianCopula, Level, MAXIMUM_DIMENSIONS, RandomVariable,
+};
+
+/// One statistic of one column of the response.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Column of the response, counted from 0.
+    pub column: usize,
+    /// The statistic whose bounds are asked for.
+    pub statistic: Statistic,
+}
+
+/// How many runs are spent, and on what.
+///
+/// The runs are at most `outer * inner + mixture + extreme`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Points u at which statistics are estimated. Default: 64.
+    pub outer: usize,
+    /// Runs for each u; a multiple of `replicates`, best `replicates` times a power of two. Default: 256.
+    pub inner: usize,
+    /// Independent scramblings that the inner points are split into, >= 2, for the sampling error. Default: 8.
+    pub replicates: usize,
+    /// Runs of the probability-only treatment (X and u drawn together); a multiple of `replicates`. Default: 1024.
+    pub mixture: usize,
+    /// Runs of the interval-only treatment (extremes over the joint box). Default: 128.
+    pub extreme: usize,
+    /// Seed of every random number. Default: 1.
+    pub seed: u64,
+    /// Confidence of each sampling error, in (0, 1). Default: 0.99.
+    pub confidence: f64,
+    /// Whether the runs at few u are weighted for all others, where nothing but parameters of distributions is epistemic
+    /// ([`Reweightable`]). Default: no.
+    pub reweighting: bool,
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self {
+            outer: 64,
+            inner: 256,
+            replicates: 8,
+            mixture: 1024,
+            extreme: 128,
+            seed: 1,
+            confidence: 0.99,
+            reweighting: false,
+        }
+    }
+}
+
+/// A response's inputs, and what is asked of it.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Distributions of the random inputs one by one.
+    pub random: Vec<RandomVariable>,
+    /// How they depend on each other; nothing where they are independent. The interval-only treatment knows no correlation: its
+    /// box holds every combination of the cut inputs.
+    pub copula: Option<GaussianCopula>,
+    /// What is known of the epistemic inputs.
+    pub epistemic: Vec<EpistemicVariable>,
+    /// Parameters of distributions that are epistemic inputs. The response is given their values and need not look at them.
+    pub parameters: Vec<EpistemicParameter>,
+    /// How an epistemic interval is read.
+    pub reading: Reading,
+    /// Other readings that the same runs are to answer ([`super::DoubleLoop::read_as`]).
+    pub readings_beside: Vec<Reading>,
+    /// Number of columns of the response.
+    pub columns: usize,
+    /// Statistics whose bounds are asked for.
+    pub requests: Vec<Request>,
+    /// Columns for which the three treatments are compared.
+    pub compared_columns: Vec<usize>,
+    /// Probability of the central band that the treatments are compared by, in (0, 1); 0.95 is usual.
+    pub band_probability: f64,
+    /// In the interval-only treatment each random input is cut to its quantiles at Φ(-k) and Φ(k), k = this; 3 is usual.
+    pub cut_standard_deviations: f64,
+    /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself, each in (0, 1);
+    /// 0.05, 0.5 and 0.95 are usual.
+    pub percentiles: Vec<f64>,
+    /// How many runs are spent.
+    pub sampling: Sampling,
+}
+
+/// Why a problem cannot be planned.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ProblemError {
+    /// A request names a column that the response does not have.
+    #[error("request {request} asks for column {column}; the response has {columns} columns, counted from 0")]
+    NoSuchColumn {
+        /// Position of the request, or of the column among the compared ones.
+        request: usize,
+        /// Column asked for.
+        column: usize,
+        /// Columns there are.
+        columns: usize,
+    },
+    /// A quantile outside (0, 1).
+    #[error("quantile {probability}; must lie between 0 and 1, both excluded")]
+    QuantileOutside {
+        /// Probability asked for.
+        probability: f64,
+    },
+    /// A limit that is not a number, or a negative limit of a magnitude.
+    #[error("limit {limit} of a probability; must be finite, and >= 0 where it limits a magnitude")]
+    BadLimit {
+        /// Limit asked for.
+        limit: f64,
+    },
+    /// A probability outside (0, 1).
+    #[error("{name} {value}; must lie between 0 and 1, both excluded")]
+    ProbabilityOutside {
+        /// Which number.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A cut that is no positive number.
+    #[error("cut at {standard_deviations} standard deviations; must be > 0 and at most 8")]
+    BadCut {
+        /// Value given.
+        standard_deviations: f64,
+    },
+    /// A parameter with a distribution beside what gives statistics no single value at it.
+    #[error(
+        "a parameter with a distribution stands beside {}; must be the only one with probabilities, intervals read as fixed but unknown",
+        if *.has_evidence { "evidence" } else { "another reading of intervals" }
+    )]
+    SecondOrderBeside {
+        /// Evidence; else another reading.
+        has_evidence: bool,
+    },
+    /// Too few replicates.
+    #[error("{replicates} replicates; must be at least 2\nhint: 8 give a useful estimate of the sampling error")]
+    TooFewReplicates {
+        /// Value given.
+        replicates: usize,
+    },
+    /// A parameter of an input that does not exist.
+    #[error(
+        "parameter {parameter} belongs to random input {random} of {randoms} and is epistemic input {epistemic} of {epistemics}, \
+         counted from 0"
+    )]
+    NoSuchInput {
+        /// Position of the parameter.
+        parameter: usize,
+        /// The random input.
+        random: usize,
+        /// Random inputs there are.
+        randoms: usize,
+        /// The epistemic input.
+        epistemic: usize,
+        /// Epistemic inputs there are.
+        epistemics: usize,
+    },
+    /// A sample that cannot be split evenly.
+    #[error(
+        "{name} {count}; must be a multiple of the {replicates} replicates, at least 2 runs in each, at most 2^31\n\
+         hint: {replicates} times a power of two is best"
+    )]
+    NotAMultiple {
+        /// Which number of runs.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Replicates.
+        replicates: usize,
+    },
+    /// Too few points for the corners and the centre of the box.
+    #[error(
+        "{name} {count}; the corners and the centre of a box with {} need at least {least}\n\
+         hint: {recommended} is a good start",
+        inputs_words(*.dimensions)
+    )]
+    TooFewPoints {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Dimensions of the box.
+        dimensions: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// Too few points for the corners and the centre of a box for each combination of the members of lists.
+    #[error(
+        "{name} {count}; {combinations} combinations of members, each with the corners and the centre of a box with \
+         {}, need at least {least}\n\
+         hint: {recommended} is a good start",
+        inputs_words(*.dimensions)
+    )]
+    TooFewForCombinations {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Combinations of the members of lists.
+        combinations: usize,
+        /// Dimensions of each box.
+        dimensions: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// More combinations of members than can be searched one by one.
+    #[error(
+        "{combinations} combinations of the members of lists; must be at most {MOST_COMBINATIONS}\n\
+         hint: shorten the lists, or take numbers that lie close together as an interval"
+    )]
+    TooManyCombinations {
+        /// How many there are.
+        combinations: usize,
+    },
+    /// Too few points for the corners and centres of focal elements and cuts.
+    #[error(
+        "{name} {count}; the corners and centres of all focal elements and cuts need at least {least}\n\
+         hint: {recommended} is a good start, and elements that share ends need fewer"
+    )]
+    TooFewForElements {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// What usually serves.
+        recommended: usize,
+    },
+    /// More corners and centres of focal elements and cuts than points that the search can model.
+    #[error(
+        "the corners and centres of all focal elements and cuts are {least}; must be at most {most}\nhint: fewer elements, cuts or degrees"
+    )]
+    TooManyParts {
+        /// How many points they are.
+        least: usize,
+        /// The most points of a search.
+        most: usize,
+    },
+    /// More focal elements than are put together.
+    #[error(
+        "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
+         hint: join elements of the inputs that matter least"
+    )]
+    TooManyElements {
+        /// How many there are.
+        elements: usize,
+    },
+    /// More points than the search can model.
+    #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
+    TooManyPoints {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The most that is accepted.
+        most: usize,
+    },
+    /// More inputs than Sobol' points have dimensions.
+    #[error("{inputs} uncertain inputs; at most {MAXIMUM_DIMENSIONS}\nhint: fix the inputs that matter least")]
+    TooManyInputs {
+        /// Random and epistemic inputs together.
+        inputs: usize,
+    },
+    /// Runs cannot be weighted for other values of the epistemic inputs.
+    #[error("runs weighted for other values of the epistemic inputs: {0}")]
+    NotReweighted(#[from] NotReweighted),
+    /// A copula of another number of inputs.
+    #[error("correlations of {found} random inputs; there are {expected}")]
+    OtherCopula {
+        /// Inputs of the copula.
+        found: usize,
+        /// Random inputs.
+        expected: usize,
+    },
+}
+
+/// Why runs cannot be weighted for other values of the epistemic inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NotReweighted {
+    /// There is nothing epistemic.
+    #[error("no parameter of a distribution is epistemic")]
+    NothingEpistemic,
+    /// An epistemic input that the response knows.
+    #[error("epistemic input {epistemic}, counted from 0, is no parameter of a distribution")]
+    NoParameter {
+        /// Its position.
+        epistemic: usize,
+    },
+    /// A parameter that is not known by an interval or a list.
+    #[error("epistemic input {epistemic}, counted from 0, is known by more than an interval or a list")]
+    OtherKnowledge {
+        /// Its position.
+        epistemic: usize,
+    },
+    /// Values of an input have probabilities of their own.
+    #[error("random input {random}, counted from 0, has no density")]
+    NoDensity {
+        /// Its position.
+        random: usize,
+    },
+    /// Random inputs go together.
+    #[error("random inputs are correlated")]
+    Correlated,
+    /// An interval may hold another value for each sample.
+    #[error("intervals are not read as fixed but unknown alone")]
+    OtherReading,
+}
+
+/// What decides whether runs can be weighted for other values of the epistemic inputs: all of these must be parameters of
+/// distributions with densities, known by intervals or lists and fixed, of inputs that are independent.
+#[derive(Debug, Clone, Copy)]
+pub struct Reweightable<'a> {
+    /// Distributions of the random inputs.
+    pub random: &'a [RandomVariable],
+    /// What is known of the epistemic inputs.
+    pub epistemic: &'a [EpistemicVariable],
+    /// Parameters among them.
+    pub parameters: &'a [EpistemicParameter],
+    /// Whether random inputs go together.
+    pub is_correlated: bool,
+    /// Whether every interval is read as fixed but unknown, and in no other way beside.
+    pub is_fixed: bool,
+}
+
+impl Reweightable<'_> {
+    /// Looks for a reason against it.
+    ///
+    /// # Errors
+    ///
+    /// [`NotReweighted`] with the first one.
+    pub fn check(&self) -> Result<(), NotReweighted> {
+        if self.parameters.is_empty() {
+            return Err(NotReweighted::NothingEpistemic);
+        }
+        for (epistemic, known) in self.epistemic.iter().enumerate() {
+            if !self.parameters.iter().any(|parameter| parameter.epistemic == epistemic) {
+                return Err(NotReweighted::NoParameter { epistemic });
+            }
+            if !matches!(known, EpistemicVariable::Interval(_) | EpistemicVariable::OneOf(_)) {
+                return Err(NotReweighted::OtherKnowledge { epistemic });
+            }
+        }
+        if self.is_correlated {
+            return Err(NotReweighted::Correlated);
+        }
+        if !self.is_fixed {
+            return Err(NotReweighted::OtherReading);
+        }
+        let has_density = |random: usize| {
+            let variable = &self.random[random];
+            variable.density(variable.quantile(0.5)).is_some()
+        };
+        match self.parameters.iter().map(|parameter| parameter.random).find(|&random| !has_density(random)) {
+            Some(random) => Err(NotReweighted::NoDensity { random }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// "1 input", "2 inputs".
+fn inputs_words(inputs: usize) -> String {
+    format!("{inputs} input{}", if inputs == 1 { "" } else { "s" })
+}
+
+/// The smoother factorises matrices of this order.
+pub(super) const MOST_POINTS: usize = 512;
+
+/// Every combination of focal elements has bounds of its own.
+const MOST_ELEMENTS: usize = 256;
+
+/// Every combination of members is run, and searched by itself.
+const MOST_COMBINATIONS: usize = 64;
+
+/// Points in the box of the epistemic inputs at most, with all combinations of the members of lists.
+pub const MOST_OUTER: usize = MOST_POINTS * MOST_COMBINATIONS;
+
+impl ProblemError {
+    /// The number of runs, of points or of replicates that it is about, by the name of its field.
+    pub fn key(&self) -> Option<&'static str> {
+        match self {
+            Self::NotAMultiple { name, .. }
+            | Self::TooFewPoints { name, .. }
+            | Self::TooFewForCombinations { name, .. }
+            | Self::TooFewForElements { name, .. }
+            | Self::TooManyPoints { name, .. } => Some(name),
+            Self::TooFewReplicates { .. } => Some("replicates"),
+            _ => None,
+        }
+    }
+}
+
+impl Problem {
+    /// Which part of its distribution each random input takes at a point of the unit cube.
+    pub(super) fn levels(&self, point: &[f64]) -> Vec<Level> {
+        match &self.copula {
+            Some(copula) => copula.levels(point),
+            None => point.iter().map(|&probability| Level::Probability(probability)).collect(),
+        }
+    }
+
+    /// Whether runs can be weighted for other values of the epistemic inputs ([`Reweightable`]).
+    fn reweighting(&self) -> Result<(), NotReweighted> {
+        Reweightable {
+            random: &self.random,
+            epistemic: &self.epistemic,
+            parameters: &self.parameters,
+            is_correlated: self.copula.is_some(),
+            is_fixed: self.reading == Reading::FixedButUnknown && self.readings_beside.is_empty(),
+        }
+        .check()
+    }
+
+    /// Checks everything that does not need a run.
+    pub(super) fn check(&self) -> Result<(), ProblemError> {
+        let inputs = self.random.len() + self.epistemic.len();
+        if inputs > MAXIMUM_DIMENSIONS {
+            return Err(ProblemError::TooManyInputs { inputs });
+        }
+        if let Some(copula) = self.copula.as_ref().filter(|copula| copula.inputs() != self.random.len()) {
+            return Err(ProblemError::OtherCopula { found: copula.inputs(), expected: self.random.len() });
+        }
+        self.check_requests()?;
+        for (parameter, of) in self.parameters.iter().enumerate() {
+            let (randoms, epistemics) = (self.random.len(), self.epistemic.len());
+            let EpistemicParameter { random, epistemic, .. } = *of;
+            if random >= randoms || epistemic >= epistemics {
+                return Err(ProblemError::NoSuchInput { parameter, random, randoms, epistemic, epistemics });
+            }
+        }
+        let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;
+        check_probability("confidence", confidence)?;
+        check_probability("band probability", self.band_probability)?;
+        for &percentile in &self.percentiles {
+            check_probability("percentile", percentile)?;
+        }
+        self.check_second_order()?;
+        if self.sampling.reweighting {
+            self.reweighting()?;
+        }
+        if !(self.cut_standard_deviations > 0.0 && self.cut_standard_deviations <= 8.0) {
+            return Err(ProblemError::BadCut { standard_deviations: self.cut_standard_deviations });
+        }
+        if replicates < 2 {
+            return Err(ProblemError::TooFewReplicates { replicates });
+        }
+        if !self.random.is_empty() {
+            check_multiple("inner", inner, replicates)?;
+        }
+        let search_box = SearchBox::new(self.epistemic.clone());
+        let (wide, combinations) = (search_box.dimensions(), search_box.combinations());
+        if combinations > MOST_COMBINATIONS {
+            return Err(ProblemError::TooManyCombinations { combinations });
+        }
+        if !search_box.is_a_point() {
+            check_points("outer", outer, wide, combinations)?;
+        }
+        let elements = element_count(self);
+        if elements > MOST_ELEMENTS {
+            return Err(ProblemError::TooManyElements { elements });
+        }
+        let structure = Structure::new(self, &search_box);
+        if structure.is_divided() {
+            let least = combinations * structure.points(wide).len();
+            let most = MOST_POINTS * combinations;
+            if least > most {
+                return Err(ProblemError::TooManyParts { least, most });
+            }
+            if outer < least {
+                let recommended = (2 * least).max(64).min(most);
+                return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
+            }
+        }
+        if !self.compared_columns.is_empty() {
+            if !search_box.is_a_point() {
+                check_multiple("mixture", mixture, replicates)?;
+            }
+            if !self.random.is_empty() {
+                // Parameters of distributions are no dimensions of the joint box.
+                let epistemic = self.epistemic.iter().enumerate();
+                let is_searched = |(index, _): &(usize, _)| !self.is_parameter(*index);
+                let joint = SearchBox::new(epistemic.filter(is_searched).map(|(_, known)| known.clone()).collect());
+                let dimensions = self.random.len() + joint.dimensions();
+                check_points("extreme", extreme, dimensions, joint.combinations())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A parameter with a distribution is one value for all samples, and no mass of evidence goes with it.
+    fn check_second_order(&self) -> Result<(), ProblemError> {
+        let mut known = self.epistemic.iter();
+        if !known.any(EpistemicVariable::is_second_order) {
+            return Ok(());
+        }
+        let has_evidence = self.epistemic.iter().any(|known| matches!(known, EpistemicVariable::Evidence(_)));
+        if has_evidence || self.reading != Reading::FixedButUnknown {
+            return Err(ProblemError::SecondOrderBeside { has_evidence });
+        }
+        Ok(())
+    }
+
+    fn check_requests(&self) -> Result<(), ProblemError> {
+        let asked = self.requests.iter().map(|request| request.column).enumerate();
+        for (request, column) in asked.chain(self.compared_columns.iter().copied().enumerate()) {
+            if column >= self.columns {
+                return Err(ProblemError::NoSuchColumn { request, column, columns: self.columns });
+            }
+        }
+        for request in &self.requests {
+            match request.statistic {
+                Statistic::Quantile(probability) if !(probability > 0.0 && probability < 1.0) => {
+                    return Err(ProblemError::QuantileOutside { probability });
+                }
+                Statistic::ProbabilityAbove(limit) | Statistic::ProbabilityBelow(limit) if !limit.is_finite() => {
+                    return Err(ProblemError::BadLimit { limit });
+                }
+                Statistic::ProbabilityBeyond(limit) if !(limit.is_finite() && limit >= 0.0) => {
+                    return Err(ProblemError::BadLimit { limit });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_probability(name: &'static str, value: f64) -> Result<(), ProblemError> {
+    if value > 0.0 && value < 1.0 { Ok(()) } else { Err(ProblemError::ProbabilityOutside { name, value }) }
+}
+
+fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result<(), ProblemError> {
+    if count.is_multiple_of(replicates) && count >= 2 * replicates && count <= 1 << 31 {
+        Ok(())
+    } else {
+        Err(ProblemError::NotAMultiple { name, count, replicates })
+    }
+}
+
+fn check_points(name: &'static str, count: usize, dimensions: usize, combinations: usize) -> Result<(), ProblemError> {
+    let least = combinations * structural_point_count(dimensions);
+    if count < least {
+        let recommended = (3 * least).max(64).min(MOST_POINTS * combinations);
+        return Err(if combinations == 1 {
+            ProblemError::TooFewPoints { name, count, dimensions, least, recommended }
+        } else {
+            ProblemError::TooFewForCombinations { name, count, combinations, dimensions, least, recommended }
+        });
+    }
+    if count > MOST_POINTS * combinations {
+        return Err(ProblemError::TooManyPoints { name, count, most: MOST_POINTS * combinations });
+    }
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! Where something smooth is expected to lead on from what has been attained.
+
+use rayon::prelude::*;
+
+use super::surroundings::Extreme;
+use super::{Search, defined};
+use crate::search_box::{Axes, Place};
+use crate::smoother::Smoother;
+use crate::target::TargetModel;
+use loosepin_math::descent::minimise;
+
+/// A local model has this many points for each term of a polynomial of degree 2.
+const POINTS_PER_TERM: usize = 3;
+
+/// A climb is worth a point from this share of the resolution on: a summit of something smooth takes few.
+const LEAST_CLIMB: f64 = 0.1;
+
+/// Half of the distance over which a slope of a local model is taken, in units of its box.
+const HALF_STEP: f64 = 1e-4;
+
+/// A climb ends where two steps in turn gain less than this share of the resolution, and after this many.
+const LEAST_STEP: f64 = 1e-3;
+const MOST_STEPS: usize = 60;
+
+impl Search<'_> {
+    /// At most `count` places to which a climb from `extremes` leads, those that are expected to gain the most first.
+    ///
+    /// Each climb follows a model of its own, of the nearest points alone. A model of all points spans far larger differences, and with
+    /// what it allows for round-off it cannot tell the least ones along a curved ridge, where no candidate lies nearer to the summit.
+    pub(super) fn summits(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<Place> {
+        let mut summits: Vec<(f64, Place)> = extremes.par_iter().filter_map(|extreme| self.summit(extreme)).collect();
+        summits.sort_by(|a, b| b.0.total_cmp(&a.0));
+        self.new_places(summits.into_iter().map(|(_, place)| place), count)
+    }
+
+    /// The expected gain of a climb from `extreme`, in units of the resolution, and where it ends; nothing where it is not worth a
+    /// point, and where the target is not smooth.
+    fn summit(&self, extreme: &Extreme<'_>) -> Option<(f64, Place)> {
+        if extreme.model.is_smoothed() {
+            return None;
+        }
+        let Place { combination, ref at } = self.points[extreme.point];
+        let (near, radius) = self.nearest(extreme)?;
+        // The local box has the extreme in its centre and the furthest of the points on its faces.
+        let local = |axis: usize, coordinate: f64| 0.5 + 0.5 * self.axes.step(axis, at[axis], coordinate) / radius;
+        let seen = |place: &[f64]| place.iter().enumerate().map(|(axis, x)| local(axis, *x)).collect::<Vec<f64>>();
+        let points = near.iter().map(|&point| seen(&self.points[point].at)).collect();
+        let smoother = Smoother::try_new(points, &[], false, &Axes::open(at.len()))?;
+        let model = TargetModel::new(&smoother, extreme.target, &near);
+        if !model.is_smoothest() {
+            return None;
+        }
+        let ends = |axis: usize| match self.axes.is_periodic(axis) {
+            true => (0.0, 1.0),
+            false => {
+                (local(axis, extreme.region.lower[axis]).max(0.0), local(axis, extreme.region.upper[axis]).min(1.0))
+            }
+        };
+        let ends: Vec<(f64, f64)> = (0..at.len()).map(ends).collect();
+        let depth =
+            |place: &[f64]| extreme.direction.sign() * (extreme.value - model.at(place).mean()) / extreme.resolution;
+        let slope = |place: &[f64], axis: usize| {
+            let beside = |step: f64| {
+                let mut moved = place.to_vec();
+                moved[axis] += step;
+                depth(&moved)
+            };
+            (beside(HALF_STEP) - beside(-HALF_STEP)) / (2.0 * HALF_STEP)
+        };
+        let depth_and_slopes =
+            |place: &[f64]| Some((depth(place), (0..place.len()).map(|axis| slope(place, axis)).collect()));
+        let centre = vec![0.5; at.len()];
+        let found = minimise(depth_and_slopes, &centre, &ends, MOST_STEPS, LEAST_STEP)?;
+        let gain = depth(&centre) - found.value;
+        let back = |(axis, x): (usize, &f64)| {
+            let (lower, upper) = (extreme.region.lower[axis], extreme.region.upper[axis]);
+            self.axes.inside(axis, at[axis] + 2.0 * radius * (x - 0.5), [lower, upper])
+        };
+        let place = Place { combination, at: found.place.iter().enumerate().map(back).collect() };
+        (gain > LEAST_CLIMB).then_some((gain, place))
+    }
+
+    /// The points nearest to `extreme`, itself among them, and how far away they are at most, in units of the box; nothing where there
+    /// are no others.
+    fn nearest(&self, extreme: &Extreme<'_>) -> Option<(Vec<usize>, f64)> {
+        let centre = &self.points[extreme.point];
+        let dimensions = centre.at.len();
+        let terms = (dimensions + 1) * (dimensions + 2) / 2;
+        let mut near: Vec<(f64, usize)> = defined(extreme.target, &self.groups[centre.combination])
+            .into_iter()
+            .map(|point| (self.axes.distance(centre, &self.points[point]), point))
+            .collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        near.truncate(POINTS_PER_TERM * terms);
+        let radius = near.last()?.0;
+        (radius > 0.0).then(|| (near.into_iter().map(|(_, point)| point).collect(), radius))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Search;
+    use crate::points::candidates;
+    use crate::search::Direction;
+    use crate::search_box::{Axes, Place, Region};
+    use crate::structure::Element;
+    use crate::target::{Target, TargetKind};
+
+    /// The first of the surroundings of the maximum of `function` on a grid of five by five around `centre`.
+    fn first_beside(axes: &Axes, centre: [f64; 2], function: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+        const STEP: f64 = 0.01;
+        let beside = |axis: usize, steps: i32| axes.inside(axis, centre[axis] + STEP * f64::from(steps), [0.0, 1.0]);
+        let grid = (0..25).map(|i| vec![beside(0, i % 5 - 2), beside(1, i / 5 - 2)]);
+        let points: Vec<Place> = grid.map(|at| Place { combination: 0, at }).collect();
+        let values = points.iter().map(|point| function(point.at[0], point.at[1])).collect();
+        let target = Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [1e-8; 2] };
+        let search = Search::new(axes, &points, &candidates(2).unwrap(), [&target]);
+        let elements = [Element { mass: 1.0, region: Region::whole(2) }];
+        let mut places = search.surroundings(&[(target, vec![Direction::Maximum])], &elements, 1, 512);
+        places.remove(0).at
+    }
+
+    #[test]
+    fn analytic_a_climb_ends_at_the_summit_of_a_curved_ridge() {
+        const TOLERANCE: f64 = 1e-4;
+        let at = first_beside(&Axes::open(2), [0.3, 0.4], |x, y| {
+            let across = y - 0.4 - (x - 0.3) * (x - 0.2);
+            -across * across - 0.01 * (x - 0.307) * (x - 0.307)
+        });
+        // (0.307, 0.4 + 0.007 · 0.107)
+        assert!((at[0] - 0.307).abs() < TOLERANCE && (at[1] - 0.400_749).abs() < TOLERANCE, "{at:?}");
+    }
+
+    #[test]
+    fn analytic_a_climb_goes_on_where_an_angle_closes() {
+        const TOLERANCE: f64 = 1e-4;
+        let at = first_beside(&Axes::closing(&[true, false]), [0.998, 0.4], |x, y| {
+            (core::f64::consts::TAU * (x - 0.003)).cos() - (y - 0.4) * (y - 0.4)
+        });
+        assert!((at[0] - 0.003).abs() < TOLERANCE && (at[1] - 0.4).abs() < TOLERANCE, "{at:?}");
+    }
+}

@@ -1,0 +1,127 @@
+//! Why a drawing gives no model.
+
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use loosepin_text::diagnostics::{Code, Problem};
+
+/// Why a drawing gives no model. Places are coordinates of the drawing, with its unit.
+#[derive(Debug, Error)]
+pub enum ImportError {
+    /// The drawing cannot be read.
+    #[error("the drawing cannot be read as DXF: {reason}")]
+    NoDrawing {
+        /// What the reader said.
+        reason: String,
+    },
+    /// A drawing without units, and none given.
+    #[error("the drawing does not say its unit: $INSUNITS is not set")]
+    NoUnit,
+    /// A unit of the drawing that models do not have.
+    #[error("the drawing is in {unit}, which models do not know")]
+    ForeignUnit {
+        /// The unit.
+        unit: String,
+    },
+    /// A unit given that is none of length.
+    #[error("'{text}' is no unit of length")]
+    NotAUnit {
+        /// The text.
+        text: String,
+    },
+    /// A coordinate that is no number, or not in the plane.
+    #[error("{what} at {place} {why}")]
+    NotPlanar {
+        /// What it is.
+        what: &'static str,
+        /// Where.
+        place: String,
+        /// What is wrong.
+        why: &'static str,
+    },
+    /// No line, or no circle.
+    #[error("the drawing has no {what}")]
+    Nothing {
+        /// What is missing.
+        what: &'static str,
+    },
+    /// A line without length, or a circle without radius.
+    #[error("the {what} at {place} has no {size}")]
+    NoSize {
+        /// What it is.
+        what: &'static str,
+        /// Where.
+        place: String,
+        /// What it lacks.
+        size: &'static str,
+    },
+    /// Two circles with the same centre.
+    #[error("two circles have their centre at {place}")]
+    TwoCircles {
+        /// Where.
+        place: String,
+    },
+    /// A circle that no link meets.
+    #[error("no link meets the circle at {place}")]
+    LooseCircle {
+        /// Where.
+        place: String,
+    },
+    /// A link without a circle.
+    #[error("the link from {place} meets no circle")]
+    LooseLink {
+        /// Where it begins.
+        place: String,
+    },
+    /// Nothing is joined to the ground.
+    #[error("no circle on the layer 'ground' meets a link")]
+    NoGround,
+    /// A file of that name is there.
+    #[error("{} is there already; it is not overwritten", path.display())]
+    Exists {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file system refused.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the file system said.
+        source: io::Error,
+    },
+}
+
+impl Problem for ImportError {
+    fn code(&self) -> Code {
+        match self {
+            Self::NoDrawing { .. } => Code::NotADrawing,
+            Self::Exists { .. } => Code::FileExists,
+            Self::Write { .. } => Code::FolderNotUsable,
+            _ => Code::DrawingNotAMechanism,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        Some(match self {
+            Self::NoDrawing { .. } => "save it from the drawing program as DXF".to_owned(),
+            Self::NoUnit | Self::ForeignUnit { .. } => "give it with --unit, for example --unit mm".to_owned(),
+            Self::NotAUnit { .. } => "for example mm, cm, m or in".to_owned(),
+            Self::Nothing { .. } => "draw links as lines or polylines, joints as circles".to_owned(),
+            Self::TwoCircles { .. } => "keep the circle of the pin; play is written in the model".to_owned(),
+            Self::LooseCircle { .. } => {
+                "draw links to its centre, or raise --tolerance where they end beside it".to_owned()
+            }
+            Self::LooseLink { .. } => {
+                "draw a circle where it is joined, or put it on the layer 'ground' where it does not move".to_owned()
+            }
+            Self::NoGround => "put the circles that stand in the ground on a layer called ground".to_owned(),
+            Self::Exists { .. } => {
+                "give another folder, for example: loosepin import sketch.dxf my_mechanism".to_owned()
+            }
+            Self::NotPlanar { .. } | Self::NoSize { .. } | Self::Write { .. } => return None,
+        })
+    }
+}

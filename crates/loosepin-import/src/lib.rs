@@ -1,0 +1,74 @@
+//! From a drawing to the skeleton of a model: lines are links, circles are joints.
+//!
+//! | drawn | becomes |
+//! |---|---|
+//! | a line | a link |
+//! | a polyline, open or closed | one rigid link |
+//! | lines that share an end where no circle is | one rigid link |
+//! | a circle where two or more links meet, at an end or on the way | a revolute joint; more links: one joint each to the first |
+//! | a circle on the layer `ground` | a revolute joint of its links to the ground |
+//! | a circle that one link meets, not on the layer `ground` | a named point of the link, whose path is an output |
+//! | lines and polylines on the layer `ground` | parts of the ground |
+//! | anything else | nothing; it is counted |
+//!
+//! What no drawing tells (masses, inertias, gravity, speed) stands in the model as `"?"`, which is refused until it is filled
+//! in. Play is not drawn: the radius of a circle is that of the pin, and every joint begins as an ideal one.
+
+pub mod templates;
+
+mod error;
+mod links;
+mod skeleton;
+mod sketch;
+
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+pub use error::ImportError;
+
+/// How a drawing is read.
+#[derive(Debug, Clone)]
+pub struct ImportOptions {
+    /// The unit of the drawing, for example `mm`; that of its header (`$INSUNITS`) where none is given.
+    pub unit: Option<String>,
+    /// Within this distance, m, > 0, ends and centres coincide.
+    pub tolerance_m: f64,
+}
+
+/// The skeleton of a model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Imported {
+    /// Text of `model.toml`.
+    pub model: String,
+    /// What was found, in words, one sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Reads a DXF drawing (ASCII or binary); `name` becomes the name of the model.
+///
+/// # Errors
+/// See [`ImportError`].
+pub fn import_dxf(name: &str, drawing: &[u8], options: &ImportOptions) -> Result<Imported, ImportError> {
+    let sketch = sketch::Sketch::read(drawing, options)?;
+    let links = links::Links::new(&sketch)?;
+    Ok(Imported { model: skeleton::model(name, &sketch, &links), notes: skeleton::notes(&sketch, &links) })
+}
+
+/// Writes `model.toml` into a folder, which is made where there is none; gives its path.
+///
+/// # Errors
+/// The file is there already, or the file system refuses.
+pub fn write_model(folder: &Path, model: &str) -> Result<PathBuf, ImportError> {
+    let path = folder.join("model.toml");
+    if path.exists() {
+        return Err(ImportError::Exists { path });
+    }
+    fs::create_dir_all(folder).map_err(|source| ImportError::Write { path: folder.to_owned(), source })?;
+    // A file that appeared since is not overwritten either.
+    let opened = OpenOptions::new().write(true).create_new(true).open(&path);
+    match opened.and_then(|mut file| file.write_all(model.as_bytes())) {
+        Ok(()) => Ok(path),
+        Err(source) => Err(ImportError::Write { path, source }),
+    }
+}

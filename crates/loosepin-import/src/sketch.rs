@@ -1,0 +1,179 @@
+//! The lines and circles of a drawing, in its own unit.
+
+use dxf::Drawing;
+use dxf::entities::EntityType;
+use dxf::enums::Units;
+
+use super::ImportOptions;
+use super::error::ImportError;
+use loosepin_text::units::{Dimension, format_number, parse_unit};
+
+/// What is on this layer does not move.
+const GROUND_LAYER: &str = "ground";
+
+/// A point of the drawing, in its unit.
+pub(super) type Point = [f64; 2];
+
+/// A line or polyline.
+#[derive(Debug, Clone)]
+pub(super) struct Shape {
+    /// Its vertices; the first again at the end of a closed one.
+    pub vertices: Vec<Point>,
+    pub on_ground: bool,
+}
+
+/// A circle.
+#[derive(Debug, Clone)]
+pub(super) struct Circle {
+    pub centre: Point,
+    pub radius: f64,
+    pub on_ground: bool,
+}
+
+/// What matters of a drawing.
+#[derive(Debug)]
+pub(super) struct Sketch {
+    /// Symbol of the unit.
+    pub unit: String,
+    /// Within this distance points coincide, in the unit of the drawing.
+    pub tolerance: f64,
+    pub shapes: Vec<Shape>,
+    pub circles: Vec<Circle>,
+    /// Entities of other kinds.
+    pub ignored: usize,
+}
+
+/// A vertex with its height over the plane.
+type Vertex = [f64; 3];
+
+impl Sketch {
+    /// Reads a drawing.
+    pub fn read(mut bytes: &[u8], options: &ImportOptions) -> Result<Self, ImportError> {
+        let drawing =
+            Drawing::load(&mut bytes).map_err(|error| ImportError::NoDrawing { reason: error.to_string() })?;
+        // A file without any section is read as a drawing without anything in it.
+        if drawing.entities().next().is_none() {
+            return Err(ImportError::Nothing { what: "line, polyline or circle" });
+        }
+        let unit = match &options.unit {
+            Some(text) => text.trim().to_owned(),
+            None => unit_of(drawing.header.default_drawing_units)?.to_owned(),
+        };
+        let metres = match parse_unit(&unit) {
+            Ok(measured) if measured.dimension == Dimension::LENGTH => measured.value_si,
+            _ => return Err(ImportError::NotAUnit { text: unit }),
+        };
+        let mut sketch = Sketch {
+            unit,
+            tolerance: options.tolerance_m / metres,
+            shapes: Vec::new(),
+            circles: Vec::new(),
+            ignored: 0,
+        };
+        let mut height = None;
+        for entity in drawing.entities() {
+            let on_ground = entity.common.layer.eq_ignore_ascii_case(GROUND_LAYER);
+            match &entity.specific {
+                EntityType::Line(line) => {
+                    let vertices = [&line.p1, &line.p2].map(|p| [p.x, p.y, p.z]);
+                    sketch.add_shape("line", &vertices, false, on_ground, &mut height)?;
+                }
+                EntityType::LwPolyline(polyline) => {
+                    // Such a polyline lies in a plane of its own height, which is no part of its vertices.
+                    let vertices: Vec<Vertex> = polyline.vertices.iter().map(|v| [v.x, v.y, 0.0]).collect();
+                    sketch.add_shape("polyline", &vertices, polyline.is_closed(), on_ground, &mut None)?;
+                }
+                EntityType::Polyline(polyline) => {
+                    let vertices: Vec<Vertex> =
+                        polyline.vertices().map(|v| [v.location.x, v.location.y, v.location.z]).collect();
+                    sketch.add_shape("polyline", &vertices, polyline.is_closed(), on_ground, &mut height)?;
+                }
+                EntityType::Circle(circle) => {
+                    let centre = [circle.center.x, circle.center.y, circle.center.z];
+                    let centre = sketch.in_plane("the circle", centre, &mut height)?;
+                    if !(circle.radius > 0.0 && circle.radius.is_finite()) {
+                        let place = sketch.place(centre);
+                        return Err(ImportError::NoSize { what: "circle", place, size: "radius" });
+                    }
+                    sketch.circles.push(Circle { centre, radius: circle.radius, on_ground });
+                }
+                _ => sketch.ignored += 1,
+            }
+        }
+        if sketch.shapes.iter().all(|shape| shape.on_ground) {
+            return Err(ImportError::Nothing { what: "line or polyline beside the ground" });
+        }
+        if sketch.circles.is_empty() {
+            return Err(ImportError::Nothing { what: "circle" });
+        }
+        Ok(sketch)
+    }
+
+    fn add_shape(
+        &mut self,
+        what: &'static str,
+        vertices: &[Vertex],
+        is_closed: bool,
+        on_ground: bool,
+        height: &mut Option<f64>,
+    ) -> Result<(), ImportError> {
+        let flat = vertices.iter().map(|&vertex| self.in_plane("the vertex", vertex, height));
+        let mut vertices = flat.collect::<Result<Vec<Point>, ImportError>>()?;
+        let Some(&first) = vertices.first() else {
+            self.ignored += 1;
+            return Ok(());
+        };
+        if vertices.iter().all(|&vertex| distance(vertex, first) <= self.tolerance) {
+            return Err(ImportError::NoSize { what, place: self.place(first), size: "length" });
+        }
+        if is_closed {
+            vertices.push(first);
+        }
+        self.shapes.push(Shape { vertices, on_ground });
+        Ok(())
+    }
+
+    /// The point in the plane of the sketch, which is that of its first point.
+    fn in_plane(&self, what: &'static str, vertex: Vertex, height: &mut Option<f64>) -> Result<Point, ImportError> {
+        let [x, y, z] = vertex;
+        let place = || self.place([x, y]);
+        if !vertex.iter().all(|coordinate| coordinate.is_finite()) {
+            return Err(ImportError::NotPlanar { what, place: place(), why: "has a coordinate that is no number" });
+        }
+        let level = *height.get_or_insert(z);
+        if (z - level).abs() > self.tolerance {
+            let why = "does not lie in the plane of the others: its z is another";
+            return Err(ImportError::NotPlanar { what, place: place(), why });
+        }
+        Ok([x, y])
+    }
+
+    /// A point in words: `(12, 30.5) mm`.
+    pub fn place(&self, [x, y]: Point) -> String {
+        format!("({}, {}) {}", format_number(x), format_number(y), self.unit)
+    }
+
+    /// Whether two points are the same within the tolerance.
+    pub fn is_same(&self, a: Point, b: Point) -> bool {
+        distance(a, b) <= self.tolerance
+    }
+}
+
+/// Distance of two points.
+pub(super) fn distance(a: Point, b: Point) -> f64 {
+    libm::hypot(b[0] - a[0], b[1] - a[1])
+}
+
+fn unit_of(units: Units) -> Result<&'static str, ImportError> {
+    Ok(match units {
+        Units::Unitless => return Err(ImportError::NoUnit),
+        Units::Millimeters => "mm",
+        Units::Centimeters => "cm",
+        Units::Meters => "m",
+        Units::Inches => "in",
+        Units::Feet => "ft",
+        Units::Microns => "um",
+        Units::Kilometers => "km",
+        other => return Err(ImportError::ForeignUnit { unit: format!("{other:?}") }),
+    })
+}

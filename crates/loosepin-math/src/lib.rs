@@ -1,0 +1,29 @@
+//! Numbers that the equations run on: plain, dual (exact derivatives), and small geometry and linear algebra over them.
+
+pub mod integrate;
+
+mod angle;
+mod arctangent;
+pub mod dense;
+pub mod descent;
+mod dual;
+mod exponential;
+mod gram;
+mod hermite;
+mod lanes;
+mod linear;
+mod real;
+mod spline;
+mod vector;
+
+pub use angle::sin_cos;
+pub use arctangent::arctangent;
+pub use dual::Dual;
+pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm};
+pub use gram::GramSystem;
+pub use hermite::Quintic;
+pub use lanes::{InstructionSet, LaneGroup, Lanes, Vectors};
+pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
+pub use real::Real;
+pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};
+pub use vector::Vec2;

@@ -1,0 +1,127 @@
+//! The one trait over which every equation of the physics wing is written.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A number that the equations of motion, kinematics and contact laws can be evaluated on.
+///
+/// Comparisons give a [`Real::Mask`] and choices go through [`Real::select`], never through `if`, so that a vector of
+/// lanes (one lane = one run) can implement the trait beside `f64` and [`crate::Dual`].
+pub trait Real:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The result of a comparison: `bool` for one number, one flag a lane for lanes.
+    type Mask: Copy;
+
+    /// The constant `value` in every lane, with zero derivative.
+    fn from_f64(value: f64) -> Self;
+    /// `self · factor + addend` with one rounding: a fused multiply-add on every processor.
+    fn mul_add(self, factor: Self, addend: Self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// `self` raised to `exponent`, for `self > 0`; zero where `self` is zero.
+    fn powf(self, exponent: f64) -> Self;
+    /// The smaller of the two.
+    fn min(self, other: Self) -> Self;
+    /// The larger of the two.
+    fn max(self, other: Self) -> Self;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// `self < other`.
+    fn less_than(self, other: Self) -> Self::Mask;
+    /// `chosen` where `mask` holds, else `otherwise`.
+    fn select(mask: Self::Mask, chosen: Self, otherwise: Self) -> Self;
+    /// The nearest whole number, for magnitudes below 2⁵¹: adding and taking away 1.5 · 2⁵² rounds. It does not move with the
+    /// number.
+    #[inline(always)]
+    fn nearest_whole(self) -> Self {
+        const ROUNDER: f64 = 6_755_399_441_055_744.0;
+        self + Self::from_f64(ROUNDER) - Self::from_f64(ROUNDER)
+    }
+    /// Runs `kernel` compiled for the instruction set of this type: put around every larger piece of arithmetic, whose
+    /// functions are all `#[inline(always)]`, so that they are compiled with it.
+    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R;
+
+    /// Zero.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::from_f64(0.0)
+    }
+    /// One.
+    #[inline(always)]
+    fn one() -> Self {
+        Self::from_f64(1.0)
+    }
+    /// The square of the number.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+}
+
+impl Real for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        f64::mul_add(self, factor, addend)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        super::angle::sin_cos(self)
+    }
+    #[inline(always)]
+    fn powf(self, exponent: f64) -> Self {
+        // Metals have n = 3/2 and linear springs n = 1: both are exact without a logarithm.
+        if exponent == 1.5 {
+            self * f64::sqrt(self)
+        } else if exponent == 1.0 {
+            self
+        } else {
+            libm::pow(self, exponent)
+        }
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn less_than(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn select(mask: bool, chosen: Self, otherwise: Self) -> Self {
+        if mask { chosen } else { otherwise }
+    }
+    #[inline(always)]
+    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
+        super::lanes::with_fused_multiply_add(kernel)
+    }
+}

@@ -1,0 +1,148 @@
+//! Liu, Zhang and Yang 2006.
+
+use super::line::{LineLaw, LinePair};
+use super::normal::{NormalContact, NormalLaw};
+use loosepin_math::{Real, logarithm_above_one};
+
+/// Liu, Zhang, Yang and co-workers 2006: F = ½ π E* L δ √(δ/(2(c + δ))), for every δ.
+#[derive(Debug)]
+pub struct Liu;
+
+impl LineLaw for Liu {
+    fn name(&self) -> &'static str {
+        "liu"
+    }
+    fn source(&self) -> &'static str {
+        "Liu, Zhang and Yang 2006: F = ½ π E* L δ √(δ/(2(c + δ))), E* = 1/(π h)"
+    }
+    fn contact(&self, pair: &LinePair, damping_factor: f64) -> NormalLaw<f64> {
+        NormalLaw::Liu(LiuContact {
+            stiffness_n_m: liu_stiffness_n_m(pair),
+            clearance_m: pair.clearance_m,
+            damping_factor,
+        })
+    }
+}
+
+/// K = π E* L/(2√2), N/m, of F = K δ √(δ/(c + δ)).
+pub(super) fn liu_stiffness_n_m(pair: &LinePair) -> f64 {
+    0.5 * std::f64::consts::PI * pair.equivalent_modulus_pa() * pair.length_m * std::f64::consts::FRAC_1_SQRT_2
+}
+
+/// `F_N = K δ √(δ/(c + δ)) (1 + χ δ̇/v0)`, cut at zero.
+#[derive(Debug, Clone, Copy)]
+pub struct LiuContact<T> {
+    /// K = π E* L/(2√2), N/m.
+    pub stiffness_n_m: T,
+    /// Radial clearance c, m.
+    pub clearance_m: T,
+    /// Factor χ of the energy loss.
+    pub damping_factor: T,
+}
+
+impl<T: Real> LiuContact<T> {
+    /// The same numbers in every lane.
+    pub fn broadcast(from: &LiuContact<f64>) -> Self {
+        Self {
+            stiffness_n_m: T::from_f64(from.stiffness_n_m),
+            clearance_m: T::from_f64(from.clearance_m),
+            damping_factor: T::from_f64(from.damping_factor),
+        }
+    }
+}
+
+impl<T: Real> NormalContact<T> for LiuContact<T> {
+    #[inline(always)]
+    fn elastic_n(&self, penetration_m: T) -> T {
+        self.elastic_at_root_n(penetration_m.max(T::zero()).sqrt())
+    }
+
+    /// F_el with δ = u²: K u³/√(c + u²), N.
+    #[inline(always)]
+    fn elastic_at_root_n(&self, root: T) -> T {
+        self.stiffness_n_m * (root * root * root) / root.mul_add(root, self.clearance_m).sqrt()
+    }
+
+    #[inline(always)]
+    fn damping_factor(&self) -> T {
+        self.damping_factor
+    }
+
+    /// K c² G(δ/c), G as in `liu_energy`.
+    #[inline(always)]
+    fn stored_energy_j(&self, penetration_m: T) -> T {
+        let depth = penetration_m.max(T::zero()) / self.clearance_m;
+        self.stiffness_n_m * self.clearance_m * self.clearance_m * liu_energy(depth)
+    }
+
+    /// K u³/√(c + u²) is smooth where contact begins.
+    #[inline(always)]
+    fn is_smooth_in_root(&self) -> bool {
+        true
+    }
+
+    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        visit(&mut self.stiffness_n_m);
+        visit(&mut self.clearance_m);
+        visit(&mut self.damping_factor);
+    }
+}
+
+/// G(t) = ∫ t^1.5/√(1 + t) dt from zero: (√(t(1 + t))(2t - 3) + 3 ln(√t + √(1 + t)))/4, and by its series where that
+/// loses its digits. Long, and so out of line.
+#[inline(never)]
+pub(super) fn liu_energy<T: Real>(t: T) -> T {
+    T::vectorize(
+        #[inline(always)]
+        || liu_energy_in_line(t),
+    )
+}
+
+#[inline(always)]
+fn liu_energy_in_line<T: Real>(t: T) -> T {
+    /// Up to here the series is used.
+    const SERIES_END: f64 = 0.25;
+    /// The next term is below the last place of the sum at the end.
+    const TERMS: usize = 24;
+    let constant = T::from_f64;
+    let root = t.sqrt();
+    // t^2.5 Σ b_k tᵏ/(k + 5/2), b_k the binomial coefficients of -1/2.
+    let short = t.min(constant(SERIES_END));
+    let mut coefficients = [1.0; TERMS];
+    for k in 1..TERMS {
+        coefficients[k] = -coefficients[k - 1] * (k as f64 - 0.5) / k as f64;
+    }
+    let mut sum = T::zero();
+    for k in (0..TERMS).rev() {
+        sum = sum.mul_add(short, constant(coefficients[k] / (k as f64 + 2.5)));
+    }
+    let series = sum * t * t * root;
+    let rise = (T::one() + t).sqrt();
+    let logarithm = constant(3.0) * logarithm_above_one(root + rise);
+    let closed = constant(0.25) * (root * rise).mul_add(t + t - constant(3.0), logarithm);
+    T::select(constant(SERIES_END).less_than(t), closed, series)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Liu, liu_energy};
+    use crate::contact::static_table::{assert_static_forces, bisected};
+
+    #[test]
+    fn analytic_static_forces() {
+        assert_static_forces(&Liu, [0.1129, 3.5379, 38.090], |pair, force_n| {
+            // The law gives F(δ); its inverse by bisection.
+            bisected(force_n, 1.0, |depth_m| {
+                let root = (depth_m / (2.0 * (pair.clearance_m + depth_m))).sqrt();
+                0.5 * std::f64::consts::PI * pair.equivalent_modulus_pa() * pair.length_m * depth_m * root
+            })
+        });
+    }
+
+    #[test]
+    fn identity_series_and_closed_form_meet() {
+        // Just below and just above the change; the function itself grows by 1e-9 of 1.5/2.
+        let (below, above) = (liu_energy(0.25), liu_energy(0.25 + 1e-12));
+        assert!((above / below - 1.0).abs() < 2e-11, "{below} {above}");
+    }
+}

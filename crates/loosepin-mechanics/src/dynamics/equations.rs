@@ -1,0 +1,488 @@
+//! Mass matrix, forces and accelerations.
+
+use super::contact::{ContactForce, ContactUnknowns, GapMotion};
+use super::control::ActuatorForce;
+use super::inverse::InverseDynamics;
+use super::joint_friction::JointFrictions;
+use super::load::LoadForce;
+use super::play::PlayMotion;
+use crate::contact::PlayState;
+use crate::mechanism::{
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room,
+    turned_by,
+};
+use crate::model::{Course, FeedForward};
+use loosepin_math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
+
+/// Powers that the energy account integrates, W.
+#[derive(Debug, Clone, Copy)]
+pub struct Powers<T> {
+    /// Supplied by all drives.
+    pub drives_w: T,
+    /// Supplied by all loads.
+    pub loads_w: T,
+    /// Supplied by the actuators of all controls.
+    pub controls_w: T,
+    /// Turned into heat by normal contact.
+    pub contact_loss_w: T,
+    /// Turned into heat by friction.
+    pub friction_loss_w: T,
+    /// Turned into heat by dampers.
+    pub damping_loss_w: T,
+}
+
+/// The equations of motion of one sample, with room for everything that an evaluation needs.
+///
+/// State: coordinates and rates of the real tree, free ones first; the driven ones are filled in here from the time.
+#[derive(Debug, Clone)]
+pub struct Dynamics<'a, T> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) sample: Sample<T>,
+    /// Poses, velocities and biases at the last evaluation.
+    pub kinematics: Kinematics<T>,
+    /// Coordinates and rates of the last evaluation, driven ones filled in.
+    coordinates: Vec<T>,
+    rates: Vec<T>,
+    driven_accelerations: Vec<T>,
+    /// Slots of bearing body and journal body of each joint with play.
+    pub(super) play_slots: Vec<[usize; 2]>,
+    pub(super) plays: Vec<PlayMotion<T>>,
+    /// Forces of all contacts.
+    pub(super) contacts: Vec<ContactForce<T>>,
+    /// Whether there are springs, loads or controls.
+    has_elements: bool,
+    /// Slots of first and second body of each spring.
+    pub(super) spring_slots: Vec<[usize; 2]>,
+    /// Power that the dampers turned into heat at the last evaluation, W.
+    pub(super) damping_loss_w: T,
+    /// Loads at the last evaluation.
+    pub(super) loads: Vec<LoadForce<T>>,
+    /// Power of the loads at the last evaluation, W.
+    pub(super) loads_w: T,
+    /// Places of the actuator's and of the measured joint of each control.
+    pub(super) control_places: Vec<[JointPlace; 2]>,
+    /// Actuators at the last evaluation.
+    pub(super) actuators: Vec<ActuatorForce<T>>,
+    /// Integrals of the errors of the controls, rad s or m s.
+    pub(super) error_integrals: Vec<T>,
+    /// Power of the actuators at the last evaluation, W.
+    pub(super) controls_w: T,
+    /// What controls feed forward.
+    pub(super) inverse: Option<InverseDynamics<'a, T>>,
+    /// Room for the functions of loads and controls.
+    pub(super) function_room: Vec<T>,
+    /// Room for the functions of drives.
+    pub(super) drive_room: Vec<TimeDual<T>>,
+    /// Time of the last state, s.
+    pub(super) time_s: T,
+    /// Free accelerations q̈.
+    pub(super) accelerations: Vec<T>,
+    /// Constraint forces λ; where rows repeat each other, one of the many that do the same.
+    pub(super) multipliers: Vec<T>,
+    /// M, then its factors.
+    pub(super) mass: Vec<T>,
+    /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
+    driven_mass: Vec<T>,
+    /// h for all coordinates: free ones, then driven ones.
+    pub(super) forces: Vec<T>,
+    /// Partial velocities of the centre of mass of the link at hand.
+    centre_partials: Vec<Vec2<T>>,
+    pub(super) jacobian: Vec<T>,
+    constraint_biases: Vec<T>,
+    /// J M⁻¹ Jᵀ.
+    pub(super) gram: GramSystem<T>,
+    /// Friction in ideal joints, where there is any.
+    pub(super) joint_frictions: Option<JointFrictions<T>>,
+}
+
+impl<'a, T: Real> Dynamics<'a, T> {
+    /// Room for `mechanism` with the numbers of `sample`.
+    pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
+        let tree = &mechanism.real;
+        let (n, z) = (tree.free, tree.coordinates());
+        let rows = tree.constraint_rows();
+        let kinematics = Kinematics::new(tree);
+        let play_slots: Vec<[usize; 2]> = mechanism
+            .plays
+            .iter()
+            .map(|joint| points_of(&mechanism.model.joints[joint.0].kind).map(|point| tree.slot_of_body[point.body.0]))
+            .collect();
+        let plays: Vec<_> = play_slots
+            .iter()
+            .zip(&sample.plays)
+            .map(|(&slots, play)| PlayMotion::between(&kinematics, slots, play))
+            .collect();
+        let contacts = sample
+            .contacts
+            .iter()
+            .map(|at| plays[at.play].force(&sample.plays[at.play], at.place, &PlayState::flight()))
+            .collect();
+        let springs = mechanism.model.springs.iter();
+        let loads = mechanism.model.loads.iter().map(|load| LoadForce {
+            slot: tree.slot_of_body[load.kind.body().0],
+            arm_m: Vec2::zero(),
+            force_n: Vec2::zero(),
+            torque_n_m: T::zero(),
+        });
+        let loads = loads.collect();
+        let fed_forward = mechanism.model.controls.iter().filter_map(|control| match &control.feed_forward {
+            FeedForward::Course(course) => Some(course),
+            FeedForward::None | FeedForward::InverseDynamics => None,
+        });
+        let courses = mechanism.model.loads.iter().map(|load| &load.course).chain(fed_forward);
+        let steps = courses.map(|course| match course {
+            Course::Function(function) => function.steps(),
+            _ => 0,
+        });
+        let function_steps = steps.max().unwrap_or(0);
+        Self {
+            mechanism,
+            sample: sample.clone(),
+            kinematics,
+            coordinates: vec![T::zero(); z],
+            rates: vec![T::zero(); z],
+            driven_accelerations: vec![T::zero(); tree.drives.len()],
+            play_slots,
+            plays,
+            contacts,
+            has_elements: !(mechanism.model.springs.is_empty()
+                && mechanism.model.loads.is_empty()
+                && mechanism.model.controls.is_empty()),
+            spring_slots: springs.map(|spring| spring.kind.bodies().map(|body| tree.slot_of_body[body.0])).collect(),
+            damping_loss_w: T::zero(),
+            loads,
+            loads_w: T::zero(),
+            control_places: mechanism.control_places(),
+            actuators: vec![ActuatorForce::none(); mechanism.model.controls.len()],
+            error_integrals: vec![T::zero(); mechanism.model.controls.len()],
+            controls_w: T::zero(),
+            inverse: mechanism.known_chain.as_ref().map(InverseDynamics::new),
+            function_room: vec![T::zero(); function_steps],
+            drive_room: vec![Dual::constant(Dual::constant(T::zero())); room(&mechanism.model)],
+            time_s: T::zero(),
+            accelerations: vec![T::zero(); n],
+            multipliers: vec![T::zero(); rows],
+            mass: vec![T::zero(); n * n],
+            driven_mass: vec![T::zero(); tree.drives.len() * n],
+            forces: vec![T::zero(); z],
+            centre_partials: vec![Vec2::zero(); z],
+            jacobian: vec![T::zero(); rows * z],
+            constraint_biases: vec![T::zero(); rows],
+            gram: GramSystem::new(tree.constraint_scales(), n),
+            joint_frictions: JointFrictions::new(mechanism, sample),
+        }
+    }
+
+    /// Poses and velocities at `time_s` for the free coordinates and rates: what contact events need, without forces.
+    pub fn set_state(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
+        T::vectorize(
+            #[inline(always)]
+            || self.set_motion(time_s, free_coordinates, free_rates),
+        );
+    }
+
+    #[inline(always)]
+    fn set_motion(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        self.time_s = time_s;
+        self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
+        self.rates[..n].copy_from_slice(&free_rates[..n]);
+        for (k, drive) in tree.drives.iter().enumerate() {
+            let motion = self.sample.drives.motion(&self.mechanism.model, *drive, time_s, &mut self.drive_room);
+            [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
+        }
+        self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);
+        self.kinematics.set_velocities(tree, &self.rates);
+        for ((slots, play), entry) in self.play_slots.iter().zip(&self.sample.plays).zip(&mut self.plays) {
+            *entry = PlayMotion::between(&self.kinematics, *slots, play);
+        }
+    }
+
+    /// Evaluates the equations of motion: accelerations, joint forces and powers.
+    pub fn evaluate(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T], states: &[PlayState<T>]) {
+        self.evaluate_with_unknowns(time_s, free_coordinates, free_rates, states, &[]);
+    }
+
+    /// Evaluates the equations of motion with roots of penetrations and deflections of bristles as unknowns: an entry for each
+    /// contact, or none at all.
+    #[inline(always)]
+    pub fn evaluate_with_unknowns(
+        &mut self,
+        time_s: T,
+        free_coordinates: &[T],
+        free_rates: &[T],
+        states: &[PlayState<T>],
+        unknowns: &[ContactUnknowns<T>],
+    ) {
+        T::vectorize(
+            #[inline(always)]
+            || {
+                self.set_motion(time_s, free_coordinates, free_rates);
+                self.set_forces(states, unknowns);
+                if let Some(frictions) = &mut self.joint_frictions {
+                    frictions.begin(&self.kinematics, &self.sample.frictions);
+                }
+                self.add_bodies();
+                if self.has_elements {
+                    self.add_elements();
+                }
+                self.add_plays();
+                self.solve();
+                self.add_joint_friction();
+            },
+        );
+    }
+
+    /// Forces of springs, loads and actuators. Not every mechanism has them: out of line, or the compiler would take many times as
+    /// long for the evaluation as a whole.
+    #[inline(never)]
+    fn add_elements(&mut self) {
+        T::vectorize(
+            #[inline(always)]
+            || {
+                self.add_springs();
+                self.add_loads();
+                self.add_controls();
+            },
+        );
+    }
+
+    /// Biases of the accelerations, and forces in the joints with play.
+    #[inline(always)]
+    fn set_forces(&mut self, states: &[PlayState<T>], unknowns: &[ContactUnknowns<T>]) {
+        let tree = &self.mechanism.real;
+        self.kinematics.set_biases(tree, &self.sample.real, &self.rates, &self.driven_accelerations);
+        for (index, (force, at)) in self.contacts.iter_mut().zip(&self.sample.contacts).enumerate() {
+            let unknowns = unknowns.get(index).copied().unwrap_or(ContactUnknowns::none());
+            let (motion, play) = (&self.plays[at.play], &self.sample.plays[at.play]);
+            *force = motion.force_with_unknowns(play, at.place, &states[index], &unknowns);
+        }
+    }
+
+    /// Mass matrix and generalised forces of inertia and gravity (Kane).
+    #[inline(always)]
+    fn add_bodies(&mut self) {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        self.mass.fill(T::zero());
+        self.driven_mass.fill(T::zero());
+        self.forces.fill(T::zero());
+        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
+            let slot = index + 1;
+            let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
+            let bias = self.kinematics.biases[slot];
+            let acceleration = acceleration_at(&bias, &self.kinematics.twists[slot], arm);
+            let force = (self.sample.real.gravity_m_s2 - acceleration) * numbers.mass_kg;
+            let moment = -(numbers.inertia_kg_m2 * bias.angular);
+            let partials = self.kinematics.partials(slot);
+            let turned_arm = arm.turned();
+            for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
+                let velocity = moved(*partial, turned_arm, dependence.turning);
+                self.centre_partials[k] = velocity;
+                let sum = turned_by(self.forces[dependence.coordinate], moment, dependence.turning);
+                self.forces[dependence.coordinate] = force.x.mul_add(velocity.x, force.y.mul_add(velocity.y, sum));
+            }
+            for (k, row) in link.dependences.iter().enumerate() {
+                for (l, column) in link.dependences[..=k].iter().enumerate() {
+                    // Only the lower triangle is used; what couples two driven coordinates is not.
+                    let (high, low) = (row.coordinate.max(column.coordinate), row.coordinate.min(column.coordinate));
+                    if low >= n {
+                        continue;
+                    }
+                    let place = if high < n {
+                        &mut self.mass[high * n + low]
+                    } else {
+                        &mut self.driven_mass[(high - n) * n + low]
+                    };
+                    let coupling = self.centre_partials[k].dot(self.centre_partials[l]);
+                    let sum = coupling.mul_add(numbers.mass_kg, *place);
+                    *place = turned_by(sum, numbers.inertia_kg_m2, row.turning * column.turning);
+                }
+            }
+        }
+    }
+
+    /// Adds the forces of the joints with play.
+    #[inline(always)]
+    fn add_plays(&mut self) {
+        for index in 0..self.contacts.len() {
+            let (force, at) = (self.contacts[index], self.sample.contacts[index]);
+            let (motion, [slot_i, slot_j]) = (self.plays[at.play], self.play_slots[at.play]);
+            self.add_force(slot_i, motion.bearing_arm_m, -force.on_journal_n, force.moment_on_bearing_n_m);
+            self.add_force(slot_j, motion.journal_arm_m, force.on_journal_n, force.moment_on_journal_n_m);
+        }
+    }
+
+    /// Adds a force that acts on the body in `slot` at `arm_m` from its origin (ground's frame), and a torque.
+    #[inline(always)]
+    pub(super) fn add_force(&mut self, slot: usize, arm_m: Vec2<T>, force_n: Vec2<T>, moment_n_m: T) {
+        if slot == 0 {
+            return;
+        }
+        if let Some(frictions) = &mut self.joint_frictions {
+            frictions.take_force(slot, self.kinematics.poses[slot].position_m + arm_m, force_n, moment_n_m);
+        }
+        let about_origin = moment_n_m + arm_m.cross(force_n);
+        let partials = self.kinematics.partials(slot);
+        for (dependence, partial) in self.mechanism.real.links[slot - 1].dependences.iter().zip(partials) {
+            let sum = turned_by(self.forces[dependence.coordinate], about_origin, dependence.turning);
+            self.forces[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, sum));
+        }
+    }
+
+    /// M q̈ = h + Jᵀ λ with J q̈ = -γ.
+    #[inline(always)]
+    fn solve(&mut self) {
+        let tree = &self.mechanism.real;
+        let (n, columns) = (tree.free, tree.coordinates());
+        factor_ldl(&mut self.mass, n);
+        self.accelerations.copy_from_slice(&self.forces[..n]);
+        solve_ldl(&self.mass, n, &mut self.accelerations);
+        let rows = tree.constraint_rows();
+        if rows == 0 {
+            return;
+        }
+        constraints::jacobian(tree, &self.sample.real, &self.kinematics, &mut self.jacobian);
+        constraints::biases(tree, &self.sample.real, &self.kinematics, &mut self.constraint_biases);
+        for row in 0..rows {
+            let gradient = &self.jacobian[row * columns..row * columns + n];
+            let mut defect = -self.constraint_biases[row];
+            for (slope, acceleration) in gradient.iter().zip(&self.accelerations) {
+                defect = (-*slope).mul_add(*acceleration, defect);
+            }
+            self.multipliers[row] = defect;
+        }
+        self.gram.set(&self.jacobian, columns, &self.mass, n);
+        self.gram.solve(&mut self.multipliers);
+        self.gram.add_answer(&self.multipliers, &mut self.accelerations);
+    }
+
+    /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.
+    #[inline(always)]
+    pub fn powers(&self) -> Powers<T> {
+        let mut powers = Powers {
+            drives_w: T::zero(),
+            loads_w: self.loads_w,
+            controls_w: self.controls_w,
+            contact_loss_w: T::zero(),
+            friction_loss_w: T::zero(),
+            damping_loss_w: self.damping_loss_w,
+        };
+        for force in &self.contacts {
+            powers.contact_loss_w += force.contact_loss_w;
+            powers.friction_loss_w += force.friction_loss_w;
+        }
+        if self.joint_frictions.is_some() {
+            powers.friction_loss_w += self.joint_friction_loss_w();
+        }
+        let tree = &self.mechanism.real;
+        for k in 0..tree.drives.len() {
+            powers.drives_w += self.drive_force(k) * self.rates[tree.free + k];
+        }
+        powers
+    }
+
+    /// Force (N) or torque (N m) of the tree's drive `k` along its coordinate, at the last evaluation.
+    #[inline(always)]
+    pub fn drive_force(&self, k: usize) -> T {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        // `forces` holds applied minus inertial forces without q̈; the part of q̈ is added here.
+        let mut needed = -self.forces[n + k];
+        for (coupling, acceleration) in self.driven_mass[k * n..(k + 1) * n].iter().zip(&self.accelerations) {
+            needed = coupling.mul_add(*acceleration, needed);
+        }
+        for (row, multiplier) in self.multipliers.iter().enumerate() {
+            needed -= self.jacobian[row * tree.coordinates() + n + k] * *multiplier;
+        }
+        needed
+    }
+
+    /// The mechanism that moves.
+    pub fn mechanism(&self) -> &'a Mechanism {
+        self.mechanism
+    }
+    /// The numbers of the mechanism.
+    pub fn sample(&self) -> &Sample<T> {
+        &self.sample
+    }
+    /// The numbers of the mechanism, to put another sample in place. The next evaluation uses them.
+    pub fn sample_mut(&mut self) -> &mut Sample<T> {
+        &mut self.sample
+    }
+    /// Free coordinates and rates at the last state that was set.
+    pub fn free_state(&self) -> (&[T], &[T]) {
+        let n = self.mechanism.real.free;
+        (&self.coordinates[..n], &self.rates[..n])
+    }
+    /// Free accelerations q̈ at the last evaluation.
+    pub fn accelerations(&self) -> &[T] {
+        &self.accelerations
+    }
+    /// Force of the contact `contact` at the state set last, in the contact state `state`.
+    pub fn contact_force(&self, contact: usize, state: &PlayState<T>) -> ContactForce<T> {
+        let at = self.sample.contacts[contact];
+        self.plays[at.play].force(&self.sample.plays[at.play], at.place, state)
+    }
+    /// The gap function of the contact `contact` and its derivatives at the last evaluation.
+    #[inline(always)]
+    pub fn gap(&self, contact: usize) -> GapMotion<T> {
+        let at = self.sample.contacts[contact];
+        let motion = &self.plays[at.play];
+        let [i, j] = self.play_slots[at.play];
+        let twists = &self.kinematics.twists;
+        let (change_i, change_j) = (self.acceleration(i), self.acceleration(j));
+        let acceleration = acceleration_at(&change_j, &twists[j], motion.journal_arm_m)
+            - acceleration_at(&change_i, &twists[i], motion.bearing_arm_m);
+        let spin_rates = [change_i.angular, change_j.angular];
+        motion.gap(&self.sample.plays[at.play], at.place, acceleration, spin_rates)
+    }
+    /// Slots of bearing body and journal body of the joints with play.
+    pub fn play_slots(&self) -> &[[usize; 2]] {
+        &self.play_slots
+    }
+    /// Motion of the joints with play at the state set last.
+    pub fn plays(&self) -> &[PlayMotion<T>] {
+        &self.plays
+    }
+    /// Forces of the contacts at the last evaluation.
+    pub fn contacts(&self) -> &[ContactForce<T>] {
+        &self.contacts
+    }
+    /// Acceleration of the frame in `slot` at the last evaluation.
+    #[inline(always)]
+    pub fn acceleration(&self, slot: usize) -> Twist<T> {
+        self.kinematics.acceleration(&self.mechanism.real, slot, &self.accelerations)
+    }
+}
+
+/// The loops of ideal joints at the last state that was set: what a projection onto them needs.
+impl<T: Real> Dynamics<'_, T> {
+    /// Residuals Φ of all constraint rows, m or sine of an angle.
+    #[inline(always)]
+    pub fn constraint_residuals(&self, out: &mut [T]) {
+        constraints::residuals(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
+    }
+    /// Jacobian dΦ/dz of all rows over all coordinates, row-major.
+    #[inline(always)]
+    pub fn constraint_jacobian(&self, out: &mut [T]) {
+        constraints::jacobian(&self.mechanism.real, &self.sample.real, &self.kinematics, out);
+    }
+    /// Φ̇ of all rows for the present rates.
+    #[inline(always)]
+    pub fn constraint_rates(&self, jacobian: &[T], out: &mut [T]) {
+        let columns = self.mechanism.real.coordinates();
+        for (row, out) in out.iter_mut().enumerate() {
+            let mut sum = T::zero();
+            for (slope, rate) in jacobian[row * columns..(row + 1) * columns].iter().zip(&self.rates) {
+                sum = slope.mul_add(*rate, sum);
+            }
+            *out = sum;
+        }
+    }
+    /// The factors of M from the last evaluation.
+    pub fn factored_mass(&self) -> &[T] {
+        &self.mass
+    }
+}

@@ -1,0 +1,30 @@
+//! Equations of motion of a compiled mechanism, written once over [`loosepin_math::Real`].
+//!
+//! Kane's method in tree coordinates q: the mass matrix M and the generalised forces h come from the partial velocities
+//! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
+
+mod contact;
+mod control;
+mod corner;
+mod energy;
+mod equations;
+mod film;
+mod inverse;
+mod joint_friction;
+mod linear_spring;
+mod load;
+mod pin;
+mod play;
+mod reactions;
+mod slot;
+mod spring;
+mod torsional_spring;
+
+pub use crate::contact::PlayState;
+pub use contact::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion};
+pub use control::ActuatorForce;
+pub use energy::MechanicalEnergy;
+pub use equations::{Dynamics, Powers};
+pub use load::LoadForce;
+pub use play::PlayMotion;
+pub use spring::SpringForce;

@@ -1,0 +1,60 @@
+//! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1-6; method, section 2).
+
+use crate::mechanism::{Kinematics, PlayGeometry, PlayShape};
+use loosepin_math::{Real, Vec2};
+
+/// Where the journal is in its bearing, or the slider in its guide, and how it moves.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayMotion<T> {
+    /// Eccentricity e = r_j - r_i of the journal's centre from the bearing's (the slider's from the guide's point), m, in the
+    /// ground's frame.
+    pub eccentricity_m: Vec2<T>,
+    /// ė, m/s.
+    pub eccentricity_rate_m_s: Vec2<T>,
+    /// Bearing centre from the bearing body's origin, m, in the ground's frame.
+    pub bearing_arm_m: Vec2<T>,
+    /// Journal centre from the journal body's origin, m, in the ground's frame.
+    pub journal_arm_m: Vec2<T>,
+    /// Angular velocities ω_i (bearing) and ω_j (journal), rad/s.
+    pub spins_rad_s: [T; 2],
+    /// Directions of the guide's or slot's line and of the slider's axis in the ground's frame; zero where there is none.
+    pub directions: [Vec2<T>; 2],
+}
+
+impl<T: Real> PlayMotion<T> {
+    /// Reads the motion between the bodies in slots `[i, j]` (bearing's, journal's) from their kinematics.
+    #[inline(always)]
+    pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
+        let bearing_arm_m = kinematics.poses[i].turn(play.bearing_arm_m);
+        let journal_arm_m = kinematics.poses[j].turn(play.journal_arm_m);
+        let (twist_i, twist_j) = (kinematics.twists[i], kinematics.twists[j]);
+        let r_i = kinematics.poses[i].position_m + bearing_arm_m;
+        let r_j = kinematics.poses[j].position_m + journal_arm_m;
+        Self {
+            eccentricity_m: r_j - r_i, // eq. (1)
+            eccentricity_rate_m_s: twist_j.at(journal_arm_m) - twist_i.at(bearing_arm_m),
+            bearing_arm_m,
+            journal_arm_m,
+            spins_rad_s: [twist_i.angular, twist_j.angular],
+            directions: match play.shape {
+                PlayShape::Pin { .. } => [Vec2::zero(); 2],
+                PlayShape::Slot(slot) => [kinematics.poses[i].turn(slot.line), Vec2::zero()],
+                PlayShape::Slider(block) => {
+                    [kinematics.poses[i].turn(block.line), kinematics.poses[j].turn(block.axis)]
+                }
+            },
+        }
+    }
+
+    /// |e|² - c², m²: positive in contact, smooth also where e = 0.
+    #[inline(always)]
+    pub fn gap_m2(&self, clearance_m: T) -> T {
+        self.eccentricity_m.length_squared() - clearance_m.squared()
+    }
+
+    /// δ = |e| - c, m (eqs. 2, 4), computed so that it keeps its digits near zero.
+    #[inline(always)]
+    pub fn penetration_m(&self, clearance_m: T) -> T {
+        self.gap_m2(clearance_m) / (self.eccentricity_m.length() + clearance_m)
+    }
+}

@@ -1,0 +1,185 @@
+//! Forces in the joints, ideal ones included.
+
+use super::contact::ContactMotion;
+use super::equations::Dynamics;
+use crate::mechanism::{Attachment, CutKind, acceleration_at, turned_by};
+use crate::model::JointId;
+use loosepin_math::{Real, Vec2, solve_ldl};
+
+impl<T: Real> Dynamics<'_, T> {
+    /// The mechanism's inverse mass along the normal of the contact `contact` at the last evaluation, 1/kg: by how much a
+    /// normal force of one newton changes the rate of the penetration's rate, n·(a_j - a_i), all else being equal.
+    ///
+    /// gᵀ M⁻¹ g with the generalised force g of the pair of unit forces; what the loops of ideal joints forbid is taken out:
+    /// minus (J M⁻¹ g)ᵀ (J M⁻¹ Jᵀ)⁻¹ (J M⁻¹ g).
+    pub fn inverse_mass_along_normal_1_kg(&self, contact: usize) -> T {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        let at = self.sample.contacts[contact];
+        let motion = &self.plays[at.play];
+        let ContactMotion { normal, reaches_m, .. } = motion.contact(&self.sample.plays[at.play], at.place);
+        let [bearing, journal] = self.play_slots[at.play];
+        let bearing = (bearing, motion.bearing_arm_m + reaches_m[0], -normal);
+        let journal = (journal, motion.journal_arm_m + reaches_m[1], normal);
+        let mut push = vec![T::zero(); tree.coordinates()];
+        for (slot, arm, force_n) in [bearing, journal] {
+            if slot == 0 {
+                continue;
+            }
+            let about_origin = arm.cross(force_n);
+            let partials = self.kinematics.partials(slot);
+            for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
+                let turning = turned_by(push[dependence.coordinate], about_origin, dependence.turning);
+                push[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, turning));
+            }
+        }
+        let along = |left: &[T], right: &[T]| {
+            left.iter().zip(right).fold(T::zero(), |sum, (left, right)| left.mul_add(*right, sum))
+        };
+        let mut answer = push[..n].to_vec();
+        solve_ldl(&self.mass, n, &mut answer);
+        let mut inverse_mass_1_kg = along(&push[..n], &answer);
+        // The rows of the mobilities are M⁻¹ Jᵀ, so that J M⁻¹ g needs no Jacobian.
+        let mobility = |row: usize| &self.gram.mobilities()[row * n..(row + 1) * n];
+        let defects: Vec<T> = (0..tree.constraint_rows()).map(|row| along(mobility(row), &push[..n])).collect();
+        let mut multipliers = defects.clone();
+        self.gram.clone().solve(&mut multipliers);
+        inverse_mass_1_kg -= along(&defects, &multipliers);
+        inverse_mass_1_kg
+    }
+
+    /// Force of `joint` on its second body (journal, slider, second), N, in the ground's frame, at the last evaluation.
+    ///
+    /// With play: the sum of the contact forces. Closing a loop: the constraint force. In the tree: what the bodies beyond the joint
+    /// need, Σ (m a - m g) minus the other forces on them (Newton and Euler).
+    pub fn joint_force_n(&self, joint: JointId) -> Vec2<T> {
+        if let Some(index) = self.mechanism.plays.iter().position(|&play| play == joint) {
+            return self.play_force_n(index) + self.actuator_force_n(joint);
+        }
+        let tree = &self.mechanism.real;
+        let forces = self.cut_forces_n();
+        if let Some(index) = tree.cuts.iter().position(|cut| cut.joint == joint) {
+            return forces[index] + self.actuator_force_n(joint);
+        }
+        let Some((root, forward)) = tree.links.iter().enumerate().find_map(|(index, link)| match link.attachment {
+            Attachment::Revolute { joint: own, forward, .. }
+            | Attachment::DrivenRevolute { joint: own, forward, .. }
+            | Attachment::Prismatic { joint: own, forward, .. }
+            | Attachment::Rigid { joint: own, forward }
+                if own == joint =>
+            {
+                Some((index + 1, forward))
+            }
+            _ => None,
+        }) else {
+            return Vec2::zero();
+        };
+        // Parents come before children, so one pass marks all bodies beyond the joint.
+        let mut beyond = vec![false; tree.links.len() + 1];
+        beyond[root] = true;
+        let mut needed = Vec2::zero();
+        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
+            let slot = index + 1;
+            beyond[slot] |= beyond[link.parent_slot];
+            if beyond[slot] {
+                let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
+                let change = self.acceleration(slot);
+                let acceleration = acceleration_at(&change, &self.kinematics.twists[slot], arm);
+                needed += (acceleration - self.sample.real.gravity_m_s2) * numbers.mass_kg;
+            }
+        }
+        let mut subtract = |slots: [usize; 2], on_second: Vec2<T>| {
+            if beyond[slots[1]] {
+                needed -= on_second;
+            }
+            if beyond[slots[0]] {
+                needed += on_second;
+            }
+        };
+        for (cut, force) in tree.cuts.iter().zip(&forces) {
+            subtract(cut.slots, *force);
+        }
+        for (play, slots) in self.play_slots().iter().enumerate() {
+            subtract(*slots, self.play_force_n(play));
+        }
+        for (index, slots) in self.spring_slots().iter().enumerate() {
+            subtract(*slots, self.spring_force(index).on_second_n);
+        }
+        for (slots, on_second) in self.coupling_forces_n() {
+            subtract(slots, on_second);
+        }
+        for load in self.loads() {
+            if beyond[load.slot] {
+                needed -= load.force_n;
+            }
+        }
+        for ((force, places), control) in
+            self.actuators.iter().zip(&self.control_places).zip(&self.mechanism.model.controls)
+        {
+            // The actuator of this very joint is part of what the joint does.
+            if control.joint != joint {
+                let [first, second] = places[0].slots;
+                if beyond[second] {
+                    needed -= force.on_second_n;
+                }
+                if beyond[first] {
+                    needed += force.on_second_n;
+                }
+            }
+        }
+        if forward { needed } else { -needed }
+    }
+
+    /// Force of the joint with play `play` on its journal, N: the sum over its contacts.
+    fn play_force_n(&self, play: usize) -> Vec2<T> {
+        let forces = self.contacts.iter().zip(&self.sample.contacts).filter(|(_, at)| at.play == play);
+        forces.map(|(force, _)| force.on_journal_n).reduce(|sum, force| sum + force).unwrap_or(Vec2::zero())
+    }
+
+    /// What couplings do to prismatic joints: slots of guide and slider, and force on the slider, N. Revolute joints get torques
+    /// alone: λ ∂Φ/∂q along the coordinate of each joint.
+    fn coupling_forces_n(&self) -> Vec<([usize; 2], Vec2<T>)> {
+        let tree = &self.mechanism.real;
+        let mut forces = Vec::new();
+        let multipliers = &self.multipliers[tree.cut_rows()..];
+        for ((places, numbers), multiplier) in tree.couplings.iter().zip(&self.sample.real.couplings).zip(multipliers) {
+            let slope = numbers.slope(places, &self.kinematics);
+            for (side, gradient) in [(0, -slope), (1, T::one())] {
+                if places[side].is_prismatic {
+                    let (_, line) = numbers.joints[side].line_of_action(&places[side], &self.kinematics);
+                    forces.push((places[side].slots, line * (gradient * *multiplier)));
+                }
+            }
+        }
+        forces
+    }
+
+    /// Force of the actuator in `joint` on its second body, N; zero where there is none.
+    fn actuator_force_n(&self, joint: JointId) -> Vec2<T> {
+        let control = self.mechanism.model.controls.iter().position(|control| control.joint == joint);
+        control.map_or(Vec2::zero(), |control| self.actuators[control].on_second_n)
+    }
+
+    /// Forces of the cut joints on their second bodies, N: λ times the gradient with respect to the second point.
+    fn cut_forces_n(&self) -> Vec<Vec2<T>> {
+        let tree = &self.mechanism.real;
+        let mut row = 0;
+        tree.cuts
+            .iter()
+            .zip(&self.sample.real.cuts)
+            .map(|(cut, numbers)| {
+                let first = self.multipliers[row];
+                let force = match cut.kind {
+                    CutKind::Revolute | CutKind::Rigid => Vec2::new(first, self.multipliers[row + 1]),
+                    CutKind::Prismatic | CutKind::Slot => {
+                        let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
+                        let (sine, cosine) = angle.sin_cos();
+                        Vec2::new(-sine, cosine) * first + self.guide_friction_n(cut.joint)
+                    }
+                };
+                row += cut.kind.rows();
+                force
+            })
+            .collect()
+    }
+}

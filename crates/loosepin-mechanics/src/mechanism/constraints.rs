@@ -1,0 +1,264 @@
+//! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
+
+use super::geometry::Geometry;
+use super::kinematics::{Kinematics, acceleration_at, moved};
+use super::tree::Tree;
+use crate::model::{JointId, JointKind, Model, describe_path};
+use loosepin_math::{Real, Vec2};
+use loosepin_text::units::{Dimension, format_value};
+use std::fmt;
+
+/// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line, sine of the
+/// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
+#[inline(always)]
+pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+        let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
+        if cut.kind.is_on_line() {
+            let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
+            out[row] = Vec2::new(-sine, cosine).dot(gap);
+        } else {
+            let gap = gap - numbers.eccentricity_m;
+            out[row] = gap.x;
+            out[row + 1] = gap.y;
+        }
+        if cut.kind.holds_angle() {
+            let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+            out[row + cut.kind.rows() - 1] = turn.sin_cos().0;
+        }
+        row += cut.kind.rows();
+    }
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+        *out = numbers.residual(places, kinematics);
+    }
+}
+
+/// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
+#[inline(always)]
+pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+    let columns = tree.coordinates();
+    out.fill(T::zero());
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+        let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
+        let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+        let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
+        let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
+        let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+        let turn_cosine = turn.sin_cos().1;
+        for (side, sign) in [(0, -T::one()), (1, T::one())] {
+            let slot = cut.slots[side];
+            if slot == 0 {
+                continue;
+            }
+            let dependences = &tree.links[slot - 1].dependences;
+            for (dependence, partial) in dependences.iter().zip(kinematics.partials(slot)) {
+                let column = dependence.coordinate;
+                let turning = T::from_f64(dependence.turning);
+                let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
+                if cut.kind.is_on_line() {
+                    out[row * columns + column] += normal.dot(velocity);
+                    if side == 0 {
+                        // The normal turns with the guide: dn/dt = -ω d.
+                        out[row * columns + column] -= turning * line.dot(gap);
+                    }
+                } else {
+                    out[row * columns + column] += velocity.x;
+                    out[(row + 1) * columns + column] += velocity.y;
+                }
+                if cut.kind.holds_angle() {
+                    out[(row + cut.kind.rows() - 1) * columns + column] += turning * sign * turn_cosine;
+                }
+            }
+        }
+        row += cut.kind.rows();
+    }
+    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+        numbers.add_gradient(places, tree, kinematics, &mut out[row * columns..(row + 1) * columns]);
+        row += 1;
+    }
+}
+
+/// dΦ for a motion of the bodies that `moves` names, each with a velocity of the origin of its frame and an angular velocity.
+/// A cut both of whose bodies move does not feel it where they move as one.
+#[inline(always)]
+pub fn gradient<T: Real>(
+    tree: &Tree,
+    geometry: &Geometry<T>,
+    kinematics: &Kinematics<T>,
+    moves: impl Fn(usize) -> bool,
+    motion: impl Fn(usize) -> (Vec2<T>, T),
+    out: &mut [T],
+) {
+    out.fill(T::zero());
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let sides = cut.slots.map(&moves);
+        if sides[0] != sides[1] {
+            let (side, sign) = if sides[1] { (1, T::one()) } else { (0, -T::one()) };
+            let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+            let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
+            let (linear, spin) = motion(cut.slots[side]);
+            let velocity = linear.plus(arms[side].turned(), spin) * sign;
+            if cut.kind.is_on_line() {
+                let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
+                let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
+                out[row] = normal.dot(velocity);
+                if side == 0 {
+                    // The normal turns with the guide: dn/dt = -ω d.
+                    let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+                    out[row] -= spin * line.dot(gap);
+                }
+            } else {
+                out[row] = velocity.x;
+                out[row + 1] = velocity.y;
+            }
+            if cut.kind.holds_angle() {
+                let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+                out[row + cut.kind.rows() - 1] = spin * sign * turn.sin_cos().1;
+            }
+        }
+        row += cut.kind.rows();
+    }
+    let of = |slot: usize| if moves(slot) { motion(slot) } else { (Vec2::zero(), T::zero()) };
+    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+        let [first, second] =
+            [0, 1].map(|side| numbers.joints[side].rate(&places[side], kinematics, places[side].slots.map(of)));
+        out[row] = second - numbers.slope(places, kinematics) * first;
+        row += 1;
+    }
+}
+
+/// Cosine of the angle between the bodies of the cut whose rows begin at `row`, which may be ±1 where they do not turn against
+/// each other: its multiplier is a moment over it.
+#[inline(always)]
+pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, row: usize) -> T {
+    let mut first = 0;
+    let index = tree.cuts.iter().position(|cut| {
+        first += cut.kind.rows();
+        row < first
+    });
+    let Some(index) = index else { return T::one() };
+    let (cut, numbers) = (&tree.cuts[index], &geometry.cuts[index]);
+    let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+    let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+    turn.sin_cos().1
+}
+
+/// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
+#[inline(always)]
+pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let arms = [0, 1].map(|side| kinematics.poses[cut.slots[side]].turn(numbers.arms_m[side]));
+        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+        let twists = cut.slots.map(|slot| kinematics.twists[slot]);
+        let changes = cut.slots.map(|slot| kinematics.biases[slot]);
+        let acceleration =
+            acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
+        if cut.kind.is_on_line() {
+            let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+            let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
+            let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
+            let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
+            let spin = twists[0].angular;
+            // Second derivative of n·gap with dn/dt = -ω d and dd/dt = ω n.
+            out[row] = normal.dot(acceleration)
+                - T::from_f64(2.0) * spin * line.dot(velocity)
+                - changes[0].angular * line.dot(gap)
+                - spin.squared() * normal.dot(gap);
+        } else {
+            out[row] = acceleration.x;
+            out[row + 1] = acceleration.y;
+        }
+        if cut.kind.holds_angle() {
+            let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
+            let (sine, cosine) = turn.sin_cos();
+            let spin = twists[1].angular - twists[0].angular;
+            out[row + cut.kind.rows() - 1] = cosine * (changes[1].angular - changes[0].angular) - sine * spin.squared();
+        }
+        row += cut.kind.rows();
+    }
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+        *out = numbers.bias(places, kinematics);
+    }
+}
+
+/// What imposes a constraint row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowOwner {
+    /// A cut joint.
+    Joint(JointId),
+    /// A coupling, by its index in the model.
+    Coupling(usize),
+}
+
+impl RowOwner {
+    /// The owner of constraint row `row` of `tree`.
+    pub fn of(tree: &Tree, row: usize) -> Self {
+        let mut first = 0;
+        for cut in &tree.cuts {
+            first += cut.kind.rows();
+            if row < first {
+                return Self::Joint(cut.joint);
+            }
+        }
+        Self::Coupling(row - first)
+    }
+
+    /// Path of its table in the file.
+    pub fn path(self, model: &Model) -> String {
+        match self {
+            Self::Joint(joint) => format!("joint.{}", model.joints[joint.0].name),
+            Self::Coupling(index) => model.couplings[index].path.clone(),
+        }
+    }
+
+    /// What it is in words, for example `joint 'rod'`.
+    pub fn words(self, model: &Model) -> String {
+        describe_path(&self.path(model))
+    }
+
+    /// What a residual of it measures. Rows that say that two bodies do not turn against each other count as lengths here.
+    pub fn dimension(self, model: &Model) -> Dimension {
+        match self {
+            Self::Joint(_) => Dimension::LENGTH,
+            Self::Coupling(index) => match model.joints[model.couplings[index].second.0].kind {
+                JointKind::Prismatic { .. } | JointKind::Slot { .. } => Dimension::LENGTH,
+                _ => Dimension::ANGLE,
+            },
+        }
+    }
+}
+
+/// The constraint that is furthest from being met.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Opening {
+    /// Path of the joint or coupling.
+    pub path: String,
+    /// How far it stays open, m or rad.
+    pub gap: f64,
+    /// What that measures.
+    pub dimension: Dimension,
+}
+
+impl Opening {
+    /// The worst of `residuals` of the constraint rows of `tree`; none where there are none.
+    pub fn worst(model: &Model, tree: &Tree, residuals: &[f64]) -> Self {
+        let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
+        let Some(row) = worst else {
+            return Self { path: "joint".to_owned(), gap: 0.0, dimension: Dimension::LENGTH };
+        };
+        let owner = RowOwner::of(tree, row);
+        Self { path: owner.path(model), gap: residuals[row].abs(), dimension: owner.dimension(model) }
+    }
+}
+
+impl fmt::Display for Opening {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} stays {} open", describe_path(&self.path), format_value(self.gap, self.dimension))
+    }
+}

@@ -1,0 +1,174 @@
+//! Where the two bodies of a joint with play may touch.
+
+use super::sample::PlayGeometry;
+use crate::model::{JointId, JointKind, Model};
+use loosepin_math::{Real, Vec2};
+
+/// A place where the two bodies of a joint with play may touch: a contact, with a state, forces and events of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ContactPlace {
+    /// Index of the joint in [`super::Mechanism::plays`].
+    pub play: usize,
+    /// Which of the joint's places, from 0.
+    pub place: usize,
+}
+
+/// What plays in what.
+#[derive(Debug, Clone, Copy)]
+pub enum PlayShape<T> {
+    /// A round pin in a round hole: one contact.
+    Pin {
+        /// Radius R_i of the bearing, m.
+        bearing_radius_m: T,
+    },
+    /// A block between the two faces of a guide: a contact for each corner.
+    Slider(SliderBlock<T>),
+    /// A round pin in a straight slot with round ends: one contact.
+    Slot(SlotShape<T>),
+}
+
+/// A straight slot with round ends.
+#[derive(Debug, Clone, Copy)]
+pub struct SlotShape<T> {
+    /// Half-length h from the middle of the slot to the centre of each round end, m.
+    pub half_length_m: T,
+    /// Radius R_i of the ends, half the width of the slot, m.
+    pub end_radius_m: T,
+    /// Direction of the slot's line in its body's frame.
+    pub line: Vec2<T>,
+    /// κ: by what share the round ends are stiffer than the faces; zero where the stiffness is given.
+    pub end_stiffening: T,
+}
+
+impl<T: Real> SlotShape<T> {
+    /// Shows all numbers.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        visit(&mut self.half_length_m);
+        visit(&mut self.end_radius_m);
+        self.line.visit(visit);
+        visit(&mut self.end_stiffening);
+    }
+
+    /// The same slot in every lane.
+    pub fn broadcast(slot: &SlotShape<f64>) -> Self {
+        Self {
+            half_length_m: T::from_f64(slot.half_length_m),
+            end_radius_m: T::from_f64(slot.end_radius_m),
+            line: Vec2::from_f64(slot.line),
+            end_stiffening: T::from_f64(slot.end_stiffening),
+        }
+    }
+}
+
+/// A block between the two faces of a guide.
+#[derive(Debug, Clone, Copy)]
+pub struct SliderBlock<T> {
+    /// Half-length a along its axis, m.
+    pub half_length_m: T,
+    /// Half-height b across its axis, m.
+    pub half_height_m: T,
+    /// Direction of the guide's line in the guide body's frame.
+    pub line: Vec2<T>,
+    /// Direction of the block's axis in the slider body's frame.
+    pub axis: Vec2<T>,
+    /// Where the faces begin and end along the line, m; none where they have no ends. A run in which a corner leaves them fails.
+    pub ends_m: Option<[T; 2]>,
+}
+
+impl<T: Real> SliderBlock<T> {
+    /// Shows all numbers.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        visit(&mut self.half_length_m);
+        visit(&mut self.half_height_m);
+        self.line.visit(visit);
+        self.axis.visit(visit);
+        self.ends_m.iter_mut().flatten().for_each(visit);
+    }
+
+    /// The same block in every lane.
+    pub fn broadcast(block: &SliderBlock<f64>) -> Self {
+        Self {
+            half_length_m: T::from_f64(block.half_length_m),
+            half_height_m: T::from_f64(block.half_height_m),
+            line: Vec2::from_f64(block.line),
+            axis: Vec2::from_f64(block.axis),
+            ends_m: block.ends_m.map(|ends_m| ends_m.map(T::from_f64)),
+        }
+    }
+}
+
+/// Names of the places of a slider: where along the guide's direction, at which face.
+const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower front"];
+
+/// The places of the joints with play, joint by joint.
+pub(super) fn contact_places(model: &Model, plays: &[JointId]) -> Vec<ContactPlace> {
+    let count = |joint: JointId| match model.joints[joint.0].kind {
+        JointKind::Prismatic { .. } => CORNERS.len(),
+        JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => 1,
+    };
+    let places = |(play, &joint): (usize, &JointId)| (0..count(joint)).map(move |place| ContactPlace { play, place });
+    plays.iter().enumerate().flat_map(places).collect()
+}
+
+/// What a contact of `joint` is called: the name of the joint, for a slider with its corner.
+pub(super) fn contact_name(model: &Model, joint: JointId, place: usize) -> String {
+    let joint = &model.joints[joint.0];
+    match joint.kind {
+        JointKind::Prismatic { .. } => format!("{} ({})", joint.name, CORNERS[place]),
+        JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => joint.name.clone(),
+    }
+}
+
+/// What the gap function of a contact measures; it is positive in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GapMeasure {
+    /// |e|² - c², m²: smooth also where e = 0. In a slot e goes from the nearest point of its line between both ends.
+    Squares {
+        /// Radial clearance c, m.
+        clearance_m: f64,
+    },
+    /// δ, m.
+    Penetration,
+}
+
+impl GapMeasure {
+    /// What the gaps of the contacts of a joint with play measure.
+    pub fn of(play: &PlayGeometry<f64>) -> Self {
+        match play.shape {
+            PlayShape::Pin { .. } | PlayShape::Slot(_) => Self::Squares { clearance_m: play.clearance_m },
+            PlayShape::Slider(_) => Self::Penetration,
+        }
+    }
+
+    /// δ, m, where the gap function is `gap`.
+    pub fn penetration_m(self, gap: f64) -> f64 {
+        match self {
+            Self::Squares { clearance_m } => gap / ((gap + clearance_m * clearance_m).sqrt() + clearance_m),
+            Self::Penetration => gap,
+        }
+    }
+
+    /// The gap function where the penetration is `penetration_m`.
+    pub fn gap(self, penetration_m: f64) -> f64 {
+        match self {
+            Self::Squares { clearance_m } => penetration_m * (penetration_m + 2.0 * clearance_m),
+            Self::Penetration => penetration_m,
+        }
+    }
+
+    /// Rate of the gap function over δ̇ where the gap function is `gap`.
+    pub fn rate_share(self, gap: f64) -> f64 {
+        match self {
+            Self::Squares { clearance_m } => 2.0 * (gap + clearance_m * clearance_m).max(0.0).sqrt(),
+            Self::Penetration => 1.0,
+        }
+    }
+
+    /// By how much the gap function changes when δ, near zero, changes by `tolerance_m`.
+    pub fn tolerance(self, tolerance_m: f64) -> f64 {
+        match self {
+            Self::Squares { clearance_m } => 2.0 * clearance_m * tolerance_m,
+            Self::Penetration => tolerance_m,
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! The numbers of one sample, laid out for a tree: arms, angles, masses.
+
+use super::coupling::CouplingGeometry;
+use super::tree::{Attachment, CutKind, Tree, points_of};
+use crate::model::{JointId, JointKind, Model, PointId, QuantityId, Values};
+use loosepin_math::{Real, Vec2};
+
+/// Numbers of a link of the tree.
+#[derive(Debug, Clone, Copy)]
+pub struct LinkGeometry<T> {
+    /// Joint point in the parent's frame, m.
+    pub parent_arm_m: Vec2<T>,
+    /// Joint point in the link's own frame, m.
+    pub own_arm_m: Vec2<T>,
+    /// Angle in the parent's frame of the direction that both bodies share (the line of a prismatic joint, the x axis of
+    /// the second body of a rigid one), rad.
+    pub parent_angle_rad: T,
+    /// Angle of the same direction in the link's frame, rad.
+    pub own_angle_rad: T,
+    /// Cosine and sine of `parent_angle_rad`: the shared direction in the parent's frame.
+    pub parent_direction: Vec2<T>,
+    /// Cosine and sine of the constant angle of a link that does not turn against its parent.
+    pub turn_from_parent: Vec2<T>,
+    /// Revolute: the link's point minus the parent's point, in the ground's frame, m. Zero unless a clearance joint is
+    /// treated as ideal with a displaced journal.
+    pub eccentricity_m: Vec2<T>,
+    /// Centre of mass in the link's frame, m.
+    pub centre_of_mass_m: Vec2<T>,
+    /// Mass, kg.
+    pub mass_kg: T,
+    /// Moment of inertia about the centre of mass, kg m².
+    pub inertia_kg_m2: T,
+}
+
+/// Numbers of a cut joint.
+#[derive(Debug, Clone, Copy)]
+pub struct CutGeometry<T> {
+    /// Joint points in the frames of the first and second body, m.
+    pub arms_m: [Vec2<T>; 2],
+    /// Angles, in both frames, of the direction that both bodies share, rad.
+    pub angles_rad: [T; 2],
+    /// Revolute: second point minus first point, in the ground's frame, m.
+    pub eccentricity_m: Vec2<T>,
+}
+
+/// The numbers of one sample for one tree.
+#[derive(Debug, Clone)]
+pub struct Geometry<T> {
+    /// One for each link.
+    pub links: Vec<LinkGeometry<T>>,
+    /// One for each cut joint.
+    pub cuts: Vec<CutGeometry<T>>,
+    /// One for each coupling.
+    pub couplings: Vec<CouplingGeometry<T>>,
+    /// Acceleration of gravity, m/s².
+    pub gravity_m_s2: Vec2<T>,
+}
+
+impl<T: Real> Geometry<T> {
+    /// Lays out `values` for `tree`, all eccentricities zero.
+    pub fn new(model: &Model, tree: &Tree, values: &Values) -> Self {
+        Self::from_numbers(model, tree, &|id| T::from_f64(values[id]))
+    }
+
+    /// Lays out the numbers that `number` gives for each quantity, all eccentricities zero. With dual numbers the
+    /// geometry moves along a direction in the space of the quantities.
+    pub fn from_numbers(model: &Model, tree: &Tree, number: &dyn Fn(QuantityId) -> T) -> Self {
+        let links = tree
+            .links
+            .iter()
+            .map(|link| {
+                let body = &model.bodies[link.body.0];
+                let mut geometry = LinkGeometry {
+                    parent_arm_m: Vec2::zero(),
+                    own_arm_m: Vec2::zero(),
+                    parent_angle_rad: T::zero(),
+                    own_angle_rad: T::zero(),
+                    parent_direction: direction(T::zero()),
+                    turn_from_parent: direction(T::zero()),
+                    eccentricity_m: Vec2::zero(),
+                    centre_of_mass_m: body
+                        .centre_of_mass_m
+                        .map_or(Vec2::zero(), |c| Vec2::new(number(c[0]), number(c[1]))),
+                    mass_kg: body.mass_kg.map_or(T::zero(), number),
+                    inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
+                };
+                if let Some((joint, forward)) = joint_of(link.attachment) {
+                    let kind = &model.joints[joint.0].kind;
+                    let (parent, own) = if forward { (0, 1) } else { (1, 0) };
+                    let arms = points_of(kind).map(|point| numbered_point_m(model, number, point));
+                    let angles = line_angles_rad(kind, number);
+                    geometry.parent_arm_m = arms[parent];
+                    geometry.own_arm_m = arms[own];
+                    geometry.parent_angle_rad = angles[parent];
+                    geometry.own_angle_rad = angles[own];
+                    geometry.parent_direction = direction(angles[parent]);
+                    geometry.turn_from_parent = direction(angles[parent] - angles[own]);
+                }
+                geometry
+            })
+            .collect();
+        let cuts = tree
+            .cuts
+            .iter()
+            .map(|cut| {
+                let kind = &model.joints[cut.joint.0].kind;
+                CutGeometry {
+                    arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
+                    angles_rad: line_angles_rad(kind, number),
+                    eccentricity_m: Vec2::zero(),
+                }
+            })
+            .collect();
+        let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
+        let couplings = model.couplings.iter().map(|coupling| CouplingGeometry::new(model, coupling, number)).collect();
+        Self { links, cuts, couplings, gravity_m_s2 }
+    }
+
+    /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
+    /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
+    /// and an angle, rad; for a slot by an ordinate alone. A joint that the tree treats as a force element is left alone.
+    pub fn set_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<f64>) {
+        let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
+        for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
+            match link.attachment {
+                Attachment::Revolute { joint: own, forward, .. } if own == joint => {
+                    geometry.eccentricity_m = if forward { displacement } else { -displacement };
+                }
+                Attachment::Prismatic { joint: own, forward, .. } if own == joint => {
+                    // A guide that hangs on its slider is displaced the other way, and turns with its line.
+                    let (parent_turn_rad, own_turn_rad, ordinate_m) =
+                        if forward { (T::zero(), -tilt_rad, ordinate_m) } else { (-tilt_rad, T::zero(), -ordinate_m) };
+                    geometry.parent_angle_rad = T::from_f64(centred.parent_angle_rad) + parent_turn_rad;
+                    geometry.own_angle_rad = T::from_f64(centred.own_angle_rad) + own_turn_rad;
+                    geometry.parent_direction = direction(geometry.parent_angle_rad);
+                    geometry.turn_from_parent = direction(geometry.parent_angle_rad - geometry.own_angle_rad);
+                    geometry.parent_arm_m =
+                        Vec2::from_f64(centred.parent_arm_m).plus(geometry.parent_direction.turned(), ordinate_m);
+                }
+                _ => {}
+            }
+        }
+        for ((cut, geometry), centred) in tree.cuts.iter().zip(&mut self.cuts).zip(&centred.cuts) {
+            if cut.joint != joint {
+                continue;
+            }
+            match cut.kind {
+                CutKind::Prismatic | CutKind::Slot => {
+                    let normal = direction(geometry.angles_rad[0]).turned();
+                    geometry.arms_m[0] = Vec2::from_f64(centred.arms_m[0]).plus(normal, ordinate_m);
+                    geometry.angles_rad[1] = T::from_f64(centred.angles_rad[1]) - tilt_rad;
+                }
+                CutKind::Revolute | CutKind::Rigid => geometry.eccentricity_m = displacement,
+            }
+        }
+    }
+}
+
+/// Cosine and sine of an angle.
+pub(super) fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
+    let (sine, cosine) = angle_rad.sin_cos();
+    Vec2::new(cosine, sine)
+}
+
+/// Position of a point in its body's frame, m.
+pub fn point_m<T: Real>(model: &Model, values: &Values, point: PointId) -> Vec2<T> {
+    numbered_point_m(model, &|id| T::from_f64(values[id]), point)
+}
+
+/// Position of a point in its body's frame, m, from the numbers that `number` gives.
+pub fn numbered_point_m<T: Real>(model: &Model, number: &dyn Fn(QuantityId) -> T, point: PointId) -> Vec2<T> {
+    let [x, y] = model.bodies[point.body.0].points[point.point].position_m;
+    Vec2::new(number(x), number(y))
+}
+
+/// The joint that attaches a link, and its direction.
+pub fn joint_of(attachment: Attachment) -> Option<(JointId, bool)> {
+    match attachment {
+        Attachment::Free { .. } => None,
+        Attachment::Revolute { joint, forward, .. }
+        | Attachment::DrivenRevolute { joint, forward, .. }
+        | Attachment::Prismatic { joint, forward, .. }
+        | Attachment::Rigid { joint, forward } => Some((joint, forward)),
+    }
+}
+
+/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint (that of a
+/// slot has a meaning in the first frame alone); for a rigid joint the second body's x axis.
+fn line_angles_rad<T: Real>(kind: &JointKind, number: &dyn Fn(QuantityId) -> T) -> [T; 2] {
+    match *kind {
+        JointKind::Revolute { .. } => [T::zero(), T::zero()],
+        JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
+            [number(guide_angle_rad), number(slider_angle_rad)]
+        }
+        JointKind::Slot { slot_angle_rad, .. } => [number(slot_angle_rad), T::zero()],
+        JointKind::Rigid { angle_rad, .. } => [number(angle_rad), T::zero()],
+    }
+}

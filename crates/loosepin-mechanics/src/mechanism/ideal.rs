@@ -1,0 +1,285 @@
+//! The ideal motion: positions, velocities and accelerations with every clearance at zero.
+
+use super::Mechanism;
+use super::constraints::{self, Opening};
+use super::drive::{Drives, TimeDual, room};
+use super::error::SampleError;
+use super::geometry::Geometry;
+use super::kinematics::{Kinematics, Twist};
+use super::mobility::eliminate_free;
+use super::tree::Tree;
+use super::ways_on::{WaysOn, ways_on};
+use loosepin_math::{Dual, Real, solve_square};
+
+/// Newton steps before a loop is given up; from a good prediction two or three are enough.
+const NEWTON_STEPS: usize = 30;
+/// Residual, relative to the size of the mechanism, from which one more Newton step reaches round-off.
+const NEARLY_CLOSED: f64 = 1e-9;
+/// Pivot ratio of the loop equations below which a position counts as singular.
+const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
+
+/// Moves the ideal mechanism through time: the state of the loop equations for one sample.
+#[derive(Debug, Clone)]
+pub struct IdealMotion<'a> {
+    mechanism: &'a Mechanism,
+    geometry: Geometry<f64>,
+    drives: Drives<f64>,
+    /// The time whose pieces of motions are used whatever the time, s.
+    held_s: Option<f64>,
+    /// Time of the present state, s.
+    time_s: f64,
+    /// Coordinates, free ones first.
+    coordinates: Vec<f64>,
+    rates: Vec<f64>,
+    accelerations: Vec<f64>,
+    driven_accelerations: Vec<f64>,
+    kinematics: Kinematics<f64>,
+    residuals: Vec<f64>,
+    jacobian: Vec<f64>,
+    matrix: Vec<f64>,
+    right_hand_side: Vec<f64>,
+    /// Room for the functions of drives.
+    room: Vec<TimeDual<f64>>,
+    pivot_ratio: f64,
+    /// Constraint rows that are solved. Where joints repeat each other, which rows carry the motion changes along the way.
+    rows: Vec<usize>,
+}
+
+impl<'a> IdealMotion<'a> {
+    /// Closes the loops at time zero, from the nominal start.
+    ///
+    /// # Errors
+    /// The sample cannot close, or only in a singular position.
+    pub fn new(mechanism: &'a Mechanism, geometry: &Geometry<f64>, drives: &Drives<f64>) -> Result<Self, SampleError> {
+        let tree = &mechanism.ideal;
+        let (n, rows) = (tree.free, tree.constraint_rows());
+        let mut motion = Self {
+            mechanism,
+            geometry: geometry.clone(),
+            drives: drives.clone(),
+            held_s: None,
+            time_s: 0.0,
+            coordinates: mechanism.ideal_start.clone(),
+            rates: vec![0.0; tree.coordinates()],
+            accelerations: vec![0.0; n],
+            driven_accelerations: vec![0.0; tree.drives.len()],
+            kinematics: Kinematics::new(tree),
+            residuals: vec![0.0; rows],
+            jacobian: vec![0.0; rows * tree.coordinates()],
+            matrix: vec![0.0; n * n],
+            right_hand_side: vec![0.0; n],
+            room: vec![Dual::constant(Dual::constant(0.0)); room(&mechanism.model)],
+            pivot_ratio: 1.0,
+            rows: mechanism.ideal_rows.clone(),
+        };
+        motion.close(0.0)?;
+        motion.set_rates_and_accelerations();
+        Ok(motion)
+    }
+
+    /// Moves to `time_s`, in steps small enough to stay on the same branch.
+    ///
+    /// # Errors
+    /// The loops cannot be closed on the way, or only in a singular position. The state is then worthless.
+    pub fn move_to(&mut self, time_s: f64) -> Result<(), SampleError> {
+        /// Largest turn of any body in one prediction, rad.
+        const LARGEST_STEP_RAD: f64 = 0.2;
+        let fastest = self.kinematics.twists.iter().fold(0.0_f64, |f, twist| f.max(twist.angular.abs()));
+        let span = time_s - self.time_s;
+        let driven = self.fastest_drive_1_s(time_s);
+        let steps = (span.abs() * fastest.max(driven) / LARGEST_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
+        let start_s = self.time_s;
+        for step in 1..=steps {
+            let next_s = if step == steps { time_s } else { start_s + span * step as f64 / steps as f64 };
+            let h = next_s - self.time_s;
+            for k in 0..self.mechanism.ideal.free {
+                self.coordinates[k] += h * (self.rates[k] + 0.5 * h * self.accelerations[k]);
+            }
+            self.close(next_s)?;
+            self.set_rates_and_accelerations();
+        }
+        Ok(())
+    }
+
+    /// Uses the pieces that motions have at `time_s` at all times, or those of each time: within a step that ends where two
+    /// pieces meet, its end belongs to the first.
+    pub fn hold_pieces(&mut self, time_s: Option<f64>) {
+        self.held_s = time_s;
+    }
+
+    /// The fastest drive between the present time and `time_s`, 1/s.
+    fn fastest_drive_1_s(&self, time_s: f64) -> f64 {
+        /// Instants at which a drive that does not run at constant speed is looked at.
+        const LOOKS: u32 = 16;
+        let (model, scale) = (&self.mechanism.model, self.drive_scale());
+        let mut fastest = 0.0_f64;
+        for &drive in &self.mechanism.ideal.drives {
+            if let Some(speed) = self.drives.constant_speed(drive) {
+                fastest = fastest.max(speed.abs() / scale);
+                continue;
+            }
+            let mut drives = self.drives.clone();
+            for k in 0..=LOOKS {
+                let at_s = self.time_s + (time_s - self.time_s) * f64::from(k) / f64::from(LOOKS);
+                drives.take_pieces_at(self.held_s.unwrap_or(at_s));
+                fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale);
+            }
+        }
+        fastest
+    }
+
+    /// The present time, s.
+    pub fn time_s(&self) -> f64 {
+        self.time_s
+    }
+    /// Poses and velocities of all bodies, by slot of the ideal tree.
+    pub fn kinematics(&self) -> &Kinematics<f64> {
+        &self.kinematics
+    }
+    /// Coordinates of the ideal tree, free ones first.
+    pub fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+    /// Acceleration of the frame in `slot`.
+    pub fn acceleration(&self, slot: usize) -> Twist<f64> {
+        self.kinematics.acceleration(&self.mechanism.ideal, slot, &self.accelerations)
+    }
+    /// Coordinates and rates of the ideal tree, free ones first. A mechanism without play has the same tree as its real one.
+    pub fn real_state(&self) -> (&[f64], &[f64]) {
+        (&self.coordinates, &self.rates)
+    }
+    /// Accelerations of the free coordinates.
+    pub fn accelerations(&self) -> &[f64] {
+        &self.accelerations
+    }
+    /// How far the loop equations are from singular: ratio of their smallest to their largest pivot.
+    pub fn pivot_ratio(&self) -> f64 {
+        self.pivot_ratio
+    }
+    /// The two ways on from here, at a change point.
+    pub fn ways_on(&self) -> Option<WaysOn> {
+        let (tree, driven) = (&self.mechanism.ideal, &self.driven_accelerations);
+        ways_on(tree, &self.geometry, &self.coordinates, &self.rates, driven)
+    }
+    /// The matrix dΦ/dq of the independent loop equations at the present position, n × n, row-major.
+    pub fn loop_matrix(&self) -> Vec<f64> {
+        let mut matrix = vec![0.0; self.matrix.len()];
+        self.copy_matrix(&mut matrix);
+        matrix
+    }
+
+    /// What a unit of a driven length counts as an angle: the mechanism's size.
+    fn drive_scale(&self) -> f64 {
+        // Driven lengths are compared with the mechanism, driven angles with a radian; the smaller one is cautious.
+        self.mechanism.size_m.min(1.0)
+    }
+
+    /// Newton's method for Φ(q, t) = 0 from the present coordinates.
+    fn close(&mut self, time_s: f64) -> Result<(), SampleError> {
+        f64::vectorize(
+            #[inline(always)]
+            || self.close_here(time_s),
+        )
+    }
+
+    #[inline(always)]
+    fn close_here(&mut self, time_s: f64) -> Result<(), SampleError> {
+        let tree = &self.mechanism.ideal;
+        let n = tree.free;
+        self.drives.take_pieces_at(self.held_s.unwrap_or(time_s));
+        for (k, &drive) in tree.drives.iter().enumerate() {
+            let motion = self.drives.motion(&self.mechanism.model, drive, time_s, &mut self.room);
+            [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
+        }
+        self.time_s = time_s;
+        let mut polished = false;
+        for _ in 0..NEWTON_STEPS {
+            self.set_positions();
+            constraints::residuals(tree, &self.geometry, &self.kinematics, &mut self.residuals);
+            constraints::jacobian(tree, &self.geometry, &self.kinematics, &mut self.jacobian);
+            if n < tree.constraint_rows() {
+                self.rows = independent_rows(tree, &self.jacobian, n);
+                if self.rows.len() < n {
+                    return Err(SampleError::Singular { time_s });
+                }
+            }
+            let worst = self.residuals.iter().fold(0.0_f64, |w, r| w.max(r.abs()));
+            if polished || n == 0 {
+                return if worst <= NEARLY_CLOSED * self.mechanism.size_m { Ok(()) } else { Err(self.cannot_close()) };
+            }
+            polished = worst <= NEARLY_CLOSED * self.mechanism.size_m;
+            let mut matrix = std::mem::take(&mut self.matrix);
+            self.copy_matrix(&mut matrix);
+            for (row, &independent) in self.rows.iter().enumerate() {
+                self.right_hand_side[row] = -self.residuals[independent];
+            }
+            self.pivot_ratio = solve_square(&mut matrix, n, &mut self.right_hand_side);
+            self.matrix = matrix;
+            if !(self.pivot_ratio > SINGULAR_PIVOT_RATIO) {
+                return Err(SampleError::Singular { time_s });
+            }
+            for k in 0..n {
+                self.coordinates[k] += self.right_hand_side[k];
+            }
+        }
+        Err(self.cannot_close())
+    }
+
+    #[inline(always)]
+    fn set_positions(&mut self) {
+        self.kinematics.set_positions(&self.mechanism.ideal, &self.geometry, &self.coordinates);
+    }
+
+    fn set_rates_and_accelerations(&mut self) {
+        f64::vectorize(
+            #[inline(always)]
+            || self.set_rates_and_accelerations_here(),
+        );
+    }
+
+    #[inline(always)]
+    fn set_rates_and_accelerations_here(&mut self) {
+        let tree = &self.mechanism.ideal;
+        let (n, columns) = (tree.free, tree.coordinates());
+        let mut matrix = std::mem::take(&mut self.matrix);
+        for (row, &independent) in self.rows.iter().enumerate() {
+            self.right_hand_side[row] =
+                -(n..columns).map(|c| self.jacobian[independent * columns + c] * self.rates[c]).sum::<f64>();
+        }
+        self.copy_matrix(&mut matrix);
+        solve_square(&mut matrix, n, &mut self.right_hand_side);
+        self.rates[..n].copy_from_slice(&self.right_hand_side);
+
+        self.kinematics.set_velocities(tree, &self.rates);
+        self.kinematics.set_biases(tree, &self.geometry, &self.rates, &self.driven_accelerations);
+        constraints::biases(tree, &self.geometry, &self.kinematics, &mut self.residuals);
+        for (row, &independent) in self.rows.iter().enumerate() {
+            self.right_hand_side[row] = -self.residuals[independent];
+        }
+        self.copy_matrix(&mut matrix);
+        solve_square(&mut matrix, n, &mut self.right_hand_side);
+        self.accelerations.copy_from_slice(&self.right_hand_side);
+        self.matrix = matrix;
+    }
+
+    #[inline(always)]
+    fn copy_matrix(&self, matrix: &mut [f64]) {
+        let tree = &self.mechanism.ideal;
+        let (n, columns) = (tree.free, tree.coordinates());
+        for (row, &independent) in self.rows.iter().enumerate() {
+            matrix[row * n..(row + 1) * n]
+                .copy_from_slice(&self.jacobian[independent * columns..independent * columns + n]);
+        }
+    }
+
+    fn cannot_close(&self) -> SampleError {
+        let open = Opening::worst(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
+        SampleError::CannotClose { open, time_s: self.time_s }
+    }
+}
+
+/// The rows that full pivoting takes first: the `wanted` most independent ones, ascending.
+fn independent_rows(tree: &Tree, jacobian: &[f64], wanted: usize) -> Vec<usize> {
+    let dependent = eliminate_free(tree, jacobian).dependent_rows();
+    (0..tree.constraint_rows()).filter(|row| !dependent.contains(row)).take(wanted).collect()
+}

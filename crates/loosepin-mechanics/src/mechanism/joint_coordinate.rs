@@ -1,0 +1,168 @@
+//! The coordinate of a joint, read off the motion of its two bodies, whether the tree holds the joint or not.
+//!
+//! Revolute: the angle θ_j - θ_i of the journal's body from the bearing's; it exists with play as well. Prismatic: the position
+//! s = d·e of the slider along the guide, d the direction of its line and e from the guide's point to the slider's; a pin in a
+//! slot likewise.
+
+use super::geometry::numbered_point_m;
+use super::kinematics::{Kinematics, acceleration_at, moved};
+use super::tree::{Tree, points_of};
+use crate::model::{JointId, JointKind, Model, QuantityId};
+use loosepin_math::{Real, Vec2};
+
+/// Where a joint is in a tree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointPlace {
+    /// Slots of bearing and journal, or of guide and slider.
+    pub slots: [usize; 2],
+    /// Whether its coordinate is a position along a line: of a prismatic joint or a slot.
+    pub is_prismatic: bool,
+}
+
+impl JointPlace {
+    /// The place of `joint` in `tree`.
+    pub fn new(model: &Model, tree: &Tree, joint: JointId) -> Self {
+        let kind = &model.joints[joint.0].kind;
+        Self {
+            slots: points_of(kind).map(|point| tree.slot_of_body[point.body.0]),
+            is_prismatic: matches!(kind, JointKind::Prismatic { .. } | JointKind::Slot { .. }),
+        }
+    }
+}
+
+/// Numbers of a joint of which the coordinate is read.
+#[derive(Debug, Clone, Copy)]
+pub struct JointGeometry<T> {
+    /// Its points in the frames of its two bodies, m.
+    pub arms_m: [Vec2<T>; 2],
+    /// Direction of the line of a prismatic joint in the frame of the guide; zero for a revolute one.
+    pub line: Vec2<T>,
+}
+
+/// Motion of the slider of a prismatic joint against its guide, in the ground's frame.
+#[derive(Debug, Clone, Copy)]
+struct Sliding<T> {
+    line: Vec2<T>,
+    arms_m: [Vec2<T>; 2],
+    gap_m: Vec2<T>,
+}
+
+impl<T: Real> JointGeometry<T> {
+    /// Of no joint.
+    pub fn none() -> Self {
+        Self { arms_m: [Vec2::zero(); 2], line: Vec2::zero() }
+    }
+
+    /// Lays out the numbers that `number` gives for the quantities of `joint`.
+    pub fn new(model: &Model, joint: JointId, number: &dyn Fn(QuantityId) -> T) -> Self {
+        let kind = &model.joints[joint.0].kind;
+        Self {
+            arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
+            line: match kind {
+                JointKind::Prismatic { guide_angle_rad: line_rad, .. }
+                | JointKind::Slot { slot_angle_rad: line_rad, .. } => {
+                    let (sine, cosine) = number(*line_rad).sin_cos();
+                    Vec2::new(cosine, sine)
+                }
+                _ => Vec2::zero(),
+            },
+        }
+    }
+
+    /// The same numbers in every lane.
+    pub fn broadcast(from: &JointGeometry<f64>) -> Self {
+        Self { arms_m: from.arms_m.map(Vec2::from_f64), line: Vec2::from_f64(from.line) }
+    }
+
+    /// Shows every number.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.arms_m.iter_mut().for_each(|arm| arm.visit(visit));
+        self.line.visit(visit);
+    }
+
+    #[inline(always)]
+    fn sliding(&self, [i, j]: [usize; 2], kinematics: &Kinematics<T>) -> Sliding<T> {
+        let poses = &kinematics.poses;
+        let arms_m = [poses[i].turn(self.arms_m[0]), poses[j].turn(self.arms_m[1])];
+        let gap_m = poses[j].position_m + arms_m[1] - poses[i].position_m - arms_m[0];
+        Sliding { line: poses[i].turn(self.line), arms_m, gap_m }
+    }
+
+    /// The coordinate, rad or m, and its rate: θ_j - θ_i, or s = d·e with ṡ = d·ė + ω d⊥·e, ω of the guide.
+    #[inline(always)]
+    pub fn motion(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> [T; 2] {
+        let ([i, j], twists) = (place.slots, &kinematics.twists);
+        if !place.is_prismatic {
+            let angle_rad = kinematics.poses[j].angle_rad - kinematics.poses[i].angle_rad;
+            return [angle_rad, twists[j].angular - twists[i].angular];
+        }
+        let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
+        let gap_rate = twists[j].at(arms_m[1]) - twists[i].at(arms_m[0]);
+        [line.dot(gap_m), line.dot(gap_rate) + twists[i].angular * line.turned().dot(gap_m)]
+    }
+
+    /// The rate of the coordinate for other velocities of its two bodies: of the origins of their frames, and angular.
+    #[inline(always)]
+    pub fn rate(&self, place: &JointPlace, kinematics: &Kinematics<T>, velocities: [(Vec2<T>, T); 2]) -> T {
+        let [(linear_i, spin_i), (linear_j, spin_j)] = velocities;
+        if !place.is_prismatic {
+            return spin_j - spin_i;
+        }
+        let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
+        let gap_rate = linear_j.plus(arms_m[1].turned(), spin_j) - linear_i.plus(arms_m[0].turned(), spin_i);
+        line.dot(gap_rate) + spin_i * line.turned().dot(gap_m)
+    }
+
+    /// The second derivative of the coordinate when the free coordinates have no acceleration. Needs the biases of `kinematics`.
+    ///
+    /// s̈ = d·ë + 2 ω d⊥·ė + α d⊥·e - ω² d·e, ω and α of the guide.
+    #[inline(always)]
+    pub fn bias(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> T {
+        let ([i, j], twists, biases) = (place.slots, &kinematics.twists, &kinematics.biases);
+        if !place.is_prismatic {
+            return biases[j].angular - biases[i].angular;
+        }
+        let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
+        let gap_rate = twists[j].at(arms_m[1]) - twists[i].at(arms_m[0]);
+        let acceleration =
+            acceleration_at(&biases[j], &twists[j], arms_m[1]) - acceleration_at(&biases[i], &twists[i], arms_m[0]);
+        let (normal, spin) = (line.turned(), twists[i].angular);
+        line.dot(acceleration) + T::from_f64(2.0) * spin * normal.dot(gap_rate) + biases[i].angular * normal.dot(gap_m)
+            - spin.squared() * line.dot(gap_m)
+    }
+
+    /// Adds `factor` times the gradient of the coordinate over all coordinates of `tree` to `row`.
+    #[inline(always)]
+    pub fn add_gradient(&self, place: &JointPlace, tree: &Tree, kinematics: &Kinematics<T>, factor: T, row: &mut [T]) {
+        let sliding = place.is_prismatic.then(|| self.sliding(place.slots, kinematics));
+        for (side, sign) in [(0, -1.0), (1, 1.0)] {
+            let slot = place.slots[side];
+            if slot == 0 {
+                continue;
+            }
+            let signed = factor * T::from_f64(sign);
+            for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(kinematics.partials(slot)) {
+                let to = &mut row[dependence.coordinate];
+                let turning = T::from_f64(dependence.turning);
+                let Some(Sliding { line, arms_m, gap_m }) = &sliding else {
+                    *to += signed * turning;
+                    continue;
+                };
+                let velocity = moved(*partial, arms_m[side].turned(), dependence.turning);
+                *to += signed * line.dot(velocity);
+                if side == 0 {
+                    // The line turns with the guide.
+                    *to += factor * turning * line.turned().dot(*gap_m);
+                }
+            }
+        }
+    }
+
+    /// Points of attack on both bodies, m from their origins, of a force along the line of a prismatic joint, and that line:
+    /// both at the slider's point. All in the ground's frame.
+    #[inline(always)]
+    pub fn line_of_action(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> ([Vec2<T>; 2], Vec2<T>) {
+        let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
+        ([arms_m[0] + gap_m, arms_m[1]], line)
+    }
+}

@@ -1,0 +1,51 @@
+//! Functions in pieces, picked without a choice by value: on lanes every lane is in its own piece.
+
+use loosepin_math::Real;
+
+/// Pieces side by side along an argument, each with its N numbers.
+#[derive(Debug, Clone)]
+pub struct Pieces<T, const N: usize> {
+    /// Where a piece ends and the next one begins: one less than there are pieces.
+    breaks: Vec<T>,
+    numbers: Vec<[T; N]>,
+}
+
+impl<T: Real, const N: usize> Pieces<T, N> {
+    /// `breaks` are increasing.
+    pub fn new(breaks: Vec<T>, numbers: Vec<[T; N]>) -> Self {
+        Self { breaks, numbers }
+    }
+
+    /// The same pieces in every lane.
+    pub fn broadcast(from: &Pieces<f64, N>) -> Self {
+        Self {
+            breaks: from.breaks.iter().copied().map(T::from_f64).collect(),
+            numbers: from.numbers.iter().map(|numbers| numbers.map(T::from_f64)).collect(),
+        }
+    }
+
+    /// Shows every number.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.breaks.iter_mut().for_each(&mut *visit);
+        self.numbers.iter_mut().flatten().for_each(visit);
+    }
+
+    /// The numbers of all pieces.
+    pub fn all(&self) -> &[[T; N]] {
+        &self.numbers
+    }
+
+    /// The numbers of the piece that holds `argument`; beyond both ends those of the outer pieces.
+    #[inline(always)]
+    pub fn at(&self, argument: T) -> [T; N] {
+        let last = self.numbers.len() - 1;
+        let mut found = self.numbers[last];
+        for k in (0..last).rev() {
+            let is_before = argument.less_than(self.breaks[k]);
+            for (found, number) in found.iter_mut().zip(&self.numbers[k]) {
+                *found = T::select(is_before, *number, *found);
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,338 @@
+//! One row of the parameter table: all numbers of one sample of a mechanism.
+
+use super::contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
+use super::control::ControlGeometry;
+use super::drive::Drives;
+use super::error::SampleError;
+use super::geometry::{Geometry, direction, point_m};
+use super::initial::initial_numbers;
+use super::joint_friction::JointFriction;
+use super::load::LoadGeometry;
+use super::spring::SpringGeometry;
+use super::{Mechanism, tree::points_of};
+use crate::contact::{
+    Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact,
+    compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
+    restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
+};
+use crate::model::{Clearance, Contact, JointId, JointKind, QuantityId, SlidingVelocity, Stiffness, Values};
+use loosepin_math::{Real, Vec2};
+
+/// Numbers of a joint with play.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayGeometry<T> {
+    /// Centre P_i of the bearing (hole), or the point of the guide, in its body's frame, m.
+    pub bearing_arm_m: Vec2<T>,
+    /// Centre P_j of the journal (pin), or of the slider, in its body's frame, m.
+    pub journal_arm_m: Vec2<T>,
+    /// What plays in what.
+    pub shape: PlayShape<T>,
+    /// Clearance c, m: radial of a pin, on each side of a slider.
+    pub clearance_m: T,
+    /// Normal force.
+    pub normal: NormalLaw<T>,
+    /// Friction.
+    pub friction: FrictionLaw<T>,
+    /// Film of oil, if any.
+    pub film: Option<Film<T>>,
+    /// Reading of eq. (7).
+    pub sliding_velocity: SlidingVelocity,
+    /// Floor v_min of the impact speed, m/s.
+    pub minimum_impact_speed_m_s: T,
+    /// Impact speed beyond which the law is not meant to hold, m/s; infinite where no density is given.
+    pub largest_valid_impact_speed_m_s: f64,
+    /// Restitution that a free impact delivers; none where it depends on the masses that meet.
+    pub delivered_restitution: Option<f64>,
+}
+
+/// The numbers of one sample: the ideal mechanism, the real one, its contacts, springs, loads and drives.
+#[derive(Debug, Clone)]
+pub struct Sample<T> {
+    /// For the tree in which every joint is ideal.
+    pub ideal: Geometry<T>,
+    /// For the tree in which joints with play are force elements.
+    pub real: Geometry<T>,
+    /// Joints with play, in the order of [`Mechanism::plays`].
+    pub plays: Vec<PlayGeometry<T>>,
+    /// Their contacts, in the order of [`Mechanism::contacts`].
+    pub contacts: Vec<ContactPlace>,
+    /// Ideal joints with friction, in the order of the model.
+    pub frictions: Vec<JointFriction<T>>,
+    /// Springs, in the order of the model.
+    pub springs: Vec<SpringGeometry<T>>,
+    /// Loads, in the order of the model.
+    pub loads: Vec<LoadGeometry<T>>,
+    /// Drives, in the order of the model.
+    pub drives: Drives<T>,
+    /// Controls, in the order of the model.
+    pub controls: Vec<ControlGeometry<T>>,
+    /// References of the controls, in the order of the model.
+    pub references: Drives<T>,
+    /// The given numbers of the initial state, in the order of the model.
+    pub initial: Vec<f64>,
+}
+
+impl<T: Real> Sample<T> {
+    /// Lays out `values` for `mechanism`.
+    ///
+    /// # Errors
+    /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
+    /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance,
+    /// [`SampleError::RoughnessOutsideFilm`] where no film goes with a roughness.
+    pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
+        let model = &mechanism.model;
+        for (index, joint) in model.joints.iter().enumerate() {
+            if let Some((clearance, contact)) = joint.kind.play() {
+                let clearance_m = values[clearance];
+                let compiled_with_play = mechanism.plays.contains(&JointId(index));
+                if (clearance_m > 0.0) != compiled_with_play {
+                    return Err(SampleError::ClearanceChangesTopology {
+                        joint: joint.name.clone(),
+                        clearance_m,
+                        compiled_with_play,
+                    });
+                }
+                let contact = &model.contacts[contact.0];
+                if clearance_m > 0.0 {
+                    refuse_roughness_outside_film(&joint.name, contact, clearance_m, values)?;
+                }
+                let law = contact.law;
+                if let NormalDescription::Line(law) = law
+                    && let Some(fitted_m) = law.fitted_clearances_m()
+                    && clearance_m > 0.0
+                    && !(fitted_m[0]..=fitted_m[1]).contains(&clearance_m)
+                {
+                    let (joint, law) = (joint.name.clone(), law.name());
+                    return Err(SampleError::ClearanceOutsideFit { joint, law, clearance_m, fitted_m });
+                }
+            }
+        }
+        let plays = mechanism.plays.iter().filter_map(|&joint| play(mechanism, values, joint)).collect();
+        let drives = Drives::broadcast(&Drives::new(model, values));
+        Ok(Self {
+            ideal: Geometry::new(model, &mechanism.ideal, values),
+            real: Geometry::new(model, &mechanism.real, values),
+            plays,
+            contacts: mechanism.contacts.clone(),
+            frictions: JointFriction::all(model, values),
+            springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
+            loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
+            drives,
+            controls: model.controls.iter().map(|control| ControlGeometry::new(model, control, values)).collect(),
+            references: Drives::broadcast(&Drives::of_controls(model, values)),
+            initial: initial_numbers(model, values),
+        })
+    }
+}
+
+impl Sample<f64> {
+    /// The first time after `time_s` at which the pieces of a motion of a drive or a reference meet, s; infinite where there is
+    /// none.
+    pub fn next_break_s(&self, time_s: f64) -> f64 {
+        self.drives.next_break_s(time_s).min(self.references.next_break_s(time_s))
+    }
+
+    /// Puts every table of a drive or a reference into the piece that holds `time_s`. True where there are tables.
+    pub fn take_pieces_at(&mut self, time_s: f64) -> bool {
+        let [drives, references] =
+            [&mut self.drives, &mut self.references].map(|motions| motions.take_pieces_at(time_s));
+        drives || references
+    }
+}
+
+impl<T: Real> Sample<T> {
+    /// The same sample of [`Mechanism::without_play`].
+    pub fn without_play(self) -> Self {
+        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), ..self }
+    }
+
+    /// The numbers of the joint that the contact `contact` belongs to.
+    #[inline(always)]
+    pub fn play_of(&self, contact: usize) -> &PlayGeometry<T> {
+        &self.plays[self.contacts[contact].play]
+    }
+}
+
+/// A film needs a roughness that goes with the clearance.
+fn refuse_roughness_outside_film(
+    joint: &str,
+    contact: &Contact,
+    clearance_m: f64,
+    values: &Values,
+) -> Result<(), SampleError> {
+    let Some(film) = &contact.film else { return Ok(()) };
+    let (roughness_m, allowed_m) = (values[film.roughness_m], film.law.roughness_m(clearance_m));
+    if (allowed_m[0]..=allowed_m[1]).contains(&roughness_m) {
+        return Ok(());
+    }
+    let (joint, law) = (joint.to_owned(), film.law.name);
+    Err(SampleError::RoughnessOutsideFilm { joint, law, roughness_m, clearance_m, allowed_m })
+}
+
+fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Option<PlayGeometry<T>> {
+    let model = &mechanism.model;
+    let kind = &model.joints[joint.0].kind;
+    let (clearance_m, contact) = kind.play()?;
+    let contact = &model.contacts[contact.0];
+    let [bearing, journal] = points_of(kind);
+    let clearance_m = values[clearance_m];
+    let number = |id: QuantityId| T::from_f64(values[id]);
+    let (shape, normal) = match kind {
+        JointKind::Revolute { clearance: Some(clearance), .. } => {
+            let pair =
+                |compliances, damping_factor| pin_contact(contact, clearance, values, compliances, damping_factor);
+            let shape = PlayShape::Pin { bearing_radius_m: number(clearance.bearing_radius_m) };
+            (shape, normal(contact, values, pair))
+        }
+        JointKind::Prismatic { clearance: Some(clearance), guide_angle_rad, slider_angle_rad, .. } => {
+            let block = SliderBlock {
+                half_length_m: number(clearance.half_length_m),
+                half_height_m: number(clearance.half_height_m),
+                line: direction(number(*guide_angle_rad)),
+                axis: direction(number(*slider_angle_rad)),
+                ends_m: clearance.ends_m.map(|ends| ends.map(number)),
+            };
+            let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
+            let corner = |compliances, damping_factor| flat_contact(radius_m, compliances, damping_factor);
+            (PlayShape::Slider(block), normal(contact, values, corner))
+        }
+        JointKind::Slot { clearance: Some(clearance), slot_angle_rad, .. } => {
+            let end_radius_m = values[clearance.end_radius_m];
+            // K of eq. (9) over its limit for R_i without bounds.
+            let end_stiffening = match contact.stiffness {
+                Stiffness::Material { .. } => (end_radius_m / clearance_m).sqrt() - 1.0,
+                Stiffness::Given { .. } | Stiffness::Linear { .. } => 0.0,
+            };
+            let slot = SlotShape {
+                half_length_m: number(clearance.half_length_m),
+                end_radius_m: T::from_f64(end_radius_m),
+                line: direction(number(*slot_angle_rad)),
+                end_stiffening: T::from_f64(end_stiffening),
+            };
+            let pin_radius_m = end_radius_m - clearance_m;
+            let face = |compliances, damping_factor| flat_contact(pin_radius_m, compliances, damping_factor);
+            (PlayShape::Slot(slot), normal(contact, values, face))
+        }
+        _ => return None,
+    };
+    let friction = contact.friction.as_ref().map_or(FrictionLaw::None, |friction| {
+        let numbers: Vec<f64> = friction.numbers.iter().map(|number| values[*number]).collect();
+        friction.law.law(&numbers)
+    });
+    Some(PlayGeometry {
+        bearing_arm_m: point_m(model, values, bearing),
+        journal_arm_m: point_m(model, values, journal),
+        shape,
+        clearance_m: T::from_f64(clearance_m),
+        normal: NormalLaw::broadcast(&normal),
+        friction: FrictionLaw::broadcast(&friction),
+        film: match kind {
+            JointKind::Revolute { clearance: Some(clearance), .. } => film(contact, clearance, values),
+            _ => None,
+        }
+        .as_ref()
+        .map(Film::broadcast),
+        sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
+        minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
+        largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
+        delivered_restitution: delivered(&normal, contact, values),
+    })
+}
+
+/// The film of oil with its numbers.
+fn film(contact: &Contact, clearance: &Clearance, values: &Values) -> Option<Film<f64>> {
+    let (film, length) = contact.film.as_ref().zip(clearance.bearing_length_m)?;
+    let bearing = FilmBearing {
+        viscosity_pa_s: values[film.viscosity_pa_s],
+        radius_m: values[clearance.bearing_radius_m],
+        length_m: values[length],
+        clearance_m: values[clearance.radial_clearance_m],
+        roughness_m: values[film.roughness_m],
+    };
+    Some(Film::new(film.law, &bearing))
+}
+
+/// The normal force law with its numbers: stiffness as given, or from the compliances of both bodies, and energy loss.
+fn normal(
+    contact: &Contact,
+    values: &Values,
+    from_materials: impl Fn([f64; 2], f64) -> NormalLaw<f64>,
+) -> NormalLaw<f64> {
+    let restitution = contact.restitution.map(|id| values[id]);
+    let damping_factor =
+        contact.damping.zip(restitution).map_or(0.0, |(law, restitution)| law.damping_factor(restitution));
+    match (&contact.stiffness, contact.law) {
+        (Stiffness::Linear { law, stiffness_n_m }, _) => {
+            let damping_ratio = restitution.and_then(|restitution| law.damping_ratio(restitution));
+            NormalLaw::Linear(LinearContact {
+                stiffness_n_m: values[*stiffness_n_m],
+                damping_n_s_m: contact.damping_coefficient_n_s_m.map_or(0.0, |id| values[id]),
+                damping_ratio: damping_ratio.unwrap_or(0.0),
+                has_ratio: damping_ratio.is_some(),
+            })
+        }
+        (Stiffness::Given { stiffness_n_m_n, exponent }, _) => NormalLaw::Point(PointContact {
+            stiffness_n_m_n: values[*stiffness_n_m_n],
+            exponent: values[*exponent],
+            damping_factor,
+        }),
+        (Stiffness::Material { youngs_modulus_pa, poisson_ratio }, _) => {
+            let compliances_1_pa =
+                [0, 1].map(|side| compliance_1_pa(values[youngs_modulus_pa[side]], values[poisson_ratio[side]]));
+            from_materials(compliances_1_pa, damping_factor)
+        }
+    }
+}
+
+/// A pin in its hole: the stiffness for this clearance.
+fn pin_contact(
+    contact: &Contact,
+    clearance: &Clearance,
+    values: &Values,
+    compliances_1_pa: [f64; 2],
+    damping_factor: f64,
+) -> NormalLaw<f64> {
+    let bearing_radius_m = values[clearance.bearing_radius_m];
+    let clearance_m = values[clearance.radial_clearance_m];
+    match (contact.law, clearance.bearing_length_m) {
+        (NormalDescription::Line(law), Some(length)) => {
+            let pair = LinePair { bearing_radius_m, clearance_m, length_m: values[length], compliances_1_pa };
+            law.contact(&pair, damping_factor)
+        }
+        _ => NormalLaw::Point(PointContact {
+            stiffness_n_m_n: cylinder_stiffness_n_m1_5(compliances_1_pa, bearing_radius_m, clearance_m),
+            exponent: 1.5,
+            damping_factor,
+        }),
+    }
+}
+
+/// A corner of a slider, or a pin, on a plane: Hertz' sphere, to which eq. (9) comes for R_i without bounds.
+fn flat_contact(radius_m: f64, compliances_1_pa: [f64; 2], damping_factor: f64) -> NormalLaw<f64> {
+    NormalLaw::Point(PointContact {
+        stiffness_n_m_n: sphere_stiffness_n_m1_5(compliances_1_pa, radius_m),
+        exponent: 1.5,
+        damping_factor,
+    })
+}
+
+/// Restitution that a free impact delivers; none where it depends on the masses that meet.
+fn delivered(normal: &NormalLaw<f64>, contact: &Contact, values: &Values) -> Option<f64> {
+    match normal {
+        NormalLaw::Linear(linear) => linear.has_ratio.then(|| restitution_of_damping_ratio(linear.damping_ratio)),
+        // The identity of χ and ε holds for every elastic force.
+        _ => contact
+            .damping
+            .zip(contact.restitution)
+            .map(|(law, restitution)| delivered_restitution(law.damping_factor(values[restitution]))),
+    }
+}
+
+fn validity_limit_m_s(contact: &Contact, values: &Values) -> f64 {
+    match (&contact.stiffness, contact.density_kg_m3) {
+        (Stiffness::Material { youngs_modulus_pa: [first, second], .. }, Some(density)) => {
+            largest_valid_impact_speed_m_s(values[*first].min(values[*second]), values[density])
+        }
+        _ => f64::INFINITY,
+    }
+}

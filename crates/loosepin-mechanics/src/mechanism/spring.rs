@@ -1,0 +1,155 @@
+//! The numbers of springs with their dampers.
+
+use super::geometry::point_m;
+use super::pieces::Pieces;
+use crate::model::{Elasticity, Model, Spring, SpringCurve, SpringKind, Values};
+use loosepin_math::{Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline};
+
+/// Numbers of a spring: it pulls with F(x) + d ẋ, x its length, m, or the angle of the second body from the first, rad.
+#[derive(Debug, Clone)]
+pub struct SpringGeometry<T> {
+    /// End points in the frames of the first and second body, m; zero for a torsional spring.
+    pub arms_m: [Vec2<T>; 2],
+    /// F.
+    pub elastic: ElasticNumbers<T>,
+    /// Damping d, N s/m or N m s/rad.
+    pub damping: T,
+}
+
+/// Numbers of the elastic pull.
+#[derive(Debug, Clone)]
+pub enum ElasticNumbers<T> {
+    /// P + k (x - x0).
+    Linear {
+        /// Stiffness k, N/m or N m/rad.
+        stiffness: T,
+        /// Free length or angle x0, m or rad.
+        free: T,
+        /// Pull or torque P at the free length or angle, N or N m.
+        preload: T,
+    },
+    /// A curve of cubic pieces, straight beyond its ends: origin, coefficients c_0 to c_3, and energy at the origin of each piece.
+    Table(Pieces<T, 6>),
+}
+
+impl<T: Real> ElasticNumbers<T> {
+    fn new(elasticity: &Elasticity, values: &Values) -> Self {
+        let number = |id| T::from_f64(values[id]);
+        match elasticity {
+            Elasticity::Linear { stiffness, free, preload } => {
+                Self::Linear { stiffness: number(*stiffness), free: number(*free), preload: number(*preload) }
+            }
+            Elasticity::Table { points, curve } => {
+                let points: Vec<[f64; 2]> = points.iter().map(|point| point.map(|id| values[id])).collect();
+                Self::Table(Pieces::broadcast(&pieces(&points, *curve)))
+            }
+        }
+    }
+}
+
+/// Straight before the first point, the curve between the points, straight behind the last one; with the energy since the first
+/// point.
+fn pieces(points: &[[f64; 2]], curve: SpringCurve) -> Pieces<f64, 6> {
+    let last = points.len() - 1;
+    let cubics: Vec<[f64; 4]> = match curve {
+        SpringCurve::Spline => {
+            let moments = natural_spline(points);
+            (0..last).map(|k| cubic_piece(points[k], points[k + 1], [moments[k], moments[k + 1]])).collect()
+        }
+        SpringCurve::Monotone => {
+            let slopes = monotone_slopes(points);
+            (0..last).map(|k| cubic_with_slopes(points[k], points[k + 1], [slopes[k], slopes[k + 1]])).collect()
+        }
+    };
+    let mut energy_j = 0.0;
+    let mut numbers = vec![[points[0][0], points[0][1], cubics[0][1], 0.0, 0.0, 0.0]];
+    let mut end_slope = 0.0;
+    for (k, [c0, c1, c2, c3]) in cubics.into_iter().enumerate() {
+        let h = points[k + 1][0] - points[k][0];
+        numbers.push([points[k][0], c0, c1, c2, c3, energy_j]);
+        energy_j += h * (c0 + h * (c1 / 2.0 + h * (c2 / 3.0 + h * c3 / 4.0)));
+        end_slope = c1 + h * (2.0 * c2 + h * 3.0 * c3);
+    }
+    numbers.push([points[last][0], points[last][1], end_slope, 0.0, 0.0, energy_j]);
+    Pieces::new(points.iter().map(|point| point[0]).collect(), numbers)
+}
+
+impl<T: Real> SpringGeometry<T> {
+    /// Lays out `values` for a spring of `model`.
+    pub fn new(model: &Model, spring: &Spring, values: &Values) -> Self {
+        Self {
+            arms_m: match spring.kind {
+                SpringKind::Linear { first, second } => [first, second].map(|point| point_m(model, values, point)),
+                SpringKind::Torsional { .. } => [Vec2::zero(); 2],
+            },
+            elastic: ElasticNumbers::new(&spring.elasticity, values),
+            damping: spring.damping.map_or(T::zero(), |id| T::from_f64(values[id])),
+        }
+    }
+
+    /// The same numbers in every lane.
+    pub fn broadcast(from: &SpringGeometry<f64>) -> Self {
+        let number = T::from_f64;
+        Self {
+            arms_m: from.arms_m.map(Vec2::from_f64),
+            elastic: match &from.elastic {
+                ElasticNumbers::Linear { stiffness, free, preload } => ElasticNumbers::Linear {
+                    stiffness: number(*stiffness),
+                    free: number(*free),
+                    preload: number(*preload),
+                },
+                ElasticNumbers::Table(pieces) => ElasticNumbers::Table(Pieces::broadcast(pieces)),
+            },
+            damping: number(from.damping),
+        }
+    }
+
+    /// Shows every number.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.arms_m.iter_mut().for_each(|arm| arm.visit(visit));
+        match &mut self.elastic {
+            ElasticNumbers::Linear { stiffness, free, preload } => {
+                [stiffness, free, preload].into_iter().for_each(&mut *visit);
+            }
+            ElasticNumbers::Table(pieces) => pieces.visit(visit),
+        }
+        visit(&mut self.damping);
+    }
+
+    /// The pull F(x) + d ẋ, N or N m, at `extent` x and its `rate` ẋ.
+    #[inline(always)]
+    pub fn pull(&self, extent: T, rate: T) -> T {
+        let elastic = match &self.elastic {
+            ElasticNumbers::Linear { stiffness, free, preload } => stiffness.mul_add(extent - *free, *preload),
+            ElasticNumbers::Table(pieces) => {
+                let [origin, c0, c1, c2, c3, _] = pieces.at(extent);
+                let u = extent - origin;
+                c3.mul_add(u, c2).mul_add(u, c1).mul_add(u, c0)
+            }
+        };
+        self.damping.mul_add(rate, elastic)
+    }
+
+    /// Stored energy at `extent`, J: k (x - x0)²/2 + P (x - x0), or ∫ F dx from the first point of a table.
+    #[inline(always)]
+    pub fn stored_energy_j(&self, extent: T) -> T {
+        match &self.elastic {
+            ElasticNumbers::Linear { stiffness, free, preload } => {
+                let stretch = extent - *free;
+                stretch * (T::from_f64(0.5) * *stiffness).mul_add(stretch, *preload)
+            }
+            ElasticNumbers::Table(pieces) => {
+                let [origin, c0, c1, c2, c3, before] = pieces.at(extent);
+                let (u, share) = (extent - origin, |part: f64| T::from_f64(1.0 / part));
+                let over = (c3 * share(4.0)).mul_add(u, c2 * share(3.0)).mul_add(u, c1 * share(2.0)).mul_add(u, c0);
+                over.mul_add(u, before)
+            }
+        }
+    }
+
+    /// Power that the damper turns into heat, W: d ẋ².
+    #[inline(always)]
+    pub fn damping_loss_w(&self, rate: T) -> T {
+        self.damping * rate.squared()
+    }
+}

@@ -1,0 +1,333 @@
+//! Functions of time and of joints, written as expressions in a model file and evaluated inside the equations of motion.
+
+use super::file::ModelReader;
+use super::problem::ModelProblem;
+use super::quantity::QuantityId;
+use loosepin_math::Real;
+use loosepin_text::document::{Entry, Written};
+use loosepin_text::units::{Dimension, ExpressionProblem, Names, Op, parse_expression, run};
+
+/// Largest exponent of a power in a function.
+const LARGEST_EXPONENT: f64 = 32.0;
+
+/// A variable of a function: its name and what it measures.
+pub(super) type Variable = (&'static str, Dimension);
+
+/// The time.
+pub(super) const TIME: Variable = ("time", Dimension::TIME);
+
+/// A function as a straight line of steps, each over results of earlier ones: no choice but minimum and maximum, so that it
+/// runs on lanes, on dual numbers and as machine code.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Function {
+    steps: Vec<Step>,
+    /// The quantities that it reads.
+    pub parameters: Vec<QuantityId>,
+    /// What its value measures.
+    pub dimension: Dimension,
+}
+
+/// A step; operands are indices of earlier steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Step {
+    Number(f64),
+    /// Index in [`Function::parameters`].
+    Parameter(usize),
+    /// Index in the list of variables that the function was read with.
+    Variable(usize),
+    Add(usize, usize),
+    Subtract(usize, usize),
+    Multiply(usize, usize),
+    Divide(usize, usize),
+    Minimum(usize, usize),
+    Maximum(usize, usize),
+    Negate(usize),
+    Absolute(usize),
+    SquareRoot(usize),
+    Sine(usize),
+    Cosine(usize),
+    /// A power with half this number as its exponent.
+    Power(usize, i32),
+}
+
+/// What a function cannot do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Beyond {
+    /// An inverse trigonometric function.
+    Inverse,
+    /// A power whose exponent is no whole or half number that is written out.
+    Exponent,
+}
+
+impl Function {
+    /// Number of steps: what [`Function::value`] needs as room.
+    pub fn steps(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Its value at `variables`, with `parameters` in its own order, seen through `number`; `room` holds at least
+    /// [`Function::steps`] numbers.
+    #[inline(always)]
+    pub fn value<T: Copy, N: Real>(
+        &self,
+        parameters: &[T],
+        variables: &[N],
+        number: impl Fn(T) -> N,
+        room: &mut [N],
+    ) -> N {
+        for (index, step) in self.steps.iter().enumerate() {
+            room[index] = match *step {
+                Step::Number(value) => N::from_f64(value),
+                Step::Parameter(place) => number(parameters[place]),
+                Step::Variable(place) => variables[place],
+                Step::Add(a, b) => room[a] + room[b],
+                Step::Subtract(a, b) => room[a] - room[b],
+                Step::Multiply(a, b) => room[a] * room[b],
+                Step::Divide(a, b) => room[a] / room[b],
+                Step::Minimum(a, b) => room[a].min(room[b]),
+                Step::Maximum(a, b) => room[a].max(room[b]),
+                Step::Negate(a) => -room[a],
+                Step::Absolute(a) => room[a].abs(),
+                Step::SquareRoot(a) => room[a].sqrt(),
+                Step::Sine(a) => room[a].sin_cos().0,
+                Step::Cosine(a) => room[a].sin_cos().1,
+                Step::Power(a, halves) => half_power(room[a], halves),
+            };
+        }
+        room[self.steps.len() - 1]
+    }
+
+    /// From the operations of an expression, whose last result is its value. The largest slots are the variables.
+    fn compile(ops: &[Op], dimension: Dimension, variables: usize) -> Result<Self, Beyond> {
+        let mut function = Self { steps: Vec::new(), parameters: Vec::new(), dimension };
+        let mut stack: Vec<usize> = Vec::new();
+        for op in ops {
+            let second = if op.takes_two() { stack.pop() } else { None };
+            let first = if matches!(op, Op::Number(_) | Op::Load(_)) { None } else { stack.pop() };
+            let result = function.operation(*op, first.unwrap_or(0), second, variables)?;
+            stack.push(result);
+        }
+        Ok(function)
+    }
+
+    fn operation(&mut self, op: Op, first: usize, second: Option<usize>, variables: usize) -> Result<usize, Beyond> {
+        let number = |index: usize| match self.steps[index] {
+            Step::Number(value) => Some(value),
+            _ => None,
+        };
+        let is_leaf = matches!(op, Op::Number(_) | Op::Load(_));
+        if !is_leaf && let Some(a) = number(first) {
+            // Numbers are worked out once, whatever the operation.
+            let folded = match second {
+                None => Some(run(&[Op::Number(a), op], &mut [])),
+                Some(second) => number(second).map(|b| run(&[Op::Number(a), Op::Number(b), op], &mut [])),
+            };
+            if let Some(value) = folded {
+                return Ok(self.push(Step::Number(value)));
+            }
+        }
+        let (a, b) = (first, second.unwrap_or(0));
+        let step = match op {
+            Op::Number(value) => Step::Number(value),
+            Op::Load(slot) if usize::MAX - slot < variables => Step::Variable(usize::MAX - slot),
+            Op::Load(slot) => {
+                let id = QuantityId(slot);
+                let known = self.parameters.iter().position(|known| *known == id);
+                Step::Parameter(known.unwrap_or_else(|| {
+                    self.parameters.push(id);
+                    self.parameters.len() - 1
+                }))
+            }
+            Op::Add => Step::Add(a, b),
+            Op::Subtract => Step::Subtract(a, b),
+            Op::Multiply => Step::Multiply(a, b),
+            Op::Divide => Step::Divide(a, b),
+            Op::Minimum => Step::Minimum(a, b),
+            Op::Maximum => Step::Maximum(a, b),
+            Op::Power => {
+                let halves = 2.0 * number(b).ok_or(Beyond::Exponent)?;
+                if !(halves == halves.round() && halves.abs() <= 2.0 * LARGEST_EXPONENT) {
+                    return Err(Beyond::Exponent);
+                }
+                Step::Power(a, halves as i32)
+            }
+            Op::Negate => Step::Negate(a),
+            Op::Absolute => Step::Absolute(a),
+            Op::SquareRoot => Step::SquareRoot(a),
+            Op::Sine => Step::Sine(a),
+            Op::Cosine => Step::Cosine(a),
+            Op::Tangent => {
+                let sine = self.push(Step::Sine(a));
+                let cosine = self.push(Step::Cosine(a));
+                Step::Divide(sine, cosine)
+            }
+            Op::ArcSine | Op::ArcCosine | Op::ArcTangent | Op::ArcTangent2 | Op::Store(_) => {
+                return Err(Beyond::Inverse);
+            }
+        };
+        Ok(self.push(step))
+    }
+
+    fn push(&mut self, step: Step) -> usize {
+        self.steps.push(step);
+        self.steps.len() - 1
+    }
+}
+
+/// x to the power of half of `halves`, by multiplications and a root.
+#[inline(always)]
+fn half_power<N: Real>(base: N, halves: i32) -> N {
+    let mut left = halves.unsigned_abs() / 2;
+    let mut power = if halves % 2 == 0 { N::one() } else { base.sqrt() };
+    let mut square = base;
+    while left > 0 {
+        if left % 2 == 1 {
+            power *= square;
+        }
+        left /= 2;
+        if left > 0 {
+            square *= square;
+        }
+    }
+    if halves < 0 { N::one() / power } else { power }
+}
+
+/// Parameters and variables together.
+struct FunctionNames<'n> {
+    parameters: &'n dyn Names,
+    variables: &'n [Variable],
+}
+
+impl Names for FunctionNames<'_> {
+    fn find(&self, name: &str) -> Option<(usize, Dimension)> {
+        let variable = self.variables.iter().position(|(variable, _)| *variable == name);
+        // Variables are numbered from the largest slot downwards, where no quantity is.
+        variable.map(|place| (usize::MAX - place, self.variables[place].1)).or_else(|| self.parameters.find(name))
+    }
+    fn all(&self) -> Vec<&str> {
+        self.variables.iter().map(|(name, _)| *name).chain(self.parameters.all()).collect()
+    }
+}
+
+/// What is written where a value that may change is due.
+pub(super) enum Changing {
+    /// A value without variables.
+    Constant(QuantityId),
+    /// A function of the variables.
+    Function(Function),
+}
+
+impl ModelReader {
+    /// Reads an expression over parameters and `variables`. One without variables is a quantity like any other.
+    pub fn changing(
+        &mut self,
+        entry: &Entry<'_>,
+        dimension: Dimension,
+        rule: loosepin_text::units::Rule,
+        variables: &[Variable],
+    ) -> Option<Changing> {
+        let Written::Text(text) = self.reader.written(entry)? else {
+            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
+        };
+        let names = FunctionNames { parameters: &self.parameters, variables };
+        let expression = match parse_expression(text, &names) {
+            Ok(expression) => expression,
+            Err(error) => {
+                let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
+                if !is_echo {
+                    let span = self.reader.inside(entry, text, &error.span);
+                    self.reader.complain(&error.problem, span);
+                }
+                return None;
+            }
+        };
+        let reads_variables = |slot: &usize| usize::MAX - slot < variables.len();
+        let read: Vec<usize> = expression.reads.iter().copied().filter(reads_variables).collect();
+        if read.is_empty() {
+            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
+        }
+        for slot in read {
+            let (name, _) = variables[usize::MAX - slot];
+            if self.parameters.find(name).is_some() {
+                let problem = ModelProblem::NameTaken { entry: entry.path.describe(), name };
+                self.reader.complain(&problem, entry.span);
+                return None;
+            }
+        }
+        let slots: Vec<usize> = expression.reads.iter().copied().filter(|slot| !reads_variables(slot)).collect();
+        self.parameters.mark_used(&slots);
+        if !self.reader.measures(entry, expression.dimension, dimension) {
+            return None;
+        }
+        match Function::compile(&expression.ops, dimension, variables.len()) {
+            Ok(function) => Some(Changing::Function(function)),
+            Err(beyond) => {
+                let entry_words = entry.path.describe();
+                let problem = match beyond {
+                    Beyond::Inverse => ModelProblem::InverseFunction { entry: entry_words },
+                    Beyond::Exponent => ModelProblem::ExponentOfFunction { entry: entry_words },
+                };
+                self.reader.complain(&problem, entry.span);
+                None
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin_math::Dual;
+
+    struct Nothing;
+    impl Names for Nothing {
+        fn find(&self, name: &str) -> Option<(usize, Dimension)> {
+            (name == "swing").then_some((4, Dimension::ANGLE))
+        }
+        fn all(&self) -> Vec<&str> {
+            Vec::new()
+        }
+    }
+
+    fn function(text: &str) -> Result<Function, Beyond> {
+        let variables = [TIME];
+        let names = FunctionNames { parameters: &Nothing, variables: &variables };
+        let expression = parse_expression(text, &names).expect("an expression");
+        Function::compile(&expression.ops, expression.dimension, variables.len())
+    }
+
+    #[test]
+    fn analytic_value_and_derivatives_of_a_swing() {
+        let swing = function("swing * sin(2.7 rad/s * time + 0.3 rad) - 0.4 rad * (time / 1 s)^1.5").expect("a line");
+        assert_eq!(swing.parameters, [QuantityId(4)]);
+        let (t, amplitude): (f64, f64) = (0.83, 1.7);
+        let time = Dual { value: Dual::variable(t), derivative: Dual::constant(1.0) };
+        let mut room = vec![Dual::constant(Dual::constant(f64::NAN)); swing.steps()];
+        let found = swing.value(&[amplitude], &[time], |a| Dual::constant(Dual::constant(a)), &mut room);
+        let (sine, cosine) = (2.7 * t + 0.3).sin_cos();
+        let expected = [
+            amplitude * sine - 0.4 * t.powf(1.5),
+            2.7 * amplitude * cosine - 0.6 * t.sqrt(),
+            -2.7 * 2.7 * amplitude * sine - 0.3 / t.sqrt(),
+        ];
+        let found = [found.value.value, found.value.derivative, found.derivative.derivative];
+        // Round-off of a dozen operations on numbers up to ten.
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?} {expected:?}");
+    }
+
+    #[test]
+    fn analytic_powers() {
+        for (halves, expected) in [(-3, 1.3_f64.powf(-1.5)), (0, 1.0), (1, 1.3_f64.sqrt()), (14, 1.3_f64.powi(7))] {
+            // A few multiplications.
+            assert!((half_power(1.3_f64, halves) - expected).abs() < 1e-14, "{halves}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_straight_line_is_refused() {
+        assert_eq!(function("1 N * time / 1 s * cos(asin(0.3))").map(|_| ()), Ok(()));
+        assert_eq!(function("atan(time / 1 s)").map(|_| ()), Err(Beyond::Inverse));
+        assert_eq!(function("(time / 1 s)^0.3").map(|_| ()), Err(Beyond::Exponent));
+        assert_eq!(function("2^(time / 1 s)").map(|_| ()), Err(Beyond::Exponent));
+    }
+}

@@ -1,0 +1,150 @@
+//! The state in which a mechanism begins that its drives do not move alone.
+
+use super::file::ModelReader;
+use super::keys::{INITIAL_BODY_KEYS, INITIAL_JOINT_KEYS, INITIAL_KEYS};
+use super::problem::ModelProblem;
+use super::quantity::QuantityId;
+use super::topology::{Axis, BodyId, JointId, JointKind};
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule};
+
+/// One number of the initial state.
+#[derive(Debug, Clone)]
+pub struct InitialValue {
+    /// Where it stands in the file.
+    pub path: String,
+    /// What has this value at time zero.
+    pub of: InitialOf,
+    /// Whether it is the rate of that.
+    pub is_rate: bool,
+    /// The value, rad or m, for a rate rad/s or m/s.
+    pub number: InitialNumber,
+}
+
+/// Where a number of the initial state comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InitialNumber {
+    /// The file.
+    Given(QuantityId),
+    /// The reference of a control at time zero, or its rate.
+    Reference {
+        /// Index in [`crate::model::Model::controls`].
+        control: usize,
+    },
+}
+
+impl InitialValue {
+    /// What it measures.
+    pub fn dimension(&self) -> Dimension {
+        let position = match self.of {
+            InitialOf::BodyAngle(_) | InitialOf::JointAngle(_) => Dimension::ANGLE,
+            InitialOf::BodyPosition(..) | InitialOf::JointPosition(_) => Dimension::LENGTH,
+        };
+        if self.is_rate { position.over(Dimension::TIME) } else { position }
+    }
+}
+
+/// What an initial value can be of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InitialOf {
+    /// The angle of a body's x axis from the ground's.
+    BodyAngle(BodyId),
+    /// A coordinate of the origin of a body's frame.
+    BodyPosition(BodyId, Axis),
+    /// The angle of the journal's body from the bearing's.
+    JointAngle(JointId),
+    /// The position of the slider along the guide.
+    JointPosition(JointId),
+}
+
+/// Keys of positions and of their rates, with what both measure.
+const COORDINATES: [(&str, bool, Dimension); 4] = [
+    ("angle", false, Dimension::ANGLE),
+    ("angular_velocity", true, Dimension::ANGULAR_VELOCITY),
+    ("position", false, Dimension::LENGTH),
+    ("velocity", true, Dimension::VELOCITY),
+];
+
+impl ModelReader {
+    /// Reads the initial state.
+    pub fn read_initial(&mut self, entry: &Entry<'_>) -> Vec<InitialValue> {
+        let Some(table) = self.reader.table(entry, &INITIAL_KEYS) else { return Vec::new() };
+        self.remember(entry);
+        let mut values = Vec::new();
+        if let Some(bodies) = table.get("body") {
+            for entry in self.reader.any_keys(&bodies) {
+                self.initial_body(&entry, &mut values);
+            }
+        }
+        if let Some(joints) = table.get("joint") {
+            for entry in self.reader.any_keys(&joints) {
+                self.initial_joint(&entry, &mut values);
+            }
+        }
+        values
+    }
+
+    fn initial_body(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
+        self.remember(entry);
+        let table = self.reader.table(entry, &INITIAL_BODY_KEYS);
+        let (Some(table), Some(body)) = (table, self.body(&entry.at_key(), entry.name)) else { return };
+        if body == BodyId(0) {
+            self.reader.complain(&ModelProblem::InitialOfGround, entry.key_span);
+            return;
+        }
+        for (key, is_rate, dimension) in COORDINATES {
+            let Some(entry) = table.get(key) else { continue };
+            if matches!(key, "angle" | "angular_velocity") {
+                self.initial_value(&entry, InitialOf::BodyAngle(body), is_rate, dimension, values);
+                continue;
+            }
+            let Some(pair) = self.reader.pair(&entry) else { continue };
+            for (mut element, (axis, name)) in pair.into_iter().zip([(Axis::X, "x"), (Axis::Y, "y")]) {
+                element.path = entry.path.join(name);
+                self.initial_value(&element, InitialOf::BodyPosition(body, axis), is_rate, dimension, values);
+            }
+        }
+    }
+
+    fn initial_joint(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
+        self.remember(entry);
+        let table = self.reader.table(entry, &INITIAL_JOINT_KEYS);
+        let joint = self.named(&entry.at_key(), "joint", entry.name, |file| &file.joint_names);
+        let (Some(table), Some(joint)) = (table, joint) else { return };
+        let of = match self.joints[joint.0].kind {
+            JointKind::Revolute { .. } => InitialOf::JointAngle(joint),
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(joint),
+            JointKind::Rigid { .. } => {
+                let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
+                self.reader.complain(&problem, entry.key_span);
+                return;
+            }
+        };
+        for (key, is_rate, dimension) in COORDINATES {
+            let fits = matches!(key, "angle" | "angular_velocity") == matches!(of, InitialOf::JointAngle(_));
+            match table.get(key) {
+                Some(entry) if fits => self.initial_value(&entry, of, is_rate, dimension, values),
+                Some(entry) => self.refuse_coordinate(&table, &entry, key),
+                None => {}
+            }
+        }
+    }
+
+    fn refuse_coordinate(&mut self, table: &Table<'_>, entry: &Entry<'_>, key: &'static str) {
+        let problem = ModelProblem::WrongCoordinate { entry: table.path.describe(), key };
+        self.reader.complain(&problem, entry.key_span);
+    }
+
+    fn initial_value(
+        &mut self,
+        entry: &Entry<'_>,
+        of: InitialOf,
+        is_rate: bool,
+        dimension: Dimension,
+        values: &mut Vec<InitialValue>,
+    ) {
+        let value = self.quantity_of(entry, dimension, Rule::Finite);
+        let number = value.map(InitialNumber::Given);
+        values.extend(number.map(|number| InitialValue { path: entry.path.dotted(), of, is_rate, number }));
+    }
+}

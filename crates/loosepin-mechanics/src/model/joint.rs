@@ -1,0 +1,202 @@
+//! Joints.
+
+use super::file::ModelReader;
+use super::keys::{
+    GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS, SLOT_KEYS,
+};
+use super::problem::ModelProblem;
+use super::quantity::{Origin, QuantityId};
+use super::topology::{BodyId, Clearance, ContactId, Joint, JointFriction, JointId, JointKind, PointId};
+use crate::contact::NormalDescription;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Expression, Rule, run};
+
+impl ModelReader {
+    /// Reads the table of joints.
+    pub fn read_joints(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.named(entry, "a joint") {
+            self.remember(&entry);
+            let kind = self.joint_kind(&entry);
+            let id = kind.map(|(kind, friction)| {
+                self.joints.push(Joint { name: entry.name.to_owned(), kind, friction });
+                JointId(self.joints.len() - 1)
+            });
+            self.joint_names.push((entry.name.to_owned(), id));
+        }
+    }
+
+    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>)> {
+        let kinds: Vec<(&'static str, &'static str)> = JOINT_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
+        let kind = self.reader.tag(entry, "kind", &kinds)?;
+        let (kind, friction) = match kind {
+            "revolute" => {
+                let table = self.reader.table(entry, &REVOLUTE_KEYS)?;
+                let friction = self.joint_friction(&table, "pin_radius");
+                (self.revolute(&table), friction)
+            }
+            "prismatic" => {
+                let table = self.reader.table(entry, &PRISMATIC_KEYS)?;
+                let friction = self.joint_friction(&table, "guide_length");
+                (self.prismatic(&table), friction)
+            }
+            "slot" => (self.reader.table(entry, &SLOT_KEYS).and_then(|table| self.slot(&table)), Some(None)),
+            _ => (self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)), Some(None)),
+        };
+        let (kind, friction) = kind.zip(friction)?;
+        if kind.play().is_some() && friction.is_some() {
+            let beside = if matches!(kind, JointKind::Revolute { .. }) { "radial_clearance" } else { "clearance" };
+            let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
+            self.reader.complain(&problem, entry.key_span);
+            return None;
+        }
+        let [first, second] = kind.bodies();
+        if first != second {
+            return Some((kind, friction));
+        }
+        let body = self.bodies[first.0].name.clone();
+        self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
+        None
+    }
+
+    /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
+    fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
+        let size_m = self.quantity(table, key);
+        let friction = table.get("friction").map(|entry| self.friction(&entry, &JOINT_FRICTION_KEYS));
+        for (key, needs) in [("friction", key), (key, "friction")] {
+            if table.has(key) && !table.has(needs) {
+                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
+                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+                return None;
+            }
+        }
+        match friction {
+            None => Some(None),
+            Some(friction) => Some(Some(JointFriction { friction: friction?, size_m: size_m? })),
+        }
+    }
+
+    fn revolute(&mut self, table: &Table<'_>) -> Option<JointKind> {
+        let [bearing, journal] = ["bearing", "journal"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
+        let clearance = self.clearance(table);
+        Some(JointKind::Revolute { bearing: bearing?, journal: journal?, clearance: clearance? })
+    }
+
+    /// The clearance of a revolute joint; the outer option is absent after a complaint, the inner for an ideal joint.
+    fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
+        let bearing_radius_m = self.quantity(table, "bearing_radius");
+        let bearing_length_m = self.quantity(table, "bearing_length");
+        let contact = self.contact_of(table);
+        let missing: Vec<&'static str> =
+            ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
+        let Some(entry) = table.get("radial_clearance") else {
+            if let Some(key) = ["bearing_radius", "bearing_length", "contact"].into_iter().find(|key| table.has(key)) {
+                let needs = vec!["radial_clearance"];
+                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
+                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+                return None;
+            }
+            return Some(None);
+        };
+        let expression = self.expression(&entry)?;
+        if !self.reader.measures(&entry, expression.dimension, Dimension::LENGTH) {
+            return None;
+        }
+        if !missing.is_empty() && is_literal_zero(&expression) {
+            // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
+            self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
+            return Some(None);
+        }
+        let radial_clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
+        if !missing.is_empty() {
+            let key = "radial_clearance";
+            let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: missing };
+            self.reader.complain(&problem, entry.key_span);
+            return None;
+        }
+        let bearing_radius_m = bearing_radius_m?;
+        if !self.demand_order(radial_clearance_m, bearing_radius_m, entry.span) {
+            return None;
+        }
+        let contact = contact?;
+        // A length that is there and could not be read was complained about.
+        let has_line_law = matches!(self.contacts[contact.0].law, NormalDescription::Line(_));
+        let has_film = self.contacts[contact.0].film.is_some();
+        if (has_line_law || has_film) && !table.has("bearing_length") {
+            let entry = table.path.describe();
+            let problem = if has_line_law {
+                ModelProblem::NeedsKeys { entry, key: "contact", needs: vec!["bearing_length"] }
+            } else {
+                ModelProblem::FilmNeedsLength { entry }
+            };
+            self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
+            return None;
+        }
+        Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
+    }
+
+    /// The contact that a joint names.
+    pub(super) fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId> {
+        let entry = table.get("contact")?;
+        let name = self.reader.text(&entry)?.to_owned();
+        self.used_contacts.push(name.clone());
+        self.named(&entry, "contact", &name, |file| &file.contact_names)
+    }
+
+    fn prismatic(&mut self, table: &Table<'_>) -> Option<JointKind> {
+        let guide = table.get("guide").and_then(|entry| {
+            let guide = self.reader.table(&entry, &GUIDE_KEYS)?;
+            let point = guide.get("point").and_then(|entry| self.point(&entry));
+            let angle_rad = self.quantity(&guide, "angle");
+            let ends_m = self.guide_ends(&guide, table.has("clearance"));
+            Some((point?, angle_rad?, ends_m?))
+        });
+        let slider = table.get("slider").and_then(|entry| self.slider(&entry));
+        let ((guide, guide_angle_rad, ends_m), (slider, slider_angle_rad)) = match guide.zip(slider) {
+            Some(sound) => sound,
+            None => {
+                // Its complaints belong to the others.
+                self.guide_clearance(table, None);
+                return None;
+            }
+        };
+        let clearance = self.guide_clearance(table, ends_m);
+        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance: clearance? })
+    }
+
+    fn slider(&mut self, entry: &Entry<'_>) -> Option<(PointId, QuantityId)> {
+        if entry.is_text() {
+            let point = self.point(entry)?;
+            let path = entry.path.join("angle");
+            return Some((point, self.default_quantity(&path, Dimension::ANGLE, Rule::Finite, 0.0)));
+        }
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "a point or a table with point and angle");
+        }
+        let table = self.reader.table(entry, &SLIDER_KEYS)?;
+        let point = table.get("point").and_then(|entry| self.point(&entry));
+        let angle_rad = self.quantity_or(&table, "angle", 0.0);
+        Some((point?, angle_rad?))
+    }
+
+    fn rigid(&mut self, table: &Table<'_>) -> Option<JointKind> {
+        let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
+        let angle_rad = self.quantity(table, "angle");
+        Some(JointKind::Rigid { first: first?, second: second?, angle_rad: angle_rad? })
+    }
+}
+
+pub(super) fn is_literal_zero(expression: &Expression) -> bool {
+    expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
+}
+
+impl JointKind {
+    /// The bodies that it connects: bearing and journal, guide and slider, slot and pin, first and second.
+    pub fn bodies(&self) -> [BodyId; 2] {
+        match self {
+            JointKind::Revolute { bearing, journal, .. } => [bearing.body, journal.body],
+            JointKind::Prismatic { guide, slider, .. } => [guide.body, slider.body],
+            JointKind::Slot { slot, pin, .. } => [slot.body, pin.body],
+            JointKind::Rigid { first, second, .. } => [first.body, second.body],
+        }
+    }
+}

@@ -1,0 +1,573 @@
+//! The keys of a model file.
+
+use super::control_keys::CONTROL_KEYS;
+use super::coupling_keys::{CAM_KEYS, COUPLING_KINDS};
+use super::drive_keys::DRIVE_KEYS;
+use super::load_keys::LOAD_KINDS;
+use super::spring_keys::SPRING_KINDS;
+use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
+use loosepin_text::units::{Dimension as D, Rule};
+
+const POINTS: Kind = Kind::Values(&Kind::Vector);
+const POINTS_DOC: &str = "named points in the frame of the body";
+
+pub(super) static GROUND_KEYS: Keys = Keys::new(
+    "the ground: points that do not move",
+    &[optional("points", POINTS, "{ o = [\"0 mm\", \"0 mm\"] }", POINTS_DOC)],
+);
+
+pub(super) static BODY_KEYS: Keys = Keys::new(
+    "a rigid body",
+    &[
+        required("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of the body"),
+        required(
+            "inertia",
+            quantity(D::INERTIA, Rule::Positive),
+            "\"1e-4 kg m^2\"",
+            "moment of inertia about the centre of mass",
+        ),
+        required("centre_of_mass", Kind::Vector, "[\"25 mm\", \"0 mm\"]", "centre of mass in the frame of the body"),
+        optional("points", POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }", POINTS_DOC),
+    ],
+);
+
+fn law_names() -> Vec<&'static str> {
+    NormalDescription::all().map(|law| law.name()).collect()
+}
+
+fn damping_names() -> Vec<&'static str> {
+    POINT_LAWS.iter().map(|law| law.name()).collect()
+}
+
+fn friction_law_names() -> Vec<&'static str> {
+    FRICTION_LAWS.iter().map(|law| law.name).collect()
+}
+
+fn film_law_names() -> Vec<&'static str> {
+    FILM_LAWS.iter().map(|law| law.name).collect()
+}
+
+pub(super) static FILM_KEYS: Keys = Keys::new(
+    "a film of oil between pin and hole",
+    &[
+        optional(
+            "law",
+            Kind::ChoiceOf(film_law_names),
+            "\"finite-length\"",
+            "how the pressure follows from the motion; finite-length if left out",
+        ),
+        required("viscosity", quantity(D::VISCOSITY, Rule::Positive), "\"0.04 Pa s\"", "dynamic viscosity of the oil"),
+        required(
+            "roughness",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"2 um\"",
+            "thickness below which the film no longer stiffens; beyond the clearance it fades over as much",
+        ),
+    ],
+);
+
+/// Keys of friction, that of a contact alone last.
+static FRICTION: [Key; 12] = [
+    optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
+    required("coefficient", quantity(D::NUMBER, Rule::NonNegative), "0.03", "coefficient of friction at full sliding"),
+    optional(
+        "lower_speed",
+        quantity(D::VELOCITY, Rule::NonNegative),
+        "\"0.1 mm/s\"",
+        "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
+    ),
+    optional(
+        "upper_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"1 mm/s\"",
+        "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
+    ),
+    optional(
+        "static_coefficient",
+        quantity(D::NUMBER, Rule::NonNegative),
+        "0.05",
+        "coefficient of friction at the onset of sliding",
+    ),
+    optional(
+        "transition_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"1 mm/s\"",
+        "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
+    ),
+    optional(
+        "stribeck_speed",
+        quantity(D::VELOCITY, Rule::Positive),
+        "\"10 mm/s\"",
+        "sliding speed over which friction falls from its static to its dynamic value",
+    ),
+    optional(
+        "decay",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"30 s/m\"",
+        "bengisu-akay: how fast friction falls from its static to its dynamic value",
+    ),
+    optional(
+        "bristle_stiffness",
+        quantity(D::INVERSE_LENGTH, Rule::Positive),
+        "\"1e5 m^-1\"",
+        "lugre: what the coefficient gains for each unit of deflection of the bristles",
+    ),
+    optional(
+        "bristle_damping",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"0.4 s/m\"",
+        "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
+    ),
+    optional(
+        "viscous",
+        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
+        "\"0.02 s/m\"",
+        "what the coefficient gains for each unit of sliding speed; nothing if left out",
+    ),
+    optional(
+        "sliding_velocity",
+        Kind::Choice(&["material", "literal"]),
+        "\"material\"",
+        "between the material points (material, if left out) or of the geometric contact point (literal)",
+    ),
+];
+
+pub(super) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &FRICTION);
+
+pub(super) static JOINT_FRICTION_KEYS: Keys = Keys::new("friction of an ideal joint", FRICTION.split_at(11).0);
+
+pub(super) const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
+pub(super) const POISSON_RATIO: [&str; 3] = ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
+
+pub(super) static CONTACT_KEYS: Keys = Keys::new(
+    "contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent",
+    &[
+        optional(
+            "law",
+            Kind::ChoiceOf(law_names),
+            "\"lankarani-nikravesh\"",
+            "the normal force law; lankarani-nikravesh if left out",
+        ),
+        optional(
+            "restitution",
+            quantity(D::NUMBER, Rule::Restitution),
+            "0.9",
+            "nominal coefficient of restitution, in (0, 1]",
+        ),
+        optional(
+            "damping",
+            Kind::ChoiceOf(damping_names),
+            "\"flores\"",
+            "the law whose energy loss a line-contact law has; lankarani-nikravesh if left out, for bai-zhao zhiying-qishao",
+        ),
+        optional(
+            "damping_coefficient",
+            quantity(D::DAMPING, Rule::NonNegative),
+            "\"900 N s/m\"",
+            "damping coefficient D of kelvin-voigt, in place of the restitution",
+        ),
+        optional(
+            YOUNGS_MODULUS[0],
+            quantity(D::PRESSURE, Rule::Positive),
+            "\"207 GPa\"",
+            "Young's modulus of bearing and journal",
+        ),
+        optional(
+            YOUNGS_MODULUS[1],
+            quantity(D::PRESSURE, Rule::Positive),
+            "\"110 GPa\"",
+            "Young's modulus of the bearing",
+        ),
+        optional(
+            YOUNGS_MODULUS[2],
+            quantity(D::PRESSURE, Rule::Positive),
+            "\"207 GPa\"",
+            "Young's modulus of the journal",
+        ),
+        optional(
+            POISSON_RATIO[0],
+            quantity(D::NUMBER, Rule::PoissonRatio),
+            "0.3",
+            "Poisson's ratio of bearing and journal",
+        ),
+        optional(POISSON_RATIO[1], quantity(D::NUMBER, Rule::PoissonRatio), "0.34", "Poisson's ratio of the bearing"),
+        optional(POISSON_RATIO[2], quantity(D::NUMBER, Rule::PoissonRatio), "0.3", "Poisson's ratio of the journal"),
+        optional(
+            "stiffness",
+            Kind::Stiffness,
+            "\"6.6e10 N/m^1.5\"",
+            "stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m",
+        ),
+        optional("exponent", quantity(D::NUMBER, Rule::AtLeastOne), "1.5", "exponent n of F = K x^n, beside stiffness"),
+        optional(
+            "minimum_impact_speed",
+            quantity(D::VELOCITY, Rule::Positive),
+            "\"1 mm/s\"",
+            "floor of the impact speed in the force law; 1 mm/s if left out",
+        ),
+        optional(
+            "density",
+            quantity(D::DENSITY, Rule::Positive),
+            "\"7800 kg/m^3\"",
+            "density, to say which impacts are too fast for the law",
+        ),
+        optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
+        optional(
+            "film",
+            Kind::Table(&FILM_KEYS),
+            "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }",
+            "film of oil, for joints with a bearing_length; none if left out",
+        ),
+    ],
+);
+
+pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
+    "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
+        required("bearing", Kind::Point, "\"rod.small_end\"", "point at the centre of the hole"),
+        required("journal", Kind::Point, "\"slider.pin\"", "point at the centre of the pin"),
+        optional("bearing_radius", quantity(D::LENGTH, Rule::Positive), "\"10 mm\"", "radius of the hole"),
+        optional(
+            "radial_clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.5 mm\"",
+            "radius of the hole minus radius of the pin; ideal joint if left out or zero",
+        ),
+        optional(
+            "bearing_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"20 mm\"",
+            "length of the bearing along its axis, for line-contact laws and films of oil",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
+        optional(
+            "friction",
+            Kind::Table(&JOINT_FRICTION_KEYS),
+            "{ coefficient = 0.1 }",
+            "friction of a joint without play; none if left out. A joint with play has it in its contact",
+        ),
+        optional(
+            "pin_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"8 mm\"",
+            "radius of the pin, at whose surface friction acts",
+        ),
+    ],
+);
+
+pub(super) static GUIDE_KEYS: Keys = Keys::new(
+    "the line of a guide",
+    &[
+        required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
+        required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
+        optional(
+            "start",
+            quantity(D::LENGTH, Rule::Finite),
+            "\"-80 mm\"",
+            "where the faces of a guide with play begin, from the point along the line; without ends if left out",
+        ),
+        optional("end", quantity(D::LENGTH, Rule::Finite), "\"200 mm\"", "where those faces end"),
+    ],
+);
+
+pub(super) static SLOT_LINE_KEYS: Keys = Keys::new(
+    "the line of a slot",
+    &[
+        required("point", Kind::Point, "\"yoke.middle\"", "the middle of the slot"),
+        required("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "its direction from the x axis of the body"),
+    ],
+);
+
+pub(super) static SLIDER_KEYS: Keys = Keys::new(
+    "the point that stays on the line of a guide",
+    &[
+        required("point", Kind::Point, "\"slider.pin\"", "the point"),
+        optional(
+            "angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"0 deg\"",
+            "direction of the line from the x axis of the slider; 0 deg if left out",
+        ),
+    ],
+);
+
+pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
+    "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
+        required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
+        required(
+            "slider",
+            Kind::AnyOf(&[Kind::Point, Kind::Table(&SLIDER_KEYS)]),
+            "\"slider.pin\"",
+            "the point on the line, with an angle where the line is not along the slider's x axis",
+        ),
+        optional("friction", Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }", "friction; none if left out"),
+        optional(
+            "guide_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends",
+        ),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"50 mm\"",
+            "half the length along the guide of the block around the slider's point",
+        ),
+        optional(
+            "half_height",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"25 mm\"",
+            "half the height of that block across the guide",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "gap between the block and each face of the guide; ideal joint if left out or zero",
+        ),
+        optional(
+            "corner_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"5 mm\"",
+            "radius of the block's corners, for a contact whose stiffness comes from the materials",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"corner\"", "the contact between corners and guide"),
+    ],
+);
+
+pub(super) static SLOT_KEYS: Keys = Keys::new(
+    "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
+        required(
+            "slot",
+            Kind::Table(&SLOT_LINE_KEYS),
+            "{ point = \"yoke.middle\", angle = \"90 deg\" }",
+            "the middle of the slot and its direction",
+        ),
+        required("pin", Kind::Point, "\"crank.pin\"", "point at the centre of the pin"),
+        optional(
+            "half_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"60 mm\"",
+            "from the middle of the slot to the centre of each round end",
+        ),
+        optional(
+            "end_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"10 mm\"",
+            "radius of the round ends, half the width of the slot",
+        ),
+        optional(
+            "clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.1 mm\"",
+            "radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and slot"),
+    ],
+);
+
+pub(super) static RIGID_KEYS: Keys = Keys::new(
+    "two points coincide and the bodies do not turn against each other",
+    &[
+        required("kind", Kind::Choice(&["rigid"]), "\"rigid\"", "the kind of joint"),
+        required("first", Kind::Point, "\"arm.end\"", "point of the first body"),
+        required("second", Kind::Point, "\"tool.base\"", "point of the second body"),
+        required(
+            "angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"0 deg\"",
+            "angle of the second body's x axis from the first's",
+        ),
+    ],
+);
+
+pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
+    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("slot", &SLOT_KEYS), ("rigid", &RIGID_KEYS)];
+
+pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
+    "how loops close that can close in two ways",
+    &[required(
+        "guess",
+        Kind::Values(&Kind::Quantity { dimension: D::ANGLE, rule: Rule::Finite }),
+        "{ rocker = \"94 deg\" }",
+        "about the angle of bodies at time zero",
+    )],
+);
+
+/// Rows recorded in a turn, at most.
+const MOST_SAMPLES_PER_TURN: u64 = 1_000_000;
+
+/// Numbers of `[cycle]`, in model and study files alike.
+pub const CYCLE_NUMBERS: [Key; 3] = [
+    optional("transient_turns", Kind::Number { rule: Rule::Turns }, "2", "turns run before recording; 2 if left out"),
+    optional("recorded_turns", Kind::Number { rule: Rule::SomeTurns }, "1", "turns recorded; 1 if left out"),
+    optional(
+        "samples_per_turn",
+        Kind::Count { least: 1, most: MOST_SAMPLES_PER_TURN },
+        "500",
+        "rows recorded in a turn; 500 if left out",
+    ),
+];
+
+pub(super) static CYCLE_KEYS: Keys = Keys::new(
+    "what is run and recorded; every number can be overridden",
+    &[
+        optional(
+            "drive",
+            Kind::Reference("drive"),
+            "\"crank\"",
+            "the drive whose turns (constant speed) or periods (any other motion) are counted",
+        ),
+        optional(
+            "duration",
+            quantity(D::TIME, Rule::Positive),
+            "\"0.2 s\"",
+            "the time that counts as a turn, in place of a drive; transient_turns is then 0 if left out",
+        ),
+        CYCLE_NUMBERS[0],
+        CYCLE_NUMBERS[1],
+        CYCLE_NUMBERS[2],
+    ],
+)
+.with_exactly_one(&[&["drive", "duration"]]);
+
+pub(super) static INITIAL_BODY_KEYS: Keys = Keys::new(
+    "where a body is at time zero and how it moves, seen from the ground",
+    &[
+        optional("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "angle of its x axis"),
+        optional("angular_velocity", quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"", "rate of that"),
+        optional("position", Kind::Vector, "[\"10 mm\", \"0 mm\"]", "origin of its frame"),
+        optional("velocity", Kind::Vector, "[\"1 m/s\", \"0 m/s\"]", "velocity of that origin"),
+    ],
+);
+
+pub(super) static INITIAL_JOINT_KEYS: Keys = Keys::new(
+    "where a joint is at time zero and how it moves",
+    &[
+        optional(
+            "angle",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"30 deg\"",
+            "angle of the journal's body from the bearing's",
+        ),
+        optional("angular_velocity", quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"", "rate of that"),
+        optional("position", quantity(D::LENGTH, Rule::Finite), "\"5 mm\"", "position of the slider along the guide"),
+        optional("velocity", quantity(D::VELOCITY, Rule::Finite), "\"1 m/s\"", "rate of that"),
+    ],
+);
+
+pub(super) static INITIAL_KEYS: Keys = Keys::new(
+    "the state at time zero of a mechanism that its drives do not move alone",
+    &[
+        optional(
+            "body",
+            Kind::Tables { keys: &INITIAL_BODY_KEYS, except: &[] },
+            "",
+            "bodies, each under [initial.body.NAME]",
+        ),
+        optional(
+            "joint",
+            Kind::Tables { keys: &INITIAL_JOINT_KEYS, except: &[] },
+            "",
+            "joints, each under [initial.joint.NAME]",
+        ),
+    ],
+);
+
+/// What an output may measure.
+pub(super) const MEASURES: [&str; 8] = [
+    "position_of",
+    "velocity_of",
+    "acceleration_of",
+    "angle_of",
+    "angular_velocity_of",
+    "angular_acceleration_of",
+    "force_in",
+    "path_of",
+];
+
+pub(super) static OUTPUT_KEYS: Keys = Keys::new(
+    "a column of the results, seen from the ground",
+    &[
+        optional(MEASURES[0], Kind::Point, "\"slider.pin\"", "a coordinate of a point"),
+        optional(MEASURES[1], Kind::Point, "\"slider.pin\"", "a velocity of a point"),
+        optional(MEASURES[2], Kind::Point, "\"slider.pin\"", "an acceleration of a point"),
+        optional(MEASURES[3], Kind::Reference("body"), "\"rod\"", "the angle of a body"),
+        optional(MEASURES[4], Kind::Reference("body"), "\"rod\"", "the angular velocity of a body"),
+        optional(MEASURES[5], Kind::Reference("body"), "\"rod\"", "the angular acceleration of a body"),
+        optional(MEASURES[6], Kind::Reference("joint"), "\"joint.gudgeon\"", "the force in a joint"),
+        optional(MEASURES[7], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
+        optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground"),
+        optional("component", Kind::Choice(&["x", "y", "magnitude"]), "\"magnitude\"", "the component of a force"),
+        optional(
+            "unit",
+            Kind::Unit,
+            "\"mm\"",
+            "the unit in which people read it; chosen by what it measures if left out",
+        ),
+    ],
+)
+.with_exactly_one(&[&MEASURES]);
+
+pub(super) static MODEL_KEYS: Keys = Keys::new(
+    "a planar mechanism with its nominal values",
+    &[
+        required("name", Kind::Text, "\"worn pin\"", "name of the mechanism"),
+        required(
+            "gravity",
+            quantity(D::ACCELERATION, Rule::Finite),
+            "\"9.81 m/s^2\"",
+            "acceleration along -y; \"0 m/s^2\" for none",
+        ),
+        optional("parameter", Kind::Values(&Kind::AnyQuantity), "", "named values for use in expressions"),
+        required(
+            "body",
+            Kind::Tables { keys: &BODY_KEYS, except: &[("ground", &GROUND_KEYS)] },
+            "",
+            "the bodies, each under [body.NAME]",
+        ),
+        optional("contact", Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "", "contacts, shared by joints"),
+        optional("joint", Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "", "the joints"),
+        optional(
+            "coupling",
+            Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS },
+            "",
+            "gears, belts, racks and other ratios of two joints, each under [coupling.NAME]",
+        ),
+        optional(
+            "cam",
+            Kind::Tables { keys: &CAM_KEYS, except: &[] },
+            "",
+            "cams with a profile by points, each under [cam.NAME]",
+        ),
+        optional(
+            "spring",
+            Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS },
+            "",
+            "springs with their dampers, each under [spring.NAME]",
+        ),
+        optional(
+            "load",
+            Kind::TaggedTables { tag: "kind", variants: LOAD_KINDS },
+            "",
+            "forces and torques from outside, each under [load.NAME]",
+        ),
+        optional("drive", Kind::Tables { keys: &DRIVE_KEYS, except: &[] }, "", "the drives, each under [drive.NAME]"),
+        optional(
+            "control",
+            Kind::Tables { keys: &CONTROL_KEYS, except: &[] },
+            "",
+            "joints whose actuators follow a reference, each under [control.NAME]",
+        ),
+        optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
+        optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
+        required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),
+        optional("output", Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "", "the outputs, in their order"),
+    ],
+);

@@ -1,0 +1,166 @@
+//! Another normal force law in a contact of a model: a law is no number, so it is chosen before a mechanism is compiled.
+
+use thiserror::Error;
+
+use super::setting::PathError;
+use super::topology::{ContactId, JointKind, Model, Stiffness};
+use crate::contact::{NormalDescription, point_law};
+use loosepin_text::diagnostics::{Code, Problem, nearest_name};
+
+/// Why a contact cannot have a law.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum LawError {
+    /// A key that the law needs and the model does not give.
+    #[error("{law} needs {key} of {table}, which the model does not give")]
+    NeedsKey {
+        /// The law.
+        law: &'static str,
+        /// The key.
+        key: &'static str,
+        /// The table in words, for example `joint 'gudgeon'`.
+        table: String,
+    },
+    /// A linear law beside others: its stiffness has another unit and stands in place of the materials.
+    #[error("{law} takes its stiffness in another way than {beside}, the law of {table} in the model")]
+    OtherStiffness {
+        /// The law.
+        law: &'static str,
+        /// The law of the model.
+        beside: &'static str,
+        /// The contact in words.
+        table: String,
+    },
+}
+
+impl Problem for LawError {
+    fn code(&self) -> Code {
+        Code::LawNotPossible
+    }
+
+    fn hint(&self) -> Option<String> {
+        Some(match self {
+            Self::NeedsKey { law, key, table } => format!("add {key} to {table}, or leave {law} out"),
+            Self::OtherStiffness { law, .. } => format!("leave {law} out, or give it a model of its own"),
+        })
+    }
+}
+
+impl Model {
+    /// The contact whose law has this path, `contact.NAME.law`; nothing where the path is none of a law.
+    ///
+    /// # Errors
+    /// The model has no such contact.
+    pub fn contact_of_law(&self, path: &str) -> Option<Result<ContactId, PathError>> {
+        let name = path.strip_prefix("contact.")?.strip_suffix(".law").filter(|name| !name.contains('.'))?;
+        let index = self.contacts.iter().position(|contact| contact.name == name);
+        Some(index.map(ContactId).ok_or_else(|| {
+            let nearest = nearest_name(name, self.contacts.iter().map(|contact| contact.name.as_str()));
+            let nearest = nearest.map(|name| format!("contact.{name}.law"));
+            PathError::Unknown { path: path.to_owned(), nearest }
+        }))
+    }
+
+    /// The same model with another normal force law in one contact; the numbers, their table and their order stay.
+    ///
+    /// # Errors
+    /// The law needs what the model does not give.
+    pub fn with_law(&self, contact: ContactId, law: NormalDescription) -> Result<Model, LawError> {
+        let given = &self.contacts[contact.0];
+        let table = format!("contact '{}'", given.name);
+        let name = law.name();
+        let needs = |key: &'static str, table: &str| LawError::NeedsKey { law: name, key, table: table.to_owned() };
+        let stiffness = match (law, &given.stiffness) {
+            (NormalDescription::Linear(law), Stiffness::Linear { stiffness_n_m, .. }) => {
+                Stiffness::Linear { law, stiffness_n_m: *stiffness_n_m }
+            }
+            (NormalDescription::Linear(_), _) | (_, Stiffness::Linear { .. }) => {
+                return Err(LawError::OtherStiffness { law: name, beside: given.law.name(), table });
+            }
+            (NormalDescription::Line(_), Stiffness::Given { .. }) => return Err(needs("youngs_modulus", &table)),
+            (_, stiffness) => stiffness.clone(),
+        };
+        match law {
+            NormalDescription::Linear(law) if law.has_given_damping() => {
+                given.damping_coefficient_n_s_m.ok_or_else(|| needs("damping_coefficient", &table))?;
+            }
+            _ => {
+                given.restitution.ok_or_else(|| needs("restitution", &table))?;
+            }
+        }
+        if let NormalDescription::Line(_) = law {
+            for joint in &self.joints {
+                if let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind
+                    && clearance.contact == contact
+                    && clearance.bearing_length_m.is_none()
+                {
+                    return Err(needs("bearing_length", &format!("joint '{}'", joint.name)));
+                }
+            }
+        }
+        let damping = match law {
+            NormalDescription::Point(law) => Some(law),
+            NormalDescription::Linear(_) => None,
+            NormalDescription::Line(law) => given.line_damping.or_else(|| point_law(law.default_damping())),
+        };
+        let mut model = self.clone();
+        let changed = &mut model.contacts[contact.0];
+        (changed.law, changed.damping, changed.stiffness) = (law, damping, stiffness);
+        Ok(model)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::contact::NormalDescription;
+    use crate::model::{ContactId, Model};
+
+    /// The slider-crank template.
+    const SLIDER_CRANK: &str = include_str!("../../../loosepin-import/templates/slider-crank/model.toml");
+
+    fn law(name: &str) -> NormalDescription {
+        NormalDescription::all().find(|law| law.name() == name).unwrap()
+    }
+
+    /// The slider-crank template with these lines in its contact, in place of materials and law.
+    fn model(lines: &str) -> Model {
+        let (before, rest) = SLIDER_CRANK.split_once("[contact.steel_pin]").unwrap();
+        let (_, after) = rest.split_once("\n[").unwrap();
+        let text = format!("{before}[contact.steel_pin]\n{lines}\n[{after}");
+        Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}\n{text}"))
+    }
+
+    const STEEL: &str = "restitution = 0.9\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
+
+    #[test]
+    fn identity_a_law_that_is_set_is_the_law_that_is_written() {
+        let set = model(STEEL).with_law(ContactId(0), law("flores")).unwrap();
+        let written = model(&format!("{STEEL}\nlaw = \"flores\""));
+        let words = |model: &Model| format!("{:?}", model.contacts);
+        assert_eq!(words(&set), words(&written));
+        assert_eq!(set.quantities.nominal(), model(STEEL).quantities.nominal());
+    }
+
+    #[test]
+    fn what_a_law_lacks_is_named() {
+        let refused = |lines: &str, name: &str| model(lines).with_law(ContactId(0), law(name)).unwrap_err().to_string();
+        assert_eq!(
+            refused(STEEL, "johnson"),
+            "johnson needs bearing_length of joint 'gudgeon', which the model does not give"
+        );
+        let given = "restitution = 0.9\nstiffness = \"6.6e10 N/m^1.5\"\nexponent = 1.5";
+        assert_eq!(
+            refused(given, "johnson"),
+            "johnson needs youngs_modulus of contact 'steel_pin', which the model does not give"
+        );
+        assert_eq!(
+            refused(STEEL, "kelvin-voigt"),
+            "kelvin-voigt takes its stiffness in another way than lankarani-nikravesh, the law of contact 'steel_pin' in \
+             the model"
+        );
+        let linear = "law = \"kelvin-voigt\"\nstiffness = \"1e7 N/m\"\ndamping_coefficient = \"900 N s/m\"";
+        assert_eq!(
+            refused(linear, "anagnostopoulos"),
+            "anagnostopoulos needs restitution of contact 'steel_pin', which the model does not give"
+        );
+    }
+}

@@ -1,0 +1,443 @@
+//! What can be wrong with a model beyond its single entries.
+
+use thiserror::Error;
+
+use loosepin_text::diagnostics::{Code, Problem};
+use loosepin_text::document::listed;
+use loosepin_text::units::{Dimension, quoted};
+
+/// What can be wrong with a model file. `entry` is a path in words.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ModelProblem {
+    /// A parameter with a name that expressions could not use.
+    #[error("a parameter cannot be called '{name}'")]
+    BadParameterName {
+        /// The name.
+        name: String,
+        /// Whether it is the name of a unit or a function.
+        is_reserved: bool,
+    },
+    /// Parameters that need one another.
+    #[error("parameters are defined by one another: {}", .circle.join(" -> "))]
+    ParameterCycle {
+        /// The names, the first again at the end.
+        circle: Vec<String>,
+    },
+    /// A reference to something that is not there.
+    #[error("{entry}: there is no {what} '{name}'")]
+    UnknownReference {
+        /// The entry.
+        entry: String,
+        /// A body, point, joint, contact or drive.
+        what: &'static str,
+        /// The name.
+        name: String,
+        /// The nearest name there is.
+        nearest: Option<String>,
+        /// What there is.
+        known: Vec<String>,
+    },
+    /// A point not written `body.point`.
+    #[error("{entry} is '{text}'; must be body.point")]
+    NotAPoint {
+        /// The entry.
+        entry: String,
+        /// The text.
+        text: String,
+    },
+    /// A joint whose points lie on one body.
+    #[error("{entry} connects body '{body}' to itself")]
+    SameBody {
+        /// The joint.
+        entry: String,
+        /// The body.
+        body: String,
+    },
+    /// Contact stiffness both from materials and given.
+    #[error("{entry}: '{material}' and '{given}' exclude one another; the stiffness comes from materials or is given")]
+    StiffnessTwice {
+        /// The contact.
+        entry: String,
+        /// A key of the materials that stands there.
+        material: &'static str,
+        /// A key of a given stiffness that stands there.
+        given: &'static str,
+    },
+    /// Contact stiffness not given at all.
+    #[error("{entry}: the stiffness is missing")]
+    NoStiffness {
+        /// The contact.
+        entry: String,
+    },
+    /// A material value for both parts and for one of them.
+    #[error("{entry}: '{both}' and '{one}' exclude one another")]
+    MaterialTwice {
+        /// The contact.
+        entry: String,
+        /// The key for both parts.
+        both: &'static str,
+        /// The key for one part.
+        one: &'static str,
+    },
+    /// A key that needs others.
+    #[error("{entry}: '{key}' needs {}", quoted(.needs))]
+    NeedsKeys {
+        /// The table.
+        entry: String,
+        /// The key.
+        key: &'static str,
+        /// What is missing.
+        needs: Vec<&'static str>,
+    },
+    /// A film of oil in a bearing without a length.
+    #[error("{entry}: 'contact' needs 'bearing_length'")]
+    FilmNeedsLength {
+        /// The joint.
+        entry: String,
+    },
+    /// A key without effect in this combination.
+    #[error("{entry}: '{key}' has no meaning beside '{beside}'")]
+    KeyWithoutEffect {
+        /// The table.
+        entry: String,
+        /// The key.
+        key: &'static str,
+        /// What makes it meaningless.
+        beside: &'static str,
+    },
+    /// A torsional spring without the two bodies that it turns.
+    #[error("{entry}: the two bodies are missing")]
+    NoBodies {
+        /// The spring.
+        entry: String,
+    },
+    /// A joint without an angle where one is needed.
+    #[error("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint")]
+    DoesNotTurn {
+        /// The spring.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A load on the ground.
+    #[error("{entry} acts on the ground, which does not move")]
+    LoadOnGround {
+        /// The load.
+        entry: String,
+    },
+    /// A rigid joint where a coordinate is needed.
+    #[error("{entry}: joint '{joint}' is rigid; it has neither angle nor position")]
+    DoesNotMove {
+        /// The entry.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A joint that nothing reads.
+    #[error("{entry}: 'joint' has no meaning here; '{key}' is no expression over its angle, position or speed")]
+    JointNotRead {
+        /// The load.
+        entry: String,
+        /// The key that could read it.
+        key: &'static str,
+    },
+    /// A variable with the name of a parameter.
+    #[error("{entry}: '{name}' is a parameter of this file and a variable of this expression")]
+    NameTaken {
+        /// The entry.
+        entry: String,
+        /// The name.
+        name: &'static str,
+    },
+    /// An inverse trigonometric function of something that changes.
+    #[error("{entry}: inverse trigonometric functions cannot be used together with what changes in time")]
+    InverseFunction {
+        /// The entry.
+        entry: String,
+    },
+    /// An exponent that a changing expression cannot have.
+    #[error("{entry}: exponents of what changes in time are whole or half numbers, written out, up to 32")]
+    ExponentOfFunction {
+        /// The entry.
+        entry: String,
+    },
+    /// A contact that only a pin in a hole can have.
+    #[error("{entry}: contact '{contact}' has {what}, which means nothing for {what_touches}")]
+    NotForPlanes {
+        /// The joint.
+        entry: String,
+        /// The contact.
+        contact: String,
+        /// What of it.
+        what: String,
+        /// What touches a plane.
+        what_touches: &'static str,
+    },
+    /// A drive of a joint that has no coordinate to prescribe.
+    #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
+    NotDrivable {
+        /// The drive.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// Why.
+        why: &'static str,
+    },
+    /// A start that does not fit the kind of joint.
+    #[error("{entry}: '{found}' does not fit the {kind} joint '{joint}'")]
+    WrongStart {
+        /// The drive.
+        entry: String,
+        /// The key.
+        found: &'static str,
+        /// The key that fits.
+        due: &'static str,
+        /// Revolute or prismatic.
+        kind: &'static str,
+        /// The joint.
+        joint: String,
+    },
+    /// Two drives of one joint.
+    #[error("{entry}: joint '{joint}' is already driven by '{other}'")]
+    DrivenTwice {
+        /// The second drive.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// The first drive.
+        other: String,
+    },
+    /// A CSV file with other than two columns.
+    #[error("a row has {found} {}; two are due", if *found == 1 { "column" } else { "columns" })]
+    CsvColumns {
+        /// Columns of the row.
+        found: usize,
+    },
+    /// A header without units.
+    #[error("the header is '{text}'; must be a name with a unit in brackets")]
+    CsvHeader {
+        /// The cell.
+        text: String,
+    },
+    /// A unit of something else.
+    #[error("the column '{text}' must hold {due}")]
+    CsvDimension {
+        /// The cell.
+        text: String,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A cell that is no number.
+    #[error("'{text}' is not a number")]
+    CsvNumber {
+        /// The cell.
+        text: String,
+    },
+    /// A coupling of a joint to itself.
+    #[error("{entry} couples joint '{joint}' to itself")]
+    SameJoint {
+        /// The coupling.
+        entry: String,
+        /// The joint.
+        joint: String,
+    },
+    /// A joint of another kind than a coupling needs.
+    #[error("{entry}: joint '{joint}' is not {due}")]
+    WrongJoint {
+        /// The entry.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// Revolute or prismatic.
+        due: &'static str,
+    },
+    /// Wheels without a common carrier.
+    #[error("{entry}: joints '{first}' and '{second}' must have exactly one body in common, which carries both wheels")]
+    NoCarrier {
+        /// The coupling.
+        entry: String,
+        /// The first joint.
+        first: String,
+        /// The second joint.
+        second: String,
+    },
+    /// A control of a joint that is moved already.
+    #[error("{entry}: joint '{joint}' is already moved by {other}")]
+    ControlledTwice {
+        /// The control.
+        entry: String,
+        /// The joint.
+        joint: String,
+        /// What moves it, in words.
+        other: String,
+    },
+    /// A cycle over a drive that does not turn.
+    #[error("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted")]
+    CycleNeedsTurns {
+        /// The drive.
+        drive: String,
+    },
+    /// A cycle over a motion that does not repeat itself.
+    #[error("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to count")]
+    CycleNeedsPeriod {
+        /// The drive.
+        drive: String,
+        /// The kind of its motion.
+        kind: &'static str,
+    },
+    /// A list that is too short.
+    #[error("{entry} has too few entries; must be at least {least}")]
+    TooFewPoints {
+        /// The list.
+        entry: String,
+        /// The least.
+        least: usize,
+    },
+    /// An initial state of the ground.
+    #[error("initial: the ground does not move; it has no initial state")]
+    InitialOfGround,
+    /// A coordinate that a joint does not have.
+    #[error("{entry}: '{key}' does not fit this kind of joint")]
+    WrongCoordinate {
+        /// The joint.
+        entry: String,
+        /// The key.
+        key: &'static str,
+    },
+    /// A guess for the ground.
+    #[error("assembly: the ground does not move; its angle cannot be guessed")]
+    GuessOfGround,
+    /// A unit that an output cannot be shown in.
+    #[error("{entry} is '{unit}'; must be a unit of {due}")]
+    WrongUnit {
+        /// The entry.
+        entry: String,
+        /// The unit.
+        unit: String,
+        /// What the output measures.
+        due: loosepin_text::units::Dimension,
+    },
+    /// A parameter or contact that nothing refers to.
+    #[error("{entry} is used by nothing")]
+    Unused {
+        /// The entry.
+        entry: String,
+    },
+}
+
+impl Problem for ModelProblem {
+    fn code(&self) -> Code {
+        match self {
+            Self::BadParameterName { .. } => Code::BadName,
+            Self::ParameterCycle { .. } => Code::ParameterCycle,
+            Self::UnknownReference { .. } | Self::NotAPoint { .. } => Code::UnknownReference,
+            Self::CsvColumns { .. } | Self::CsvHeader { .. } | Self::CsvDimension { .. } | Self::CsvNumber { .. } => {
+                Code::TableNotReadable
+            }
+            Self::SameBody { .. } | Self::SameJoint { .. } => Code::SameBody,
+            Self::WrongJoint { .. } | Self::NoCarrier { .. } => Code::CouplingNotPossible,
+            Self::StiffnessTwice { .. }
+            | Self::MaterialTwice { .. }
+            | Self::NeedsKeys { .. }
+            | Self::FilmNeedsLength { .. }
+            | Self::NotForPlanes { .. }
+            | Self::KeyWithoutEffect { .. }
+            | Self::JointNotRead { .. } => Code::ConflictingKeys,
+            Self::NoStiffness { .. } | Self::NoBodies { .. } => Code::MissingKey,
+            Self::DoesNotTurn { .. } | Self::LoadOnGround { .. } | Self::DoesNotMove { .. } => Code::UnknownReference,
+            Self::NameTaken { .. } => Code::BadName,
+            Self::InverseFunction { .. } | Self::ExponentOfFunction { .. } => Code::FunctionNotPossible,
+            Self::NotDrivable { .. }
+            | Self::WrongStart { .. }
+            | Self::CycleNeedsTurns { .. }
+            | Self::CycleNeedsPeriod { .. } => Code::DriveNotPossible,
+            Self::TooFewPoints { .. } => Code::BadCount,
+            Self::WrongCoordinate { .. } => Code::ConflictingKeys,
+            Self::DrivenTwice { .. } | Self::ControlledTwice { .. } => Code::DrivenTwice,
+            Self::GuessOfGround | Self::InitialOfGround => Code::UnknownReference,
+            Self::WrongUnit { .. } => Code::WrongDimension,
+            Self::Unused { .. } => Code::Unused,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::BadParameterName { name, is_reserved: true } => Some(format!(
+                "'{name}' is a unit or a function in expressions; choose another name, for example {name}_value"
+            )),
+            Self::BadParameterName { .. } => {
+                Some("names of parameters begin with a letter or _ and have letters, digits and _".to_owned())
+            }
+            Self::UnknownReference { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownReference { what: "point", name, known, .. } if known.is_empty() => {
+                let body = name.split_once('.').map_or("", |(body, _)| body);
+                Some(format!("body '{body}' has no points"))
+            }
+            Self::UnknownReference { what, known, .. } if known.is_empty() => {
+                Some(format!("the file defines no {what}"))
+            }
+            Self::UnknownReference { known, .. } => Some(format!("there is {}", listed(known, "and"))),
+            Self::NotAPoint { .. } => Some("for example \"crank.pin\": point 'pin' of body 'crank'".to_owned()),
+            Self::NoStiffness { .. } => {
+                Some("give youngs_modulus and poisson_ratio, or stiffness and exponent".to_owned())
+            }
+            Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"bearing_length") => {
+                Some("the contact has a line-contact law, whose force is proportional to the length".to_owned())
+            }
+            Self::FilmNeedsLength { .. } => {
+                Some("the contact has a film of oil, whose force depends on the length of the bearing".to_owned())
+            }
+            Self::NeedsKeys { key: "contact", needs, .. } if needs.contains(&"corner_radius") => Some(
+                "the stiffness of the contact comes from the materials: a sphere of that radius on a plane".to_owned(),
+            ),
+            Self::NotForPlanes { .. } => {
+                Some("take a point-contact or a linear law without a film, and the material sliding velocity".to_owned())
+            }
+            Self::NeedsKeys { key: "radial_clearance" | "clearance", .. } => {
+                Some("a joint without play is written without a clearance, or with \"0 mm\"".to_owned())
+            }
+            Self::NoBodies { .. } => {
+                Some("name a revolute joint as joint, or two bodies as first and second".to_owned())
+            }
+            Self::DoesNotTurn { .. } => Some("name a revolute joint, or two bodies as first and second".to_owned()),
+            Self::NameTaken { name, .. } => Some(format!("give the parameter another name, for example {name}_value")),
+            Self::InverseFunction { .. } => {
+                Some("give what does not change a name under [parameter] and use that".to_owned())
+            }
+            Self::WrongStart { due, .. } => Some(format!("write {due}")),
+            Self::NotDrivable { why, .. } if *why == HAS_PLAY => {
+                Some("drive an ideal joint, or set the radial clearance of this one to \"0 mm\"".to_owned())
+            }
+            Self::CsvColumns { .. } | Self::CsvHeader { .. } => {
+                Some("for example: time [s], angle [deg]".to_owned())
+            }
+            Self::CsvNumber { .. } => Some("with a point and no thousands separator, for example 0.25 or 1e-3".to_owned()),
+            Self::NoCarrier { .. } => Some(
+                "hang both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
+                    .to_owned(),
+            ),
+            Self::NotDrivable { why, .. } if *why == HAS_PLAY_IN_GUIDE => {
+                Some("drive an ideal joint, or set the clearance of this one to \"0 mm\"".to_owned())
+            }
+            Self::NotDrivable { .. } => Some("drive a revolute or prismatic joint".to_owned()),
+            Self::CycleNeedsTurns { .. } => {
+                Some("name a drive of a revolute joint, or give duration in place of drive".to_owned())
+            }
+            Self::CycleNeedsPeriod { .. } => Some("give duration in place of drive".to_owned()),
+            Self::WrongCoordinate { .. } => Some(
+                "a revolute joint has angle and angular_velocity, a prismatic one position and velocity".to_owned(),
+            ),
+            Self::Unused { .. } => Some("changing it has no effect on the results".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+/// Why a joint with clearance cannot be driven.
+pub(super) const HAS_PLAY: &str = "has play";
+/// Why a prismatic joint with clearance cannot be driven.
+pub(super) const HAS_PLAY_IN_GUIDE: &str = "has play in its guide";
+/// Why a pin in a slot cannot be driven.
+pub(super) const IS_SLOT: &str = "is a slot";
+/// Why a rigid joint cannot be driven.
+pub(super) const IS_RIGID: &str = "is rigid";

@@ -1,0 +1,282 @@
+//! Every number of a model in one table: path, unit, rule, and the expression that gives it.
+
+use std::collections::HashMap;
+
+use thiserror::Error;
+
+use loosepin_text::diagnostics::{Code, Problem, Span};
+use loosepin_text::document::describe_path;
+use loosepin_text::units::{Dimension, Expression, Op, Rule, format_value, run};
+
+/// Index of a quantity in a [`QuantityTable`] and of its value in [`Values`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct QuantityId(pub usize);
+
+/// One number of the model.
+#[derive(Debug, Clone)]
+pub struct Quantity {
+    /// Where it stands in the file, for example `joint.gudgeon.radial_clearance`.
+    pub path: String,
+    /// What it measures; its value is in the SI unit of this dimension.
+    pub dimension: Dimension,
+    /// The range it must lie in.
+    pub rule: Rule,
+    /// What gives its value.
+    pub origin: Origin,
+    /// Place of its value in the file; absent for a default.
+    pub span: Option<Span>,
+}
+
+/// What gives the value of a quantity.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// A number in the file.
+    Literal,
+    /// Not written in the file.
+    Default,
+    /// An expression over these parameters.
+    Expression {
+        /// The parameters that it names.
+        depends_on: Vec<QuantityId>,
+    },
+    /// A number in the file that fixes units elsewhere and therefore cannot be set: the exponent of a stiffness.
+    Fixed,
+}
+
+/// The quantities of a model, each after those that its expression uses.
+#[derive(Debug, Clone, Default)]
+pub struct QuantityTable {
+    quantities: Vec<Quantity>,
+    /// Values of the file, SI.
+    nominal: Vec<f64>,
+    /// The expressions in table order, each ending in a store into its slot.
+    program: Vec<Op>,
+    orders: Vec<Order>,
+    ids: HashMap<String, QuantityId>,
+}
+
+/// One quantity must be below another.
+#[derive(Debug, Clone, Copy)]
+struct Order {
+    smaller: QuantityId,
+    larger: QuantityId,
+}
+
+/// The values of all quantities of a model, SI, in the order of its table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values(pub Vec<f64>);
+
+impl std::ops::Index<QuantityId> for Values {
+    type Output = f64;
+    fn index(&self, id: QuantityId) -> &f64 {
+        &self.0[id.0]
+    }
+}
+
+/// Why a set of values is physically impossible.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum QuantityError {
+    /// A value breaks its rule.
+    #[error("{} {}; must be {rule}", describe_path(.path), format_value(*.value_si, *.dimension))]
+    BreaksRule {
+        /// Path of the quantity.
+        path: String,
+        /// The value, SI.
+        value_si: f64,
+        /// What it measures.
+        dimension: Dimension,
+        /// The rule in words, for example `> 0`.
+        rule: &'static str,
+    },
+    /// A value is not below another.
+    #[error(
+        "{} {}; must be below {} {}",
+        describe_path(.path),
+        format_value(*.value_si, *.dimension),
+        describe_path(.limit_path),
+        format_value(*.limit_si, *.dimension)
+    )]
+    OutOfOrder {
+        /// Path of the quantity that must be smaller.
+        path: String,
+        /// Its value, SI.
+        value_si: f64,
+        /// Path of the quantity that must be larger.
+        limit_path: String,
+        /// Its value, SI.
+        limit_si: f64,
+        /// What both measure.
+        dimension: Dimension,
+    },
+    /// A quantity given by an expression, or one that fixes units, was set.
+    #[error("{path} is not a free number of the model; it cannot be set")]
+    NotSettable {
+        /// Path of the quantity.
+        path: String,
+    },
+}
+
+impl QuantityError {
+    /// Path of the quantity at fault.
+    pub fn path(&self) -> &str {
+        match self {
+            Self::BreaksRule { path, .. } | Self::OutOfOrder { path, .. } | Self::NotSettable { path } => path,
+        }
+    }
+}
+
+impl Problem for QuantityError {
+    fn code(&self) -> Code {
+        match self {
+            Self::BreaksRule { value_si, .. } if !value_si.is_finite() => Code::NotFinite,
+            Self::BreaksRule { .. } => Code::BreaksRule,
+            Self::OutOfOrder { .. } => Code::OutOfOrder,
+            Self::NotSettable { .. } => Code::NotSettable,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self.path().rsplit('.').next() {
+            Some("radial_clearance") => Some("clearance is bearing radius minus journal radius".to_owned()),
+            Some("restitution") => Some("1 loses no energy; 0 would end every impact at rest".to_owned()),
+            Some("lower_speed") => Some("friction grows from nothing at lower_speed to full at upper_speed".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+impl QuantityTable {
+    /// The quantities in table order.
+    pub fn iter(&self) -> impl Iterator<Item = (QuantityId, &Quantity)> {
+        self.quantities.iter().enumerate().map(|(index, quantity)| (QuantityId(index), quantity))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.quantities.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.quantities.is_empty()
+    }
+
+    /// The quantity with this path, settable or not.
+    pub fn id(&self, path: &str) -> Option<QuantityId> {
+        self.ids.get(path).copied()
+    }
+
+    /// The values that the file gives.
+    pub fn nominal(&self) -> Values {
+        Values(self.nominal.clone())
+    }
+
+    /// The values of all quantities when those in `set` replace what the file says. Expressions that use a replaced
+    /// quantity follow it.
+    ///
+    /// # Errors
+    /// The first value that breaks its rule, in table order, or that is not below the one it must be below; a quantity
+    /// that cannot be set.
+    pub fn evaluate(&self, set: &[(QuantityId, f64)]) -> Result<Values, QuantityError> {
+        let mut values = self.nominal();
+        self.evaluate_into(set, &mut values)?;
+        Ok(values)
+    }
+
+    /// As [`QuantityTable::evaluate`], into values of this table made before, so that nothing is allocated.
+    ///
+    /// # Errors
+    /// As [`QuantityTable::evaluate`]; the values are then not to be used.
+    pub fn evaluate_into(&self, set: &[(QuantityId, f64)], values: &mut Values) -> Result<(), QuantityError> {
+        values.0.clone_from(&self.nominal);
+        for &(id, value_si) in set {
+            if !self[id].is_settable() {
+                return Err(QuantityError::NotSettable { path: self[id].path.clone() });
+            }
+            values.0[id.0] = value_si;
+        }
+        run(&self.program, &mut values.0);
+        for (quantity, value_si) in self.quantities.iter().zip(&values.0) {
+            quantity.check(*value_si)?;
+        }
+        self.orders.iter().try_for_each(|order| self.check_order(*order, values))
+    }
+
+    /// Whether nothing else depends on the value of `id`: no expression uses it, and it has not to be below or above another.
+    pub fn stands_alone(&self, id: QuantityId) -> bool {
+        let is_used = |quantity: &Quantity| matches!(&quantity.origin, Origin::Expression { depends_on } if depends_on.contains(&id));
+        !self.quantities.iter().any(is_used)
+            && !self.orders.iter().any(|order| order.smaller == id || order.larger == id)
+    }
+
+    fn check_order(&self, order: Order, values: &Values) -> Result<(), QuantityError> {
+        let (value_si, limit_si) = (values[order.smaller], values[order.larger]);
+        if value_si < limit_si {
+            return Ok(());
+        }
+        let (smaller, larger) = (&self[order.smaller], &self[order.larger]);
+        Err(QuantityError::OutOfOrder {
+            path: smaller.path.clone(),
+            value_si,
+            limit_path: larger.path.clone(),
+            limit_si,
+            dimension: smaller.dimension,
+        })
+    }
+
+    /// Adds a number.
+    pub(super) fn add_number(&mut self, quantity: Quantity, value_si: f64) -> QuantityId {
+        let id = QuantityId(self.quantities.len());
+        self.ids.insert(quantity.path.clone(), id);
+        self.quantities.push(quantity);
+        self.nominal.push(value_si);
+        id
+    }
+
+    /// Adds a value given by an expression over quantities added before.
+    pub(super) fn add_expression(&mut self, quantity: Quantity, expression: &Expression) -> QuantityId {
+        let value_si = run(&expression.ops, &mut self.nominal);
+        let id = self.add_number(quantity, value_si);
+        self.program.extend_from_slice(&expression.ops);
+        self.program.push(Op::Store(id.0));
+        id
+    }
+
+    /// Demands that one quantity be below another; says whether the values of the file obey.
+    pub(super) fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId) -> Result<(), QuantityError> {
+        let order = Order { smaller, larger };
+        self.orders.push(order);
+        self.check_order(order, &self.nominal())
+    }
+
+    /// The value in the file.
+    pub(super) fn nominal_value(&self, id: QuantityId) -> f64 {
+        self.nominal[id.0]
+    }
+}
+
+impl std::ops::Index<QuantityId> for QuantityTable {
+    type Output = Quantity;
+    fn index(&self, id: QuantityId) -> &Quantity {
+        &self.quantities[id.0]
+    }
+}
+
+impl Quantity {
+    /// Whether a study or a setting may give it another value.
+    pub fn is_settable(&self) -> bool {
+        matches!(self.origin, Origin::Literal | Origin::Default)
+    }
+
+    /// Whether a value keeps the rule of this quantity.
+    ///
+    /// # Errors
+    /// [`QuantityError::BreaksRule`].
+    pub fn check(&self, value_si: f64) -> Result<(), QuantityError> {
+        if self.rule.allows(value_si) {
+            return Ok(());
+        }
+        let rule = if value_si.is_finite() { self.rule.words() } else { Rule::Finite.words() };
+        Err(QuantityError::BreaksRule { path: self.path.clone(), value_si, dimension: self.dimension, rule })
+    }
+}

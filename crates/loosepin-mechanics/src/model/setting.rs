@@ -1,0 +1,328 @@
+//! Values set from outside: `--set path=value`, and the inputs of a study.
+
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use super::law_choice::LawError;
+use super::quantity::{Origin, QuantityError, QuantityId};
+use super::topology::{Joint, Model};
+use loosepin_text::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
+use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity, quoted};
+
+/// A quantity with the value that it is to have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setting {
+    /// The quantity.
+    pub id: QuantityId,
+    /// Its value, SI.
+    pub value_si: f64,
+}
+
+/// A quantity with the ends of the values that it is to go through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SettingRange {
+    /// The quantity.
+    pub id: QuantityId,
+    /// The first value, SI.
+    pub from_si: f64,
+    /// The last value, SI; another than the first.
+    pub to_si: f64,
+}
+
+/// Why a path names no quantity that can be set.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PathError {
+    /// The model has no such quantity.
+    #[error("the model has no quantity '{path}'")]
+    Unknown {
+        /// The path.
+        path: String,
+        /// The nearest quantity that can be set.
+        nearest: Option<String>,
+    },
+    /// The play of a joint that has none.
+    #[error("'{path}': joint '{joint}' has no play")]
+    NoPlay {
+        /// The path.
+        path: String,
+        /// The joint.
+        joint: String,
+    },
+    /// The quantity follows from others.
+    #[error("'{path}' is given by an expression and cannot be set")]
+    Expression {
+        /// The path.
+        path: String,
+        /// Paths of the quantities that it depends on.
+        depends_on: Vec<String>,
+    },
+    /// The quantity fixes the unit of others, or the kind of a joint.
+    #[error("'{path}' cannot be set")]
+    Fixed {
+        /// The path.
+        path: String,
+    },
+}
+
+/// Why a setting cannot be read.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SettingError {
+    /// No equals sign.
+    #[error("'{text}' is not written path=value")]
+    NoEqualsSign {
+        /// The text.
+        text: String,
+    },
+    /// No range.
+    #[error("'{text}' is not written path=from..to")]
+    NoRange {
+        /// The text.
+        text: String,
+    },
+    /// A range without extent.
+    #[error("{path} goes from {value} to the same value; must be two values")]
+    EmptyRange {
+        /// The path.
+        path: String,
+        /// The value with its unit.
+        value: String,
+    },
+    /// A path that cannot be set.
+    #[error(transparent)]
+    Path(#[from] PathError),
+    /// A value that cannot be read.
+    #[error(transparent)]
+    Value(#[from] ExpressionProblem),
+    /// A value without its unit.
+    #[error("{path} is {text} without a unit; must be {due}")]
+    MissingUnit {
+        /// The path.
+        path: String,
+        /// The text.
+        text: String,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A value of another dimension.
+    #[error("{path} is {found}; must be {due}")]
+    WrongDimension {
+        /// The path.
+        path: String,
+        /// What it measures.
+        found: Dimension,
+        /// What is due.
+        due: Dimension,
+    },
+    /// A value that breaks a rule.
+    #[error(transparent)]
+    Rule(#[from] QuantityError),
+    /// A law that the contact cannot have.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// A law that does not exist.
+    #[error("there is no law of contact '{name}'")]
+    UnknownLaw {
+        /// The name.
+        name: String,
+        /// What was probably meant.
+        nearest: Option<String>,
+    },
+    /// A quantity set twice.
+    #[error("'{path}' is set a second time")]
+    Twice {
+        /// The path.
+        path: String,
+    },
+    /// An argument outside its range.
+    #[error("{name} is {found}; must be {rule}")]
+    ArgumentBreaksRule {
+        /// The argument.
+        name: String,
+        /// Its value with unit.
+        found: String,
+        /// The range.
+        rule: &'static str,
+    },
+}
+
+impl Problem for PathError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Unknown { .. } | Self::NoPlay { .. } => Code::UnknownPath,
+            Self::Expression { .. } | Self::Fixed { .. } => Code::NotSettable,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Unknown { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::Unknown { .. } => {
+                Some("paths follow the model file, for example joint.gudgeon.radial_clearance".to_owned())
+            }
+            Self::NoPlay { .. } => {
+                Some("give it a clearance in the model file, with what a joint with play needs".to_owned())
+            }
+            Self::Expression { depends_on, .. } => Some(format!("it depends on {}", quoted(depends_on))),
+            Self::Fixed { path } if path.ends_with(".radial_clearance") => {
+                Some("a joint with play needs bearing_radius and contact in the model file".to_owned())
+            }
+            Self::Fixed { .. } => Some("it fixes the unit of the stiffness; change both in the model file".to_owned()),
+        }
+    }
+}
+
+impl Problem for SettingError {
+    fn code(&self) -> Code {
+        match self {
+            Self::NoEqualsSign { .. } | Self::NoRange { .. } => Code::SettingSyntax,
+            Self::Path(error) => error.code(),
+            Self::Value(problem) => problem.code(),
+            Self::MissingUnit { .. } => Code::MissingUnit,
+            Self::WrongDimension { .. } => Code::WrongDimension,
+            Self::Rule(error) => error.code(),
+            Self::Law(error) => error.code(),
+            Self::UnknownLaw { .. } => Code::UnknownChoice,
+            Self::Twice { .. } => Code::SetTwice,
+            Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => Code::BreaksRule,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::NoEqualsSign { .. } => Some("for example --set joint.gudgeon.radial_clearance=0.3mm".to_owned()),
+            Self::NoRange { .. } => Some("for example --over joint.gudgeon.radial_clearance=0.1mm..0.5mm".to_owned()),
+            Self::Path(error) => error.hint(),
+            Self::Value(problem) => problem.hint(),
+            Self::MissingUnit { due, .. } | Self::WrongDimension { due, .. } => {
+                Some(due.example().map_or_else(
+                    || format!("its unit is {}", due.si_unit()),
+                    |example| format!("for example {example}"),
+                ))
+            }
+            Self::Rule(error) => error.hint(),
+            Self::Law(error) => error.hint(),
+            Self::UnknownLaw { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
+            Self::UnknownLaw { nearest: None, .. } => Some("loosepin schema model lists them".to_owned()),
+            Self::Twice { .. } | Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => None,
+        }
+    }
+}
+
+impl Model {
+    /// The quantity with this path, if it can be set.
+    ///
+    /// # Errors
+    /// No such quantity (with the nearest name); a quantity given by an expression (with what it depends on).
+    pub fn find(&self, path: &str) -> Result<QuantityId, PathError> {
+        let Some(id) = self.quantities.id(path) else {
+            let joint = path.strip_prefix("joint.").and_then(|rest| rest.strip_suffix("clearance"));
+            let joint = joint.and_then(|rest| rest.split('.').next());
+            let is_ideal = |joint: &str| self.joints.iter().any(|own| own.name == joint && own.kind.play().is_none());
+            if let Some(joint) = joint.filter(|joint| is_ideal(joint)) {
+                return Err(PathError::NoPlay { path: path.to_owned(), joint: joint.to_owned() });
+            }
+            let settable = self.quantities.iter().filter(|(_, quantity)| quantity.is_settable());
+            let nearest = nearest_name(path, settable.map(|(_, quantity)| quantity.path.as_str())).map(str::to_owned);
+            return Err(PathError::Unknown { path: path.to_owned(), nearest });
+        };
+        match &self.quantities[id].origin {
+            Origin::Literal | Origin::Default => Ok(id),
+            Origin::Fixed => Err(PathError::Fixed { path: path.to_owned() }),
+            Origin::Expression { .. } => {
+                let depends_on = self.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
+                Err(PathError::Expression { path: path.to_owned(), depends_on })
+            }
+        }
+    }
+
+    /// The free numbers that a quantity depends on, itself if it is one.
+    pub fn roots(&self, id: QuantityId) -> Vec<QuantityId> {
+        let mut roots = Vec::new();
+        let mut seen = vec![false; self.quantities.len()];
+        let mut waiting = vec![id];
+        while let Some(id) = waiting.pop() {
+            if std::mem::replace(&mut seen[id.0], true) {
+                continue;
+            }
+            match &self.quantities[id].origin {
+                Origin::Expression { depends_on } => waiting.extend(depends_on),
+                _ => roots.push(id),
+            }
+        }
+        roots.sort();
+        roots
+    }
+
+    /// The joints with play whose clearance is this quantity or depends on it, each with its clearance.
+    pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (&Joint, QuantityId)> {
+        let with_clearance = self.joints.iter().filter_map(|joint| Some((joint, joint.kind.play()?.0)));
+        with_clearance.filter(move |(_, clearance)| *clearance == id || self.roots(*clearance).contains(&id))
+    }
+
+    /// Reads a setting `path=value` and checks it by itself: path, unit, rule of the value. Rules between several
+    /// values are checked by [`super::QuantityTable::evaluate`] once all settings are known.
+    ///
+    /// # Errors
+    /// A complaint whose place is in the text of the setting.
+    pub fn parse_setting(&self, text: &str) -> Result<Setting, Complaint> {
+        let source = Source::new("--set", text);
+        let Some((path, value)) = text.split_once('=') else {
+            let error = SettingError::NoEqualsSign { text: text.to_owned() };
+            return Err(Complaint::error(&error, Some(Place::new(&source, 0..text.len()))));
+        };
+        let id = self.find_in(&source, path)?;
+        let value_si = self.value_in(&source, id, path.len() + 1, value)?;
+        Ok(Setting { id, value_si })
+    }
+
+    /// Reads a range `path=from..to` and checks both ends like [`Self::parse_setting`].
+    ///
+    /// # Errors
+    /// A complaint whose place is in the text of the range.
+    pub fn parse_setting_range(&self, text: &str) -> Result<SettingRange, Complaint> {
+        let source = Source::new("--over", text);
+        let whole = || Some(Place::new(&source, 0..text.len()));
+        let parts = text.split_once('=').and_then(|(path, values)| Some((path, values.split_once("..")?)));
+        let Some((path, (from, to))) = parts else {
+            return Err(Complaint::error(&SettingError::NoRange { text: text.to_owned() }, whole()));
+        };
+        let id = self.find_in(&source, path)?;
+        let from_start = path.len() + 1;
+        let from_si = self.value_in(&source, id, from_start, from)?;
+        let to_si = self.value_in(&source, id, from_start + from.len() + 2, to)?;
+        if from_si == to_si {
+            let quantity = &self.quantities[id];
+            let value = format_value(from_si, quantity.dimension);
+            return Err(Complaint::error(&SettingError::EmptyRange { path: quantity.path.clone(), value }, whole()));
+        }
+        Ok(SettingRange { id, from_si, to_si })
+    }
+
+    /// The quantity named at the start of the text of `source`.
+    fn find_in(&self, source: &Arc<Source>, path: &str) -> Result<QuantityId, Complaint> {
+        self.find(path.trim())
+            .map_err(|error| Complaint::error(&SettingError::from(error), Some(Place::new(source, 0..path.len()))))
+    }
+
+    /// The value of the quantity `id` that stands at `start` in the text of `source`, SI.
+    fn value_in(&self, source: &Arc<Source>, id: QuantityId, start: usize, value: &str) -> Result<f64, Complaint> {
+        let complain = |error: SettingError, span: std::ops::Range<usize>| {
+            Complaint::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
+        };
+        let measured = parse_quantity(value).map_err(|error| complain(error.problem.into(), error.span))?;
+        let quantity = &self.quantities[id];
+        let (path, due, found) = (quantity.path.clone(), quantity.dimension, measured.dimension);
+        let error = if found == due {
+            quantity.check(measured.value_si).err().map(SettingError::from)
+        } else if found.is_number() {
+            Some(SettingError::MissingUnit { path, text: value.trim().to_owned(), due })
+        } else {
+            Some(SettingError::WrongDimension { path, found, due })
+        };
+        match error {
+            None => Ok(measured.value_si),
+            Some(error) => Err(complain(error, 0..value.len())),
+        }
+    }
+}

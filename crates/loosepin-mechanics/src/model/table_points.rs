@@ -1,0 +1,166 @@
+//! Tables of points: in the file itself, or in a CSV file beside it.
+
+use super::file::{ModelReader, UNREAD};
+use super::problem::ModelProblem;
+use super::quantity::{Origin, Quantity, QuantityId};
+use loosepin_text::diagnostics::{Complaint, Place, Source};
+use loosepin_text::document::{Entry, Key, Kind, Table, optional, read_beside};
+use loosepin_text::units::{Dimension, Rule, parse_quantity};
+
+/// The key of a table in a file of its own.
+pub(super) const CSV: Key = optional(
+    "csv",
+    Kind::Text,
+    "\"profile.csv\"",
+    "a CSV file in place of points, its path from the folder of this file; two columns, with their units in the header: time [s], angle [deg]",
+);
+
+/// A cubic spline needs two intervals to have a bend.
+const LEAST_POINTS: usize = 3;
+
+/// What a column holds: its name in paths, and what it measures.
+pub(super) type Column = (&'static str, Dimension);
+
+impl ModelReader {
+    /// The points of a table that has either `points` or `csv`, arguments increasing; at least three.
+    pub fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
+        match table.get("csv") {
+            Some(entry) => self.points_of_file(&entry, columns),
+            None => self.points_of_list(&table.get("points")?, columns),
+        }
+    }
+
+    fn points_of_list(&mut self, list: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
+        let elements = self.reader.list(list)?;
+        if elements.len() < LEAST_POINTS {
+            let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: LEAST_POINTS };
+            self.reader.complain(&problem, list.span);
+            return None;
+        }
+        let mut points: Vec<[QuantityId; 2]> = Vec::new();
+        let mut is_sound = true;
+        for element in &elements {
+            let Some([mut first, mut second]) = self.reader.pair(element) else {
+                is_sound = false;
+                continue;
+            };
+            let [(first_name, first_dimension), (second_name, second_dimension)] = columns;
+            first.path = element.path.join(first_name);
+            second.path = element.path.join(second_name);
+            let first_id = self.quantity_of(&first, first_dimension, Rule::Finite).unwrap_or(UNREAD);
+            let second_id = self.quantity_of(&second, second_dimension, Rule::Finite).unwrap_or(UNREAD);
+            is_sound &= first_id != UNREAD && second_id != UNREAD;
+            if is_sound && let Some([before, _]) = points.last() {
+                is_sound &= self.demand_order(*before, first_id, first.span);
+            }
+            points.push([first_id, second_id]);
+        }
+        is_sound.then_some(points)
+    }
+
+    fn points_of_file(&mut self, entry: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
+        let name = self.reader.text(entry)?;
+        let source = match read_beside(&self.reader.source, name) {
+            Ok(source) => source,
+            Err(complaints) => {
+                // The place that names the file is where a person looks for the slip.
+                for complaint in complaints.sorted() {
+                    let place = complaint.place.clone().unwrap_or_else(|| self.reader.place(entry.span));
+                    self.reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
+                }
+                return None;
+            }
+        };
+        self.tables.push(source.clone());
+        let path = entry.path.dotted();
+        let complain = |reader: &mut Self, problem: ModelProblem, span: std::ops::Range<usize>| {
+            reader.reader.complaints.push(Complaint::error(&problem, Some(Place::new(&source, span))));
+        };
+        let mut units: Option<[String; 2]> = None;
+        let mut points: Vec<[QuantityId; 2]> = Vec::new();
+        let mut is_sound = true;
+        for (row, cells) in rows(&source).into_iter().enumerate() {
+            let [Some(first), Some(second), None] = [cells.first(), cells.get(1), cells.get(2)] else {
+                let span = cells.first().map_or(0, |cell| cell.start)..cells.last().map_or(0, |cell| cell.end);
+                complain(self, ModelProblem::CsvColumns { found: cells.len() }, span);
+                return None;
+            };
+            let cells = [first.clone(), second.clone()];
+            let Some(units) = &units else {
+                let mut found = [String::new(), String::new()];
+                for ((cell, (_, due)), unit) in cells.iter().zip(columns).zip(&mut found) {
+                    let text = &source.text()[cell.clone()];
+                    let written = text.strip_suffix(']').and_then(|text| text.rsplit_once('['));
+                    let measured = written.and_then(|(_, unit)| parse_quantity(&format!("1 {}", unit.trim())).ok());
+                    let Some((written, measured)) = written.zip(measured) else {
+                        complain(self, ModelProblem::CsvHeader { text: text.to_owned() }, cell.clone());
+                        return None;
+                    };
+                    if measured.dimension != due {
+                        complain(self, ModelProblem::CsvDimension { text: text.to_owned(), due }, cell.clone());
+                        return None;
+                    }
+                    *unit = written.1.trim().to_owned();
+                }
+                units = Some(found);
+                continue;
+            };
+            let mut ids = [UNREAD; 2];
+            for (side, cell) in cells.iter().enumerate() {
+                let text = &source.text()[cell.clone()];
+                let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+                let value = number.and_then(|_| parse_quantity(&format!("{text} {}", units[side])).ok());
+                let Some(value) = value else {
+                    complain(self, ModelProblem::CsvNumber { text: text.to_owned() }, cell.clone());
+                    is_sound = false;
+                    continue;
+                };
+                let (column, dimension) = columns[side];
+                let quantity = Quantity {
+                    path: format!("{path}.{row}.{column}"),
+                    dimension,
+                    rule: Rule::Finite,
+                    origin: Origin::Fixed,
+                    span: None,
+                };
+                ids[side] = self.quantities.add_number(quantity, value.value_si);
+            }
+            if is_sound
+                && let Some([before, _]) = points.last()
+                && let Err(problem) = self.quantities.demand_order(*before, ids[0])
+            {
+                let place = Place::new(&source, cells[0].clone());
+                self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+                is_sound = false;
+            }
+            points.push(ids);
+        }
+        if points.len() < LEAST_POINTS {
+            complain(self, ModelProblem::TooFewPoints { entry: entry.path.describe(), least: LEAST_POINTS }, 0..0);
+            return None;
+        }
+        is_sound.then_some(points)
+    }
+}
+
+/// Cells of all rows that are neither empty nor comments, as ranges of the text without the blanks around them.
+fn rows(source: &Source) -> Vec<Vec<std::ops::Range<usize>>> {
+    let is_blank = |c: char| c.is_whitespace() || matches!(c, '"' | '\u{feff}');
+    let text = source.text();
+    let mut rows = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let bare = line.trim_matches(is_blank);
+        if !bare.is_empty() && !bare.starts_with('#') {
+            let mut at = start;
+            let cells = line.split(',').map(|cell| {
+                let begin = at + (cell.len() - cell.trim_start_matches(is_blank).len());
+                at += cell.len() + 1;
+                begin..begin + cell.trim_matches(is_blank).len()
+            });
+            rows.push(cells.collect());
+        }
+        start += line.len();
+    }
+    rows
+}

@@ -1,0 +1,450 @@
+//! Bodies, joints, contacts, drives and outputs of a model, referring to numbers by [`QuantityId`].
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::control::Control;
+use super::coupling::Coupling;
+use super::cycle::Cycle;
+use super::drive::Drive;
+use super::initial::InitialValue;
+use super::load::Load;
+use super::quantity::{QuantityId, QuantityTable};
+use super::spring::Spring;
+use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
+use loosepin_text::diagnostics::{Complaint, Place, Source, Span};
+use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
+
+/// Index of a body in [`Model::bodies`]; 0 is the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BodyId(pub usize);
+
+/// Index of a joint in [`Model::joints`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct JointId(pub usize);
+
+/// Index of a contact in [`Model::contacts`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ContactId(pub usize);
+
+/// Index of a drive in [`Model::drives`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DriveId(pub usize);
+
+/// A point of a body: `body`, and the index in [`Body::points`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct PointId {
+    /// The body that carries the point.
+    pub body: BodyId,
+    /// Index in [`Body::points`].
+    pub point: usize,
+}
+
+/// A planar mechanism with its nominal values, checked and in SI.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// Name of the mechanism.
+    pub name: String,
+    /// Every number of the model, settable ones and those given by expressions.
+    pub quantities: QuantityTable,
+    /// Acceleration of gravity along -y, m/s².
+    pub gravity_m_s2: QuantityId,
+    /// Bodies; index 0 is the ground, which has points and no mass.
+    pub bodies: Vec<Body>,
+    /// Contact descriptions, shared by any number of joints.
+    pub contacts: Vec<Contact>,
+    /// Joints in file order.
+    pub joints: Vec<Joint>,
+    /// Couplings in file order.
+    pub couplings: Vec<Coupling>,
+    /// Springs in file order.
+    pub springs: Vec<Spring>,
+    /// Loads in file order.
+    pub loads: Vec<Load>,
+    /// Drives in file order.
+    pub drives: Vec<Drive>,
+    /// Controls in file order.
+    pub controls: Vec<Control>,
+    /// Hints for the assembly, at the start of the cycle.
+    pub guesses: Vec<Guess>,
+    /// The initial state of what the drives do not move alone.
+    pub initial: Vec<InitialValue>,
+    /// What is run and recorded.
+    pub cycle: Cycle,
+    /// Outputs in file order.
+    pub outputs: Vec<Output>,
+    /// What is allowed and yet looks like an oversight.
+    pub warnings: Vec<Complaint>,
+    /// The file.
+    pub(super) source: Arc<Source>,
+    /// The CSV files that it names, in the order of the file.
+    pub(super) tables: Vec<Arc<Source>>,
+    /// Places of its tables by dotted path, for complaints about what they mean together.
+    pub(super) places: HashMap<String, Span>,
+}
+
+impl Model {
+    /// How numbers are shown to people: as usual, but those of the dimension of an output in the unit that it states; of several
+    /// outputs of a dimension the first one that states another unit than the usual one decides.
+    pub fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
+        let mut units = usual;
+        for output in self.outputs.iter().rev() {
+            let dimension = output.kind.dimension();
+            if output.unit != ReadableUnit::default_for(dimension) {
+                units.set(dimension, &output.unit);
+            }
+        }
+        units
+    }
+
+    /// The file that the model was read from.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+
+    /// The CSV files that were read with it: inputs like the file itself.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        &self.tables
+    }
+
+    /// Where something stands in the file, by its dotted path: `joint.gudgeon`, `body.crank`, `cycle`,
+    /// `joint.gudgeon.radial_clearance`. The place of the table above it where it is not written.
+    pub fn place(&self, path: &str) -> Option<Place> {
+        let written = self.quantities.id(path).and_then(|id| self.quantities[id].span);
+        if let Some(span) = written.or_else(|| self.places.get(path).copied()) {
+            return Some(Place::new(&self.source, span));
+        }
+        path.rsplit_once('.').and_then(|(table, _)| self.place(table))
+    }
+}
+
+/// A rigid body. The body frame is where its points are given; its origin need not be the centre of mass.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// Name in the file; `ground` for the ground.
+    pub name: String,
+    /// Mass, kg, > 0; absent for the ground.
+    pub mass_kg: Option<QuantityId>,
+    /// Moment of inertia about the centre of mass, kg m², > 0; absent for the ground.
+    pub inertia_kg_m2: Option<QuantityId>,
+    /// Centre of mass in the body frame, m; absent for the ground.
+    pub centre_of_mass_m: Option<[QuantityId; 2]>,
+    /// Named points in the body frame.
+    pub points: Vec<Point>,
+}
+
+/// A named point of a body.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// Name in the file.
+    pub name: String,
+    /// Coordinates in the body frame, m.
+    pub position_m: [QuantityId; 2],
+}
+
+/// A joint.
+#[derive(Debug, Clone)]
+pub struct Joint {
+    /// Name in the file.
+    pub name: String,
+    /// What it connects and how.
+    pub kind: JointKind,
+    /// Friction of an ideal revolute or prismatic joint.
+    pub friction: Option<JointFriction>,
+}
+
+/// Friction of an ideal joint.
+#[derive(Debug, Clone)]
+pub struct JointFriction {
+    /// The law with its numbers.
+    pub friction: Friction,
+    /// Radius of the pin, or length over which the guide holds the slider, m, > 0.
+    pub size_m: QuantityId,
+}
+
+/// The kinds of joint.
+#[derive(Debug, Clone)]
+pub enum JointKind {
+    /// The journal point turns about the bearing point; with a clearance, it may leave it.
+    Revolute {
+        /// Point of the body with the hole (body i of the method).
+        bearing: PointId,
+        /// Point of the body with the pin (body j of the method).
+        journal: PointId,
+        /// Absent for an ideal joint.
+        clearance: Option<Clearance>,
+    },
+    /// The slider point stays on a line fixed to the guide body, and the slider body does not turn against it.
+    /// Coordinate s: (r_slider - r_guide)·d, d the direction of the line; zero where the two points coincide.
+    Prismatic {
+        /// Point of the guide body that the line goes through.
+        guide: PointId,
+        /// Angle of the line's direction from the guide body's x axis, rad.
+        guide_angle_rad: QuantityId,
+        /// Point of the slider body that stays on the line.
+        slider: PointId,
+        /// Angle from the slider body's x axis to the same line, rad (zero: the slider's x axis lies along it).
+        slider_angle_rad: QuantityId,
+        /// Absent for an ideal joint.
+        clearance: Option<GuideClearance>,
+    },
+    /// The pin's centre stays on a line fixed to the slot's body, and turns there; with a clearance, it may leave the line and
+    /// touch the round ends. Coordinate s as for a prismatic joint.
+    Slot {
+        /// Middle of the slot.
+        slot: PointId,
+        /// Angle of its line from the x axis of its body, rad.
+        slot_angle_rad: QuantityId,
+        /// Centre of the pin.
+        pin: PointId,
+        /// Absent for an ideal joint, which has no ends.
+        clearance: Option<SlotClearance>,
+    },
+    /// Both points coincide and the bodies do not turn against each other.
+    Rigid {
+        /// Point of the first body.
+        first: PointId,
+        /// Point of the second body.
+        second: PointId,
+        /// Angle of the second body's x axis from the first body's x axis, rad.
+        angle_rad: QuantityId,
+    },
+}
+
+/// The play of a revolute joint.
+#[derive(Debug, Clone)]
+pub struct Clearance {
+    /// Radius R_i of the bearing (hole), m, > 0.
+    pub bearing_radius_m: QuantityId,
+    /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub radial_clearance_m: QuantityId,
+    /// Length L of the bearing, m, > 0; there where the contact is a line contact.
+    pub bearing_length_m: Option<QuantityId>,
+    /// The contact between pin and hole.
+    pub contact: ContactId,
+}
+
+/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line.
+#[derive(Debug, Clone)]
+pub struct GuideClearance {
+    /// Half-length a of the block along the line, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Half-height b of the block across the line, m, > 0.
+    pub half_height_m: QuantityId,
+    /// Gap c between the block and each face, m, >= 0; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
+    pub corner_radius_m: Option<QuantityId>,
+    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
+    pub ends_m: Option<[QuantityId; 2]>,
+    /// The contact between corners and faces; its bearing is the guide, its journal the slider.
+    pub contact: ContactId,
+}
+
+/// The play of a pin in a straight slot with round ends.
+#[derive(Debug, Clone)]
+pub struct SlotClearance {
+    /// Half-length h from the middle of the slot to the centre of each round end, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Radius R_i of the ends, half the width of the slot, m, > 0.
+    pub end_radius_m: QuantityId,
+    /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact between pin and slot.
+    pub contact: ContactId,
+}
+
+impl JointKind {
+    /// The clearance, m, and the contact of a joint that may have play.
+    pub fn play(&self) -> Option<(QuantityId, ContactId)> {
+        match self {
+            Self::Revolute { clearance: Some(clearance), .. } => {
+                Some((clearance.radial_clearance_m, clearance.contact))
+            }
+            Self::Prismatic { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Slot { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
+            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Slot { .. } | Self::Rigid { .. } => None,
+        }
+    }
+}
+
+/// Contact between pin and hole or slot, or between the corners of a slider and its guide.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Name in the file.
+    pub name: String,
+    /// Normal force law.
+    pub law: NormalDescription,
+    /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
+    /// linear law.
+    pub damping: Option<&'static dyn PointLaw>,
+    /// The law named for the energy loss of a line-contact law, whichever law the contact has; none where none is named.
+    pub line_damping: Option<&'static dyn PointLaw>,
+    /// Nominal coefficient of restitution c_e in (0, 1]; none where the damping coefficient is given.
+    pub restitution: Option<QuantityId>,
+    /// Where the stiffness comes from.
+    pub stiffness: Stiffness,
+    /// Damping coefficient D where it is given, N s/m, >= 0.
+    pub damping_coefficient_n_s_m: Option<QuantityId>,
+    /// Floor v_min of the impact speed, m/s, > 0.
+    pub minimum_impact_speed_m_s: QuantityId,
+    /// Density for the validity limit of the law, kg/m³, > 0.
+    pub density_kg_m3: Option<QuantityId>,
+    /// Friction, if any.
+    pub friction: Option<Friction>,
+    /// Film of oil, if any.
+    pub film: Option<Lubrication>,
+}
+
+/// A film of oil between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Lubrication {
+    /// The film.
+    pub law: &'static FilmDescription,
+    /// Viscosity of the oil, Pa s, > 0.
+    pub viscosity_pa_s: QuantityId,
+    /// The thinnest film, m, > 0.
+    pub roughness_m: QuantityId,
+}
+
+/// Where the contact stiffness comes from.
+#[derive(Debug, Clone)]
+pub enum Stiffness {
+    /// From the materials: for a point-contact law K by eq. (9) and n = 3/2; order: bearing, journal.
+    Material {
+        /// Young's moduli E_i, E_j, Pa, > 0.
+        youngs_modulus_pa: [QuantityId; 2],
+        /// Poisson's ratios ν_i, ν_j in [0, 0.5].
+        poisson_ratio: [QuantityId; 2],
+    },
+    /// K and n as given.
+    Given {
+        /// K, N/m^n, > 0.
+        stiffness_n_m_n: QuantityId,
+        /// n, >= 1.
+        exponent: QuantityId,
+    },
+    /// K of a linear law as given.
+    Linear {
+        /// The law, which tells where the damping comes from.
+        law: &'static dyn LinearLaw,
+        /// K, N/m, > 0.
+        stiffness_n_m: QuantityId,
+    },
+}
+
+/// Friction between pin and hole.
+#[derive(Debug, Clone)]
+pub struct Friction {
+    /// The law.
+    pub law: &'static FrictionDescription,
+    /// What it takes from the file, in the order of [`FrictionDescription::numbers`].
+    pub numbers: Vec<QuantityId>,
+    /// Which reading of eq. (7) gives the sliding velocity.
+    pub sliding_velocity: SlidingVelocity,
+}
+
+/// The two readings of eq. (7) of the source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SlidingVelocity {
+    /// Velocity between the material points in contact, with the spin of both bodies (default).
+    Material,
+    /// Velocity of the geometric contact point, as eq. (7) differentiates eq. (5).
+    Literal,
+}
+
+/// A hint for the assembly at the start of the cycle.
+#[derive(Debug, Clone)]
+pub struct Guess {
+    /// The body.
+    pub body: BodyId,
+    /// Angle of its x axis from the ground's, rad.
+    pub angle_rad: QuantityId,
+}
+
+/// An output column of a run.
+#[derive(Debug, Clone)]
+pub struct Output {
+    /// Name in the file.
+    pub name: String,
+    /// What is measured.
+    pub kind: OutputKind,
+    /// The unit in which people read it.
+    pub unit: ReadableUnit,
+}
+
+impl OutputKind {
+    /// What its columns measure.
+    pub fn dimension(&self) -> Dimension {
+        match self {
+            Self::Position { .. } | Self::Path(_) => Dimension::LENGTH,
+            Self::Velocity { .. } => Dimension::VELOCITY,
+            Self::Acceleration { .. } => Dimension::ACCELERATION,
+            Self::Angle(_) => Dimension::ANGLE,
+            Self::AngularVelocity(_) => Dimension::ANGULAR_VELOCITY,
+            Self::AngularAcceleration(_) => Dimension::ANGULAR_ACCELERATION,
+            Self::Force { .. } => Dimension::FORCE,
+        }
+    }
+}
+
+/// What an output measures, seen from the ground.
+#[derive(Debug, Clone)]
+pub enum OutputKind {
+    /// Coordinate of a point, m.
+    Position {
+        /// The point.
+        point: PointId,
+        /// Along which axis of the ground.
+        along: Axis,
+    },
+    /// Velocity of a point, m/s.
+    Velocity {
+        /// The point.
+        point: PointId,
+        /// Along which axis of the ground.
+        along: Axis,
+    },
+    /// Acceleration of a point, m/s².
+    Acceleration {
+        /// The point.
+        point: PointId,
+        /// Along which axis of the ground.
+        along: Axis,
+    },
+    /// Angle of a body's x axis from the ground's, continuous, rad.
+    Angle(BodyId),
+    /// Angular velocity, rad/s.
+    AngularVelocity(BodyId),
+    /// Angular acceleration, rad/s².
+    AngularAcceleration(BodyId),
+    /// Force of a joint on its journal's (slider's, second) body, N.
+    Force {
+        /// The joint.
+        joint: JointId,
+        /// Which component.
+        component: Component,
+    },
+    /// Path of a point: two columns, x and y, m.
+    Path(PointId),
+}
+
+/// An axis of the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// Horizontal.
+    X,
+    /// Vertical, gravity along -y.
+    Y,
+}
+
+/// A component of a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Component {
+    /// Along the ground's x axis.
+    X,
+    /// Along the ground's y axis.
+    Y,
+    /// The length of the vector.
+    Magnitude,
+}

@@ -1,0 +1,322 @@
+//! Charts over one axis: what the script of the page draws, the legend, the text alternative and the numbers behind it.
+
+use maud::{Markup, html};
+use serde::Serialize;
+
+use super::number::{NumberWriter, PLAIN_DIGITS};
+use super::script_data::{rounded, script_json};
+use loosepin_text::units::SiUnit;
+
+/// Points that a chart holds at most per entry; longer histories keep the extremes of each stretch.
+const MOST_POINTS: usize = 1600;
+/// Rows of the table behind a chart.
+const TABLE_ROWS: usize = 24;
+
+/// What lies along the horizontal axis; decides on the ticks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum HorizontalAxis {
+    /// Angle of a drive: ticks at 30°, 45°, 90°.
+    Angle,
+    /// Anything else.
+    Plain,
+}
+
+/// The colour of an entry, by its meaning; the style sheet has the colours for light and dark.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Role {
+    Random,
+    Mixed,
+    Nominal,
+    Mean,
+    Worst,
+    Probability,
+    Limit,
+    First,
+    Second,
+    Third,
+    Fourth,
+    Fifth,
+}
+
+impl Role {
+    pub fn class(self) -> &'static str {
+        match self {
+            Role::Random => "random",
+            Role::Mixed => "mixed",
+            Role::Nominal => "nominal",
+            Role::Mean => "mean",
+            Role::Worst => "worst",
+            Role::Probability => "probability",
+            Role::Limit => "limit",
+            Role::First => "first",
+            Role::Second => "second",
+            Role::Third => "third",
+            Role::Fourth => "fourth",
+            Role::Fifth => "fifth",
+        }
+    }
+
+    /// The colour of the n-th of several equal curves.
+    pub fn of_index(index: usize) -> Role {
+        [Role::First, Role::Second, Role::Third, Role::Fourth, Role::Fifth][index % 5]
+    }
+}
+
+/// Values of one entry, in the units of the chart.
+#[derive(Debug, Clone, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub(super) enum EntryValues {
+    /// A filled band between two curves.
+    Band { lower: Vec<Option<f64>>, upper: Vec<Option<f64>> },
+    /// Two curves without a filling.
+    Pair { lower: Vec<Option<f64>>, upper: Vec<Option<f64>> },
+    /// One curve.
+    Line { values: Vec<Option<f64>> },
+}
+
+impl EntryValues {
+    pub fn band(lower: &[f64], upper: &[f64]) -> Self {
+        EntryValues::Band { lower: rounded(lower), upper: rounded(upper) }
+    }
+
+    pub fn pair(lower: &[f64], upper: &[f64]) -> Self {
+        EntryValues::Pair { lower: rounded(lower), upper: rounded(upper) }
+    }
+
+    pub fn line(values: &[f64]) -> Self {
+        EntryValues::Line { values: rounded(values) }
+    }
+
+    fn lists(&self) -> Vec<&Vec<Option<f64>>> {
+        match self {
+            EntryValues::Band { lower, upper } | EntryValues::Pair { lower, upper } => vec![lower, upper],
+            EntryValues::Line { values } => vec![values],
+        }
+    }
+
+    fn lists_mut(&mut self) -> Vec<&mut Vec<Option<f64>>> {
+        match self {
+            EntryValues::Band { lower, upper } | EntryValues::Pair { lower, upper } => vec![lower, upper],
+            EntryValues::Line { values } => vec![values],
+        }
+    }
+}
+
+/// One line of the legend and what it stands for.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Entry {
+    pub label: String,
+    pub role: Role,
+    pub dashed: bool,
+    #[serde(flatten)]
+    pub values: EntryValues,
+}
+
+impl Entry {
+    /// A curve of SI values.
+    pub fn line(
+        label: &str,
+        role: Role,
+        dashed: bool,
+        values_si: &[f64],
+        unit: &SiUnit,
+        writer: &NumberWriter,
+    ) -> Entry {
+        Entry { label: label.to_owned(), role, dashed, values: EntryValues::line(&scaled(values_si, unit, writer)) }
+    }
+}
+
+/// An upright line with a name.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Mark {
+    pub at: Option<f64>,
+    pub label: String,
+}
+
+/// One chart.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Chart {
+    /// Of the element, unique in the page.
+    #[serde(skip)]
+    pub id: String,
+    pub horizontal: HorizontalAxis,
+    pub x_label: String,
+    pub x_symbol: String,
+    pub x: Vec<Option<f64>>,
+    pub y_label: String,
+    pub y_symbol: String,
+    /// Fixed ends of the vertical axis, where it has any.
+    pub y_range: Option<[f64; 2]>,
+    pub entries: Vec<Entry>,
+    /// Upright lines.
+    pub marks: Vec<Mark>,
+    pub height: u32,
+    /// One sentence on what is to be seen, for the caption.
+    #[serde(skip)]
+    pub caption: Markup,
+    /// What a reader who cannot see the chart must know.
+    #[serde(skip)]
+    pub alternative: String,
+}
+
+/// SI values as the chart shows them.
+pub(super) fn scaled(values_si: &[f64], unit: &SiUnit, writer: &NumberWriter) -> Vec<f64> {
+    let display = writer.units.of(unit);
+    values_si.iter().map(|value_si| display.from_si(*value_si)).collect()
+}
+
+impl Chart {
+    /// The figure: canvas, legend with read-out, caption, numbers.
+    pub fn figure(mut self) -> Markup {
+        self.thin_out();
+        let json = script_json(&self);
+        html! {
+            figure.chart id=(self.id) {
+                div.plot data-chart=(self.id) tabindex="0" role="img" aria-label=(self.alternative) {}
+                div.readout {
+                    span.position data-position="" { (self.x_label) }
+                    button.reset type="button" hidden { "Show all" }
+                }
+                ul.legend {
+                    @for (index, entry) in self.entries.iter().enumerate() {
+                        li {
+                            button type="button" aria-pressed="true" data-entry=(index) {
+                                span class={ "swatch " (entry.role.class()) " " (swatch_shape(entry)) } aria-hidden="true" {}
+                                span.label { (entry.label) }
+                                span.value data-value=(index) {}
+                            }
+                        }
+                    }
+                }
+                figcaption { (self.caption) }
+                (self.numbers())
+                script type="application/json" data-for=(self.id) { (json) }
+            }
+        }
+    }
+
+    fn numbers(&self) -> Markup {
+        let step = self.x.len().div_ceil(TABLE_ROWS).max(1);
+        let symbol = |symbol: &str| if symbol.is_empty() { String::new() } else { format!(" ({symbol})") };
+        html! {
+            details.numbers {
+                summary { "Numbers behind this chart" }
+                div.scroll tabindex="0" role="region" aria-label="Table of the chart's numbers" {
+                    table {
+                        thead {
+                            tr {
+                                th scope="col" { (self.x_label) (symbol(&self.x_symbol)) }
+                                @for entry in &self.entries {
+                                    @if entry.values.lists().len() == 2 {
+                                        th scope="col" { (entry.label) ", lower" (symbol(&self.y_symbol)) }
+                                        th scope="col" { (entry.label) ", upper" (symbol(&self.y_symbol)) }
+                                    } @else {
+                                        th scope="col" { (entry.label) (symbol(&self.y_symbol)) }
+                                    }
+                                }
+                            }
+                        }
+                        tbody {
+                            @for row in (0..self.x.len()).step_by(step) {
+                                tr {
+                                    th scope="row" { (cell(self.x[row])) }
+                                    @for entry in &self.entries {
+                                        @for list in entry.values.lists() {
+                                            td { (cell(list.get(row).copied().flatten())) }
+                                        }
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Keeps, of every stretch of points, those where some entry is smallest or largest, so that no peak is lost.
+    fn thin_out(&mut self) {
+        let points = self.x.len();
+        if points <= MOST_POINTS {
+            return;
+        }
+        let lists: usize = self.entries.iter().map(|entry| entry.values.lists().len()).sum();
+        let stretches = (MOST_POINTS / (2 * lists.max(1))).max(1);
+        let mut kept = vec![0, points - 1];
+        for stretch in 0..stretches {
+            let from = stretch * points / stretches;
+            let to = ((stretch + 1) * points / stretches).min(points);
+            for list in self.entries.iter().flat_map(|entry| entry.values.lists()) {
+                let values = || (from..to).filter_map(|row| Some((row, list.get(row).copied().flatten()?)));
+                kept.extend(values().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row));
+                kept.extend(values().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row));
+            }
+        }
+        kept.sort_unstable();
+        kept.dedup();
+        let pick = |list: &Vec<Option<f64>>| kept.iter().map(|row| list.get(*row).copied().flatten()).collect();
+        self.x = pick(&self.x);
+        for entry in &mut self.entries {
+            for list in entry.values.lists_mut() {
+                *list = pick(list);
+            }
+        }
+    }
+}
+
+fn swatch_shape(entry: &Entry) -> &'static str {
+    match (&entry.values, entry.dashed) {
+        (EntryValues::Band { .. }, _) => "area",
+        (_, true) => "dashed",
+        (_, false) => "line",
+    }
+}
+
+fn cell(value: Option<f64>) -> String {
+    match value {
+        Some(value) => {
+            super::number::significant(value, PLAIN_DIGITS, super::number::Rounding::Nearest).replace('-', "−")
+        }
+        None => "–".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_a_long_history_keeps_its_peak() {
+        const POINTS: usize = 100_000;
+        const PEAK_AT: usize = 54_321;
+        let mut values = vec![0.25; POINTS];
+        values[PEAK_AT] = 9.75;
+        let x: Vec<f64> = (0..POINTS).map(|point| point as f64).collect();
+        let mut chart = Chart {
+            id: "a".to_owned(),
+            horizontal: HorizontalAxis::Plain,
+            x_label: String::new(),
+            x_symbol: String::new(),
+            x: rounded(&x),
+            y_label: String::new(),
+            y_symbol: String::new(),
+            y_range: None,
+            entries: vec![Entry {
+                label: String::new(),
+                role: Role::First,
+                dashed: false,
+                values: EntryValues::line(&values),
+            }],
+            marks: Vec::new(),
+            height: 1,
+            caption: html! {},
+            alternative: String::new(),
+        };
+        chart.thin_out();
+        assert!(chart.x.len() <= MOST_POINTS + 2, "{} points", chart.x.len());
+        let peak = chart.entries[0].values.lists()[0].iter().position(|value| *value == Some(9.75));
+        assert_eq!(peak.map(|row| chart.x[row]), Some(Some(PEAK_AT as f64)));
+    }
+}

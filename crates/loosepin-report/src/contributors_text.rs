@@ -1,0 +1,44 @@
+//! What contributes to the answers, for a terminal.
+
+use super::number::{NumberWriter, plain_name};
+use super::study_page::{band_share, known_share, share_range};
+use super::terminal::{push_table, table};
+use super::wording::{listed, response_words};
+use loosepin_study::result::StudyResult;
+
+/// One table for each question that asks for contributors.
+pub(super) fn contributors_text(result: &StudyResult, writer: &NumberWriter) -> String {
+    let mut text = String::new();
+    for one in &result.contributors {
+        text.push_str(&format!(
+            "\nWhat would make the 95 % band narrower, which is {} wide\n\n{}\n",
+            writer.value(one.band_width_si, &one.unit),
+            response_words(result, (&one.output, one.of, one.at), writer)
+        ));
+        let head = ["input", "way", "part of the band", "variance alone", "in all", "quasi-static"];
+        let mut rows = table(&head, &[2, 3, 4, 5]);
+        let name = |path: &String| plain_name(path, &result.inputs);
+        for input in &one.random {
+            rows.add_row([
+                listed(&input.paths.iter().map(name).collect::<Vec<String>>()),
+                "tighter part".to_owned(),
+                band_share([input.band_share; 2], writer),
+                share_range(&input.first, writer),
+                share_range(&input.total, writer),
+                known_share(input.quasi_static_share, writer),
+            ]);
+        }
+        for input in &one.epistemic {
+            rows.add_row([
+                name(&input.path),
+                "measure".to_owned(),
+                band_share(input.band_share, writer),
+                "-".to_owned(),
+                "-".to_owned(),
+                known_share(input.quasi_static_share, writer),
+            ]);
+        }
+        push_table(&mut text, &rows);
+    }
+    text.replace('–', "-")
+}

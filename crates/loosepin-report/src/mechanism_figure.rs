@@ -1,0 +1,245 @@
+//! The mechanism drawn and moving: a still picture of the first pose, and the poses for the script that moves it.
+
+use maud::{Markup, PreEscaped, html};
+use serde::Serialize;
+
+use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
+use super::page::{COLOURS, MECHANISM_STYLE};
+use super::script_data::{round_to_digits, script_json};
+use loosepin_simulate::record::{Drawing, PoseTable};
+
+/// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
+const POSE_DIGITS: usize = 8;
+/// Most poses in a page.
+const MOST_POSES: usize = 361;
+/// A clearance is magnified at first to about this share of the diagonal.
+const VISIBLE_SHARE: f64 = 0.02;
+/// The still picture shows the pose at this fraction of the cycle (one over it): not a dead centre.
+const FIRST_POSE: usize = 6;
+/// Magnifications on offer.
+const MAGNIFICATIONS: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
+
+#[derive(Serialize)]
+struct Motion {
+    /// Angle of the drive at each pose, degrees.
+    angle_deg: Vec<Option<f64>>,
+    magnification: f64,
+    /// The pose that is shown first.
+    start: usize,
+    bodies: Vec<BodyMotion>,
+}
+
+/// Ideal pose and actual minus ideal, in mm and degrees, one entry per pose.
+#[derive(Serialize)]
+struct BodyMotion {
+    x: Vec<Option<f64>>,
+    y: Vec<Option<f64>>,
+    a: Vec<Option<f64>>,
+    dx: Vec<Option<f64>>,
+    dy: Vec<Option<f64>>,
+    da: Vec<Option<f64>>,
+}
+
+/// The figure, or nothing where the record holds no poses.
+pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Markup {
+    if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
+        return html! {};
+    }
+    let has_ideal = is_complete(&drawing.ideal_poses, drawing.bodies.len())
+        && drawing.ideal_poses.drive_angle_rad.len() == drawing.poses.drive_angle_rad.len();
+    let reference = if has_ideal { &drawing.ideal_poses } else { &drawing.poses };
+    let frame = frame(drawing, reference);
+    let largest_clearance_mm =
+        drawing.joints.iter().map(|joint| joint.radial_clearance_m * MM_PER_M).fold(0.0, f64::max);
+    let magnification = if has_ideal { first_magnification(frame.diagonal(), largest_clearance_mm) } else { 1.0 };
+    let motion = motion(drawing, reference, has_ideal, magnification);
+    let alternative = format!(
+        "Drawing of the mechanism with {} bodies and {} joints, moving through one turn of {drive}.",
+        drawing.bodies.len(),
+        drawing.joints.len()
+    );
+    html! {
+        figure.mechanism id=(id) data-mechanism=(id) {
+            svg viewBox=(view_box(&frame))
+                role="img" aria-label=(alternative) preserveAspectRatio="xMidYMid meet" {
+                (shapes(drawing, reference, &motion, &frame, magnification, has_ideal))
+            }
+            div.controls {
+                button.play type="button" aria-pressed="false" { "Play" }
+                label {
+                    span { (drive) " at " output.angle { (format!("{:.0}°", motion.angle_deg[motion.start].unwrap_or(0.0))) } }
+                    input.pose type="range" min="0" max=(motion.angle_deg.len().saturating_sub(1)) value=(motion.start)
+                        step="1" aria-label=(format!("Angle of {drive}"));
+                }
+                @if has_ideal && largest_clearance_mm > 0.0 {
+                    label {
+                        span { "Deviation drawn" }
+                        select.magnification {
+                            @for choice in MAGNIFICATIONS.iter().filter(|choice| **choice <= 5.0 * magnification) {
+                                option value=(choice) selected[*choice == magnification] {
+                                    @if *choice == 1.0 { "true to scale" } @else { "× " (choice) }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+            figcaption {
+                @if has_ideal && largest_clearance_mm > 0.0 {
+                    "The mechanism over one turn. Solid: with play, its departure from the ideal position magnified as \
+                     chosen above. Dashed: the ideal mechanism. The orange rings are bearings with play; the gap between \
+                     ring and pin is the clearance, magnified alike."
+                } @else {
+                    "The mechanism over one turn."
+                }
+            }
+            script type="application/json" data-for=(id) { (script_json(&motion)) }
+        }
+    }
+}
+
+/// The mechanism in the pose that is shown first, with the dashed ideal one where there is one.
+fn shapes(
+    drawing: &Drawing,
+    reference: &PoseTable,
+    motion: &Motion,
+    frame: &Frame,
+    magnification: f64,
+    has_ideal: bool,
+) -> Markup {
+    let pin = PIN_SHARE * frame.diagonal();
+    html! {
+        g transform="scale(1 -1)" {
+            (ground(drawing, reference, frame, pin))
+            @if has_ideal {
+                g.ghost aria-hidden="true" {
+                    @for (index, body) in drawing.bodies.iter().enumerate() {
+                        @if !body.is_ground {
+                            g data-ghost=(index) transform=(transform(motion, index, 0.0)) {
+                                (outline(drawing, index, reference, frame, pin))
+                            }
+                        }
+                    }
+                }
+            }
+            @for (index, body) in drawing.bodies.iter().enumerate() {
+                @if !body.is_ground {
+                    g.body data-body=(index) transform=(transform(motion, index, magnification)) {
+                        title { (body.name) }
+                        (outline(drawing, index, reference, frame, pin))
+                    }
+                }
+            }
+            // Above all shapes, bearings below journals, so that no body hides a joint of another.
+            @for layer in [PinLayer::Bearings, PinLayer::Journals] {
+                @for index in 0..drawing.bodies.len() {
+                    g data-body=(index) transform=(transform(motion, index, magnification)) {
+                        (pins(drawing, index, pin, magnification, layer))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Width of a picture that stands alone, pixels, and the largest height.
+const PICTURE_PX: [f64; 2] = [520.0, 420.0];
+
+/// The mechanism in one pose as an SVG file of its own, that needs no network and follows the colours of the reader's
+/// system; nothing where the record holds no poses.
+pub fn mechanism_picture(drawing: &Drawing, name: &str) -> String {
+    if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
+        return String::new();
+    }
+    let frame = frame(drawing, &drawing.poses);
+    let motion = motion(drawing, &drawing.poses, false, 1.0);
+    let scale = (PICTURE_PX[0] / frame.width).min(PICTURE_PX[1] / frame.height);
+    let picture = html! {
+        svg.mechanism xmlns="http://www.w3.org/2000/svg" role="img" aria-label=(name)
+            width=(format!("{:.0}", scale * frame.width)) height=(format!("{:.0}", scale * frame.height))
+            viewBox=(view_box(&frame)) {
+            title { (name) }
+            style { (PreEscaped(COLOURS)) (PreEscaped(MECHANISM_STYLE)) }
+            rect x=(format!("{:.3}", frame.left)) y=(format!("{:.3}", frame.top)) width="100%" height="100%"
+                style="fill: var(--raised)" {}
+            (shapes(drawing, &drawing.poses, &motion, &frame, 1.0, false))
+        }
+    };
+    format!("{}\n", picture.into_string())
+}
+
+fn view_box(frame: &Frame) -> String {
+    format!("{:.3} {:.3} {:.3} {:.3}", frame.left, frame.top, frame.width, frame.height)
+}
+
+fn is_complete(poses: &PoseTable, bodies: usize) -> bool {
+    let count = poses.drive_angle_rad.len();
+    count > 0
+        && [&poses.x_m, &poses.y_m, &poses.angle_rad]
+            .into_iter()
+            .all(|table| table.len() == bodies && table.iter().all(|column| column.len() == count))
+}
+
+fn first_magnification(diagonal_mm: f64, clearance_mm: f64) -> f64 {
+    let wanted = if clearance_mm > 0.0 { VISIBLE_SHARE * diagonal_mm / clearance_mm } else { 1.0 };
+    MAGNIFICATIONS.iter().copied().rfind(|choice| *choice <= wanted).unwrap_or(1.0)
+}
+
+fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnification: f64) -> Motion {
+    let count = reference.drive_angle_rad.len();
+    let step = count.div_ceil(MOST_POSES).max(1);
+    let pick = |value: &dyn Fn(usize) -> f64| -> Vec<Option<f64>> {
+        (0..count).step_by(step).map(|pose| round_to_digits(value(pose), POSE_DIGITS)).collect()
+    };
+    let bodies = (0..drawing.bodies.len())
+        .map(|body| {
+            let actual = &drawing.poses;
+            let turn = |pose: usize| {
+                let difference = actual.angle_rad[body][pose] - reference.angle_rad[body][pose];
+                difference.sin().atan2(difference.cos()).to_degrees()
+            };
+            BodyMotion {
+                x: pick(&|pose| reference.x_m[body][pose] * MM_PER_M),
+                y: pick(&|pose| reference.y_m[body][pose] * MM_PER_M),
+                a: pick(&|pose| reference.angle_rad[body][pose].to_degrees()),
+                dx: if has_ideal {
+                    pick(&|pose| (actual.x_m[body][pose] - reference.x_m[body][pose]) * MM_PER_M)
+                } else {
+                    Vec::new()
+                },
+                dy: if has_ideal {
+                    pick(&|pose| (actual.y_m[body][pose] - reference.y_m[body][pose]) * MM_PER_M)
+                } else {
+                    Vec::new()
+                },
+                da: if has_ideal { pick(&turn) } else { Vec::new() },
+            }
+        })
+        .collect();
+    let angle_deg = pick(&|pose| reference.drive_angle_rad[pose].to_degrees());
+    let start = angle_deg.len() / FIRST_POSE;
+    Motion { angle_deg, magnification, start, bodies }
+}
+
+fn transform(motion: &Motion, index: usize, magnification: f64) -> String {
+    let body = &motion.bodies[index];
+    let at = |list: &[Option<f64>]| list.get(motion.start).copied().flatten().unwrap_or(0.0);
+    format!(
+        "translate({:.4} {:.4}) rotate({:.5})",
+        at(&body.x) + magnification * at(&body.dx),
+        at(&body.y) + magnification * at(&body.dy),
+        at(&body.a) + magnification * at(&body.da)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_magnification_is_a_round_number_that_shows_the_clearance() {
+        assert_eq!(first_magnification(250.0, 0.5), 10.0);
+        assert_eq!(first_magnification(250.0, 0.0), 1.0);
+        assert_eq!(first_magnification(1.0, 10.0), 1.0);
+    }
+}

@@ -1,0 +1,249 @@
+//! The shapes of a drawn mechanism: bars, plates, blocks, guides, supports, pins and bearings.
+
+use maud::{Markup, html};
+
+use loosepin_simulate::record::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, PointReference, PoseTable};
+
+/// Millimetres, in which the picture is drawn.
+pub(super) const MM_PER_M: f64 = 1e3;
+/// Radius of a drawn pin, as a share of the picture's diagonal.
+pub(super) const PIN_SHARE: f64 = 0.011;
+
+/// The part of the plane that the picture shows, mm; y points down, as in SVG.
+#[derive(Clone, Copy)]
+pub(super) struct Frame {
+    pub left: f64,
+    pub top: f64,
+    pub width: f64,
+    pub height: f64,
+}
+
+impl Frame {
+    pub fn diagonal(&self) -> f64 {
+        self.width.hypot(self.height)
+    }
+}
+
+/// The picture's frame around all points in all poses, with room for pins and a magnified deviation. y points down
+/// here, as in SVG.
+pub(super) fn frame(drawing: &Drawing, poses: &PoseTable) -> Frame {
+    let (mut left, mut right, mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY);
+    for (index, body) in drawing.bodies.iter().enumerate() {
+        for pose in 0..poses.drive_angle_rad.len() {
+            for point in 0..body.points.len() {
+                let (x_mm, y_mm) = place_mm(body, index, point, poses, pose);
+                left = left.min(x_mm);
+                right = right.max(x_mm);
+                low = low.min(y_mm);
+                high = high.max(y_mm);
+            }
+        }
+    }
+    if !(left.is_finite() && low.is_finite()) {
+        return Frame { left: 0.0, top: 0.0, width: 1.0, height: 1.0 };
+    }
+    let margin = 0.09 * (right - left).hypot(high - low).max(1e-6);
+    Frame {
+        left: left - margin,
+        top: -(high + margin),
+        width: right - left + 2.0 * margin,
+        height: high - low + 2.0 * margin,
+    }
+}
+
+fn place_mm(body: &DrawnBody, index: usize, point: usize, poses: &PoseTable, pose: usize) -> (f64, f64) {
+    let (sine, cosine) = poses.angle_rad[index][pose].sin_cos();
+    let point = &body.points[point];
+    (
+        (poses.x_m[index][pose] + cosine * point.x_m - sine * point.y_m) * MM_PER_M,
+        (poses.y_m[index][pose] + sine * point.x_m + cosine * point.y_m) * MM_PER_M,
+    )
+}
+
+/// Supports under fixed pins, and fixed guides.
+pub(super) fn ground(drawing: &Drawing, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
+    let on_ground = |end: PointReference| drawing.bodies.get(end.body).is_some_and(|body| body.is_ground);
+    html! {
+        g.ground {
+            @for joint in &drawing.joints {
+                @if has_rails(joint) {
+                    @if on_ground(joint.first) { (guide(drawing, joint, poses, frame, pin)) }
+                } @else {
+                    @for end in [joint.first, joint.second] {
+                        @if let Some((x, y)) = point_mm(drawing, end).filter(|_| on_ground(end)) {
+                            path.support d=(format!(
+                                "M {:.3} {:.3} l {:.3} {:.3} h {:.3} Z",
+                                x, y, -2.2 * pin, -3.4 * pin, 4.4 * pin
+                            )) {}
+                            line.base x1=(format!("{:.3}", x - 3.2 * pin)) x2=(format!("{:.3}", x + 3.2 * pin))
+                                y1=(format!("{:.3}", y - 3.4 * pin)) y2=(format!("{:.3}", y - 3.4 * pin)) {}
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A point in the frame of its body; none where the record names one that is not there.
+fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f64)> {
+    let point = drawing.bodies.get(end.body)?.points.get(end.point)?;
+    Some((point.x_m * MM_PER_M, point.y_m * MM_PER_M))
+}
+
+/// Whether a joint has a line along which it slides.
+fn has_rails(joint: &DrawnJoint) -> bool {
+    matches!(joint.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
+}
+
+/// Two rails along the way of the slider, in the frame of the body that carries the guide.
+fn guide(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
+    let (Some(origin_mm), Some(_)) = (point_mm(drawing, joint.first), point_mm(drawing, joint.second)) else {
+        return html! {};
+    };
+    let (sine, cosine) = joint.guide_angle_rad.sin_cos();
+    let carrier = joint.first.body;
+    let slider = &drawing.bodies[joint.second.body];
+    let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
+    for pose in 0..poses.drive_angle_rad.len() {
+        let (x, y) = place_mm(slider, joint.second.body, joint.second.point, poses, pose);
+        let (x, y) = (x - poses.x_m[carrier][pose] * MM_PER_M, y - poses.y_m[carrier][pose] * MM_PER_M);
+        let (turn_sine, turn_cosine) = poses.angle_rad[carrier][pose].sin_cos();
+        let (x, y) = (turn_cosine * x + turn_sine * y, turn_cosine * y - turn_sine * x);
+        let along = (x - origin_mm.0) * cosine + (y - origin_mm.1) * sine;
+        from = from.min(along);
+        to = to.max(along);
+    }
+    let (from, to) = (from - 0.06 * frame.diagonal(), to + 0.06 * frame.diagonal());
+    let rail = |side: f64| {
+        let (x, y) = (origin_mm.0 - side * sine, origin_mm.1 + side * cosine);
+        (x + from * cosine, y + from * sine, x + to * cosine, y + to * sine)
+    };
+    html! {
+        @for side in [-2.6 * pin, 2.6 * pin] {
+            @let (x1, y1, x2, y2) = rail(side);
+            line.guide x1=(format!("{x1:.3}")) y1=(format!("{y1:.3}")) x2=(format!("{x2:.3}")) y2=(format!("{y2:.3}")) {}
+        }
+    }
+}
+
+/// The shape of one body in its own frame: a bar, a plate, or a block where it slides.
+pub(super) fn outline(drawing: &Drawing, index: usize, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
+    let body = &drawing.bodies[index];
+    let points: Vec<(f64, f64)> =
+        body.points.iter().map(|point| (point.x_m * MM_PER_M, point.y_m * MM_PER_M)).collect();
+    let block = drawing
+        .joints
+        .iter()
+        .find(|joint| joint.kind == DrawnJointKind::Prismatic && joint.second.body == index)
+        .and_then(|joint| Some((points.get(joint.second.point)?, joint)));
+    html! {
+        @if let Some(((x, y), joint)) = block {
+            @let own = poses.angle_rad[index].first().copied().unwrap_or(0.0);
+            @let guide = poses.angle_rad.get(joint.first.body).and_then(|angles| angles.first()).copied().unwrap_or(0.0);
+            rect.block x=(format!("{:.3}", x - 4.0 * pin)) y=(format!("{:.3}", y - 2.4 * pin))
+                width=(format!("{:.3}", 8.0 * pin)) height=(format!("{:.3}", 4.8 * pin)) rx=(format!("{:.3}", 0.6 * pin))
+                transform=(format!("rotate({:.4} {x:.3} {y:.3})", (guide + joint.guide_angle_rad - own).to_degrees())) {}
+        }
+        @for joint in drawing.joints.iter().filter(|joint| {
+            has_rails(joint) && joint.first.body == index
+        }) {
+            (guide(drawing, joint, poses, frame, pin))
+        }
+        @if points.len() >= 2 {
+            @let hull = convex_hull(&points);
+            path class=(if hull.len() > 2 { "plate" } else { "bar" }) d=(path_through(&hull)) {}
+        }
+    }
+}
+
+fn path_through(points: &[(f64, f64)]) -> String {
+    let mut path = String::new();
+    for (index, (x, y)) in points.iter().enumerate() {
+        path.push_str(&format!("{} {x:.3} {y:.3} ", if index == 0 { 'M' } else { 'L' }));
+    }
+    if points.len() > 2 {
+        path.push('Z');
+    }
+    path
+}
+
+/// Corners of the convex hull, anticlockwise (Andrew's monotone chain).
+fn convex_hull(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    sorted.dedup();
+    if sorted.len() < 3 {
+        return sorted;
+    }
+    let turn = |o: (f64, f64), a: (f64, f64), b: (f64, f64)| (a.0 - o.0) * (b.1 - o.1) - (a.1 - o.1) * (b.0 - o.0);
+    let half = |ordered: &mut dyn Iterator<Item = (f64, f64)>| {
+        let mut chain: Vec<(f64, f64)> = Vec::new();
+        for point in ordered {
+            while chain.len() >= 2 && turn(chain[chain.len() - 2], chain[chain.len() - 1], point) <= 0.0 {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = half(&mut sorted.iter().copied());
+    hull.extend(half(&mut sorted.iter().rev().copied()));
+    hull
+}
+
+/// What is drawn of the joints in which order.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum PinLayer {
+    Bearings,
+    Journals,
+}
+
+/// Bearings, or pins and journals, that belong to one body.
+pub(super) fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64, layer: PinLayer) -> Markup {
+    let at = |point: usize| point_mm(drawing, PointReference { body: index, point });
+    html! {
+        @for joint in &drawing.joints {
+            @if joint.kind == DrawnJointKind::RevoluteWithClearance {
+                @if layer == PinLayer::Bearings && joint.first.body == index {
+                    @if let Some((x, y)) = at(joint.first.point) {
+                        @let clearance_mm = joint.radial_clearance_m * MM_PER_M;
+                        circle.bearing cx=(format!("{x:.3}")) cy=(format!("{y:.3}"))
+                            r=(format!("{:.4}", 1.3 * pin + magnification * clearance_mm))
+                            data-pin=(format!("{:.4}", 1.3 * pin)) data-clearance=(format!("{clearance_mm:.6}")) {
+                            title { "bearing of " (joint.name) }
+                        }
+                    }
+                }
+                @if layer == PinLayer::Journals && joint.second.body == index {
+                    @if let Some((x, y)) = at(joint.second.point) {
+                        circle.journal cx=(format!("{x:.3}")) cy=(format!("{y:.3}")) r=(format!("{:.4}", 1.3 * pin)) {
+                            title { "journal of " (joint.name) }
+                        }
+                    }
+                }
+            } @else if layer == PinLayer::Journals
+                && matches!(joint.kind, DrawnJointKind::Revolute | DrawnJointKind::Slot)
+                && joint.second.body == index
+            {
+                @if let Some((x, y)) = at(joint.second.point) {
+                    circle.pin cx=(format!("{x:.3}")) cy=(format!("{y:.3}")) r=(format!("{pin:.4}")) {
+                        title { (joint.name) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_hull_of_a_square_with_a_point_inside() {
+        let hull = convex_hull(&[(0.0, 0.0), (2.0, 0.1), (1.0, 1.0), (2.1, 2.0), (-0.1, 1.9)]);
+        assert_eq!(hull, vec![(-0.1, 1.9), (0.0, 0.0), (2.0, 0.1), (2.1, 2.0)]);
+    }
+}

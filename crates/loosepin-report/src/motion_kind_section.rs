@@ -1,0 +1,153 @@
+//! What kind of motion a run shows: whether it repeats itself, the motion once a turn, and what neighbouring motions do.
+
+use maud::{Markup, html};
+
+use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::number::{NumberWriter, Rounding};
+use super::script_data::rounded;
+use super::still_figures::journal_sections;
+use super::wording::counted;
+use loosepin_simulate::record::{
+    JournalOrbit, LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput, SimulationRecord,
+};
+use loosepin_text::units::SiUnit;
+
+/// What is said about the kind of motion, in sentences; for pages and terminals alike.
+pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    let period = record.kind.as_ref().map(|kind| period_sentence(kind, writer));
+    period.into_iter().chain(record.lyapunov.as_ref().map(|found| exponent_sentence(found, writer))).collect()
+}
+
+fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
+    let turns = counted(u64::from(kind.turns), "turn", writer);
+    match kind.period_turns {
+        Some(1) => format!("The motion repeats itself every turn, over the {turns} looked at."),
+        Some(period) => {
+            format!(
+                "The motion repeats itself every {}, over the {turns} looked at.",
+                counted(u64::from(period), "turn", writer)
+            )
+        }
+        None => format!(
+            "The motion does not repeat itself within half of the {turns} looked at: it has not settled, or never does."
+        ),
+    }
+}
+
+fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
+    let number = |value: f64| writer.rounded(value, &SiUnit::NONE, 3, Rounding::Nearest);
+    let space = writer.space();
+    let measured = format!(
+        "Largest Lyapunov exponent {}{space}1/s, with 95{space}% confidence between {} and {}{space}1/s",
+        number(found.exponent_1_s),
+        writer.rounded(found.lower_1_s, &SiUnit::NONE, 3, Rounding::Down),
+        writer.rounded(found.upper_1_s, &SiUnit::NONE, 3, Rounding::Up)
+    );
+    let tenfold = number(std::f64::consts::LN_10 / found.growth_per_turn().abs());
+    match found.kind {
+        NeighbourKind::Part => format!(
+            "{measured}: motions that differ by next to nothing part, tenfold every {tenfold}{space}turns. A single history \
+             means little, statistics over many turns do."
+        ),
+        NeighbourKind::Meet => format!("{measured}: neighbouring motions meet, tenfold every {tenfold}{space}turns."),
+        NeighbourKind::Undecided => format!(
+            "{measured}: that neighbouring motions part, or meet, is not shown over {}.",
+            counted(found.growth.len() as u64, "turn", writer)
+        ),
+    }
+}
+
+/// The section of the page; nothing where a run says nothing about it.
+pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
+    if record.kind.is_none() && record.lyapunov.is_none() {
+        return None;
+    }
+    Some(html! {
+        @for sentence in kind_sentences(record, writer) { p { (sentence) } }
+        @if let Some(kind) = &record.kind { (sections(kind, &record.settings.drive, writer)) }
+        @if let Some(found) = &record.lyapunov { (growth_chart(found, writer)) }
+    })
+}
+
+fn sections(kind: &MotionKind, drive: &str, writer: &NumberWriter) -> Markup {
+    let angle = writer.value_trimmed(kind.section_angle_rad, &SiUnit::ANGLE);
+    html! {
+        p {
+            "Once a turn, at " (angle) " of " (drive) ": a motion that repeats itself every turn shows one dot, one that repeats \
+            itself every second turn two, and one that never does a cloud. Journals count as back within "
+            (writer.percent(kind.repeat_share, Rounding::Nearest)) " of their clearance."
+        }
+        @if !kind.journals.is_empty() {
+            div.orbits { @for journal in &kind.journals { (journal_sections(journal as &JournalOrbit, writer)) } }
+        }
+        @for (index, output) in kind.outputs.iter().enumerate() { (output_chart(output, index, writer)) }
+    }
+}
+
+fn output_chart(output: &SectionedOutput, index: usize, writer: &NumberWriter) -> Markup {
+    let turns: Vec<f64> = (1..=output.deviation_si.len()).map(|turn| turn as f64).collect();
+    let label = format!("deviation of {}", output.name);
+    Chart {
+        id: format!("section-{index}"),
+        horizontal: HorizontalAxis::Plain,
+        x_label: "turn".to_owned(),
+        x_symbol: String::new(),
+        x: rounded(&turns),
+        y_label: label.clone(),
+        y_symbol: writer.symbol(&output.unit),
+        y_range: None,
+        entries: vec![Entry {
+            label: "at the end of the turn".to_owned(),
+            role: Role::Mixed,
+            dashed: false,
+            values: EntryValues::line(&scaled(&output.deviation_si, &output.unit, writer)),
+        }],
+        marks: Vec::new(),
+        height: 200,
+        caption: html! { strong { "Deviation of " (output.name) " once a turn." } " Level where the motion repeats itself every turn." },
+        alternative: format!("Chart of the {label} at the end of each turn."),
+    }
+    .figure()
+}
+
+fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
+    let mut sum = 0.0;
+    let total: Vec<f64> = std::iter::once(0.0)
+        .chain(found.growth.iter().map(|growth| {
+            sum += growth;
+            sum / std::f64::consts::LN_10
+        }))
+        .collect();
+    let turns: Vec<f64> = (0..total.len()).map(|turn| turn as f64).collect();
+    let mean = found.growth_per_turn() / std::f64::consts::LN_10;
+    let even: Vec<f64> = turns.iter().map(|turn| turn * mean).collect();
+    let entry = |label: &str, role, dashed, values: &[f64]| Entry {
+        label: label.to_owned(),
+        role,
+        dashed,
+        values: EntryValues::line(values),
+    };
+    Chart {
+        id: "lyapunov".to_owned(),
+        horizontal: HorizontalAxis::Plain,
+        x_label: "turn".to_owned(),
+        x_symbol: String::new(),
+        x: rounded(&turns),
+        y_label: "powers of ten".to_owned(),
+        y_symbol: String::new(),
+        y_range: None,
+        entries: vec![entry("growth of the separation", Role::First, false, &total), entry("its mean", Role::Worst, true, &even)],
+        marks: Vec::new(),
+        height: 260,
+        caption: html! {
+            strong { "How far a neighbouring motion would be by now, in powers of ten." }
+            " Measured from a run started at " (writer.rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest))
+            " of the natural scales beside this one and brought back there again and again, after "
+            (writer.shortest(found.transient_turns, &SiUnit::NONE)) " turns to settle and " (found.aligning_turns)
+            " in which the direction of the separation settled. The slope is the largest Lyapunov exponent; its standard error, "
+            (writer.rounded(found.standard_error_1_s, &SiUnit::NONE, 2, Rounding::Up)) " 1/s, comes from 20 batches of turns."
+        },
+        alternative: "Chart of the growth of the separation of neighbouring motions over the turns, in powers of ten.".to_owned(),
+    }
+    .figure()
+}

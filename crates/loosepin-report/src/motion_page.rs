@@ -1,0 +1,381 @@
+//! The page of the ideal motion: outputs, the quasi-static worst case, who contributes, the mechanism.
+
+use maud::{Markup, html};
+
+use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::mechanism_figure::mechanism_figure;
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::page::{Page, Section, facts, sentences};
+use super::script_data::rounded;
+use super::still_figures::percent_of;
+use super::wording::named_words;
+use loosepin_simulate::accuracy::record::{MotionRecord, OutputMotion};
+use loosepin_text::units::SiUnit;
+
+/// The page of an ideal motion as one HTML text that needs no network: position, velocity and acceleration of the
+/// outputs, the quasi-static worst case and standard deviations of the clearances, and what each joint contributes.
+/// Text from files is escaped.
+pub fn motion_page(record: &MotionRecord) -> String {
+    let writer = NumberWriter::for_page(&record.display_units);
+    let mut sections = Vec::new();
+    if record.outputs.iter().any(has_clearance) {
+        sections.push(Section::new("clearance", "What play can do", clearance(record, &writer)));
+        sections.push(Section::new("contributors", "Which joint is to blame", contributors(record, &writer)));
+    }
+    if record.outputs.iter().any(has_scatter) {
+        sections.push(Section::new("scatter", "What scatter of the parts does", scatter(record, &writer)));
+    }
+    sections.push(Section::new("motion", "Ideal motion", motion(record, &writer)));
+    if !record.drawing.bodies.is_empty() {
+        let figure = mechanism_figure(&record.drawing, &record.drive, "mechanism-figure");
+        sections.push(Section::new("mechanism", "The mechanism", figure));
+    }
+    sections.push(Section::new("method", "How this was computed", method(record, &writer)));
+    Page {
+        title: record.model.clone(),
+        kicker: "Ideal motion and quasi-static accuracy",
+        subtitle: html! {
+            (record.mobility)
+            @if let Some(speed) = record.drive_speed_rad_s {
+                " · " (record.drive) " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+            }
+            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+        },
+        answer: sentences(&headline_sentences(record, &writer)),
+        sections,
+        version: record.version.clone(),
+    }
+    .into_html()
+}
+
+fn has_clearance(output: &OutputMotion) -> bool {
+    output.clearance.worst_case_si.iter().any(|value| *value != 0.0)
+}
+
+fn has_scatter(output: &OutputMotion) -> bool {
+    output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0)
+}
+
+/// The answer in sentences, the most important first; for pages and terminals alike.
+pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
+    let mut sentences: Vec<String> = record
+        .outputs
+        .iter()
+        .filter(|output| has_clearance(output))
+        .map(|output| {
+            let (angle_rad, worst_si) = largest(record, &output.clearance.worst_case_si);
+            let (_, rim_si) = largest(record, &output.clearance.rim_standard_deviation_si);
+            format!(
+                "Play alone can move the {} by up to ±{} (worst at {}), if nothing presses the joints to one side; were \
+                 the journals spread evenly round their rims, its standard deviation would be at most {}.",
+                output.name,
+                writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+                writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
+                writer.rounded(rim_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+            )
+        })
+        .collect();
+    if sentences.is_empty() {
+        let is_ideal = !record.outputs.iter().any(has_scatter);
+        let words = if is_ideal { "No joint has play: the mechanism moves ideally." } else { "No joint has play." };
+        sentences.push(words.to_owned());
+    }
+    sentences.extend(record.outputs.iter().filter(|output| has_scatter(output)).map(|output| {
+        let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+        format!(
+            "Scatter of the parts moves the {} with a standard deviation of at most {} (at {}).",
+            output.name,
+            writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+            writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
+        )
+    }));
+    for position in &record.singular_positions {
+        sentences.push(format!(
+            "Singular at {} of {}: {}.",
+            writer.value_trimmed(position.drive_angle_rad, &SiUnit::ANGLE),
+            record.drive,
+            position.words
+        ));
+    }
+    sentences
+}
+
+/// Where over the cycle a history is largest, and how large.
+pub(super) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
+    record
+        .drive_angle_rad
+        .iter()
+        .copied()
+        .zip(values.iter().copied())
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or((f64::NAN, f64::NAN))
+}
+
+fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Chart {
+    Chart {
+        id,
+        horizontal: HorizontalAxis::Angle,
+        x_label: format!("angle of {}", record.drive),
+        x_symbol: writer.symbol(&SiUnit::ANGLE),
+        x: rounded(&scaled(&record.drive_angle_rad, &SiUnit::ANGLE, writer)),
+        y_label: String::new(),
+        y_symbol: String::new(),
+        y_range: None,
+        entries: Vec::new(),
+        marks: Vec::new(),
+        height: 300,
+        caption: html! {},
+        alternative: String::new(),
+    }
+}
+
+fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "Each journal may lie anywhere in the disc of its clearance. The worst case adds up all joints at their worst; \
+             the standard deviations take the journals as scattered over their discs, or over their rims. Inertia and \
+             impacts are left out here: that is what " code { "simulate" } " and " code { "study" } " are for."
+        }
+        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_clearance(output)) {
+            (clearance_chart(record, output, index, writer).figure())
+        }
+    }
+}
+
+fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, writer: &NumberWriter) -> Chart {
+    let mut chart = angle_chart(record, format!("clearance-{index}"), writer);
+    chart.y_label = format!("deviation of {}", output.name);
+    chart.y_symbol = writer.symbol(&output.unit);
+    chart.height = 340;
+    let mut band = |label: &str, role: Role, filled: bool, values_si: &[f64]| {
+        if values_si.is_empty() {
+            return;
+        }
+        let upper = scaled(values_si, &output.unit, writer);
+        let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+        let values = if filled { EntryValues::band(&lower, &upper) } else { EntryValues::pair(&lower, &upper) };
+        chart.entries.push(Entry { label: label.to_owned(), role, dashed: !filled, values });
+    };
+    let answer = &output.clearance;
+    band("worst case", Role::Mixed, true, &answer.worst_case_si);
+    band("± standard deviation, anywhere in the discs", Role::Random, true, &answer.disc_standard_deviation_si);
+    band("± standard deviation, on the rims", Role::Mean, false, &answer.rim_standard_deviation_si);
+    band("± standard deviation of the dimensions", Role::Probability, false, &output.dimensional_standard_deviation_si);
+    let (angle_rad, worst_si) = largest(record, &answer.worst_case_si);
+    let words = format!(
+        "at most ±{}, at {}",
+        writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
+    );
+    chart.caption = html! {
+        strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " Worst case: " (words)
+        ". To first order in the clearances."
+    };
+    chart.alternative = format!(
+        "Chart of the quasi-static worst case of {} over one cycle: {words}.",
+        named_words(&output.name, &output.words)
+    );
+    chart
+}
+
+fn contributors(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for output in record.outputs.iter().filter(|output| has_clearance(output)) {
+            (contributor_table(record, output, writer))
+        }
+    }
+}
+
+fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Markup {
+    let (worst_angle_rad, worst_si) = largest(record, &output.clearance.worst_case_si);
+    let pose = record.drive_angle_rad.iter().position(|angle_rad| *angle_rad == worst_angle_rad).unwrap_or(0);
+    let mut joints: Vec<(f64, _)> = output
+        .clearance
+        .contributors
+        .iter()
+        .map(|joint| (joint.worst_case_si.get(pose).copied().unwrap_or(0.0), joint))
+        .collect();
+    joints.sort_by(|a, b| b.0.total_cmp(&a.0));
+    html! {
+        figure.treatments {
+            h3 { (named_words(&output.name, &output.words)) }
+            table.cards {
+                thead {
+                    tr {
+                        th scope="col" { "Joint" }
+                        th.number scope="col" { "Radial clearance" }
+                        th.number scope="col" { "Part of the worst case" }
+                        th scope="col" { "Share" }
+                    }
+                }
+                tbody {
+                    @for (part_si, joint) in &joints {
+                        tr {
+                            th scope="row" { (joint.joint) }
+                            td.number data-label="Radial clearance" {
+                                (writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH))
+                            }
+                            td.number data-label="Part of the worst case" { (writer.value(*part_si, &output.unit)) }
+                            td data-label="Share" { (share_bar(*part_si, worst_si, writer)) }
+                        }
+                    }
+                }
+            }
+            figcaption {
+                "Shares of the worst case at " (writer.rounded(worst_angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest))
+                ", where it is largest."
+            }
+        }
+    }
+}
+
+fn scatter(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "To first order in the dimensions that scatter, without play: the root of the sum of the squares of what each causes by \
+             itself, and of what those do that go together."
+        }
+        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_scatter(output)) {
+            (scatter_chart(record, output, index, writer).figure())
+            (scatter_table(record, output, writer))
+        }
+    }
+}
+
+fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, writer: &NumberWriter) -> Chart {
+    let mut chart = angle_chart(record, format!("scatter-{index}"), writer);
+    chart.y_label = format!("deviation of {}", output.name);
+    chart.y_symbol = writer.symbol(&output.unit);
+    let upper = scaled(&output.dimensional_standard_deviation_si, &output.unit, writer);
+    let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+    chart.entries.push(Entry {
+        label: "± standard deviation of the dimensions".to_owned(),
+        role: Role::Random,
+        dashed: false,
+        values: EntryValues::band(&lower, &upper),
+    });
+    let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+    let words = format!(
+        "at most {}, at {}",
+        writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
+    );
+    chart.caption = html! {
+        strong { "Scatter of " (named_words(&output.name, &output.words)) " from the parts." } " Standard deviation: " (words) "."
+    };
+    chart.alternative = format!(
+        "Chart of the standard deviation of {} over one cycle: {words}.",
+        named_words(&output.name, &output.words)
+    );
+    chart
+}
+
+fn scatter_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Markup {
+    let mut dimensions: Vec<(f64, &str)> = output
+        .dimensional_contributors
+        .iter()
+        .map(|dimension| (largest(record, &dimension.standard_deviation_si).1, dimension.path.as_str()))
+        .collect();
+    dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
+    html! {
+        table.cards {
+            thead {
+                tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation it causes" } }
+            }
+            tbody {
+                @for (deviation_si, path) in &dimensions {
+                    tr {
+                        th scope="row" { code { (path) } }
+                        td.number data-label="Largest standard deviation it causes" {
+                            (writer.value(*deviation_si, &output.unit))
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn share_bar(part_si: f64, whole_si: f64, writer: &NumberWriter) -> Markup {
+    let share = if whole_si > 0.0 { part_si / whole_si } else { 0.0 };
+    let words = writer.percent(share, Rounding::Nearest);
+    html! {
+        svg.bar width="100%" height="20" role="img" aria-label=(words) {
+            line.axis x1="0%" x2="100%" y1="10" y2="10" {}
+            rect.mixed x="0" y="4" width=(percent_of(share, 0.0, 1.0)) height="12" rx="2" {}
+        }
+        span.range { (words) }
+    }
+}
+
+fn motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, output) in record.outputs.iter().enumerate() {
+            (motion_chart(record, output, index, "position", &output.value_si, Some(output.unit.clone()), writer))
+            @let rate = output.unit.per_second();
+            (motion_chart(record, output, index, "velocity", &output.velocity_si, rate.clone(), writer))
+            @let second = rate.and_then(|rate| rate.per_second());
+            (motion_chart(record, output, index, "acceleration", &output.acceleration_si, second, writer))
+        }
+    }
+}
+
+fn motion_chart(
+    record: &MotionRecord,
+    output: &OutputMotion,
+    index: usize,
+    what: &str,
+    values_si: &[f64],
+    unit: Option<SiUnit>,
+    writer: &NumberWriter,
+) -> Markup {
+    let unit = unit.unwrap_or(SiUnit::NONE);
+    if values_si.is_empty() {
+        return html! {};
+    }
+    let mut chart = angle_chart(record, format!("{what}-{index}"), writer);
+    chart.height = 220;
+    chart.y_label = format!("{what} of {}", output.name);
+    chart.y_symbol = writer.symbol(&unit);
+    chart.entries.push(Entry {
+        label: format!("ideal {what}"),
+        role: Role::First,
+        dashed: false,
+        values: EntryValues::line(&scaled(values_si, &unit, writer)),
+    });
+    let ends = |values: &[f64]| {
+        (values.iter().copied().fold(f64::INFINITY, f64::min), values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let (lowest, highest) = ends(values_si);
+    let range = format!("between {} and {}", writer.value(lowest, &unit), writer.value(highest, &unit));
+    chart.caption =
+        html! { strong { "Ideal " (what) " of " (named_words(&output.name, &output.words)) }  ": " (range) "." };
+    chart.alternative =
+        format!("Chart of the ideal {what} of {} over one cycle: {range}.", named_words(&output.name, &output.words));
+    chart.figure()
+}
+
+fn method(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    let mut rows = vec![
+        ("Mobility".to_owned(), html! { (record.mobility) }),
+        (
+            "Ideal motion".to_owned(),
+            html! { "loops closed at position, velocity and acceleration level, " (record.drive_angle_rad.len()) " positions" },
+        ),
+        (
+            "Effect of play".to_owned(),
+            html! {
+                "first order: each eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own \
+                 Jacobian. Worst case Σ c|g|; variance Σ c²|g|²/4 (anywhere in the disc), Σ c²|g|²/2 (on the rim)"
+            },
+        ),
+    ];
+    for position in &record.singular_positions {
+        rows.push((
+            "Singular position".to_owned(),
+            html! { (writer.value_trimmed(position.drive_angle_rad, &SiUnit::ANGLE)) ": " (position.words) },
+        ));
+    }
+    rows.push(("Version".to_owned(), html! { "loosepin " (record.version) }));
+    facts(&rows)
+}

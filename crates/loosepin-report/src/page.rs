@@ -1,0 +1,122 @@
+//! The frame of every page: head with embedded style and scripts, title, sections, foot. Nothing is loaded.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// The charting library, embedded: uPlot 1.6.32, MIT (THIRD_PARTY_NOTICES.md).
+const UPLOT_SCRIPT: &str = include_str!("../assets/uplot/uPlot.iife.min.js");
+/// Its style.
+const UPLOT_STYLE: &str = include_str!("../assets/uplot/uPlot.min.css");
+/// Our style: colours, shapes of mechanisms, the rest.
+pub(super) const COLOURS: &str = include_str!("../assets/colours.css");
+pub(super) const MECHANISM_STYLE: &str = include_str!("../assets/mechanism.css");
+const STYLE: &str = include_str!("../assets/report.css");
+/// Draws charts from the data in the page.
+const CHART_SCRIPT: &str = include_str!("../assets/charts.js");
+/// Moves the mechanism.
+const MECHANISM_SCRIPT: &str = include_str!("../assets/mechanism.js");
+/// A browser must not fetch anything for these pages, even if text in them asked for it.
+const CONTENT_POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'";
+
+/// One section of a page.
+pub(super) struct Section {
+    pub id: &'static str,
+    pub title: String,
+    pub body: Markup,
+}
+
+impl Section {
+    pub fn new(id: &'static str, title: impl Into<String>, body: Markup) -> Self {
+        Section { id, title: title.into(), body }
+    }
+}
+
+/// A whole page.
+pub(super) struct Page {
+    /// Of the window and the first heading.
+    pub title: String,
+    /// What kind of page this is, above the title.
+    pub kicker: &'static str,
+    /// The line below the title.
+    pub subtitle: Markup,
+    /// The answer, before everything else.
+    pub answer: Markup,
+    pub sections: Vec<Section>,
+    pub version: String,
+}
+
+impl Page {
+    pub fn into_html(self) -> String {
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(CONTENT_POLICY);
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="color-scheme" content="light dark";
+                    meta name="generator" content=(format!("loosepin {}", self.version));
+                    title { (self.title) }
+                    style { (PreEscaped(UPLOT_STYLE)) (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(MECHANISM_STYLE)) }
+                }
+                body {
+                    a.skip href="#content" { "Skip to the answer" }
+                    header {
+                        p.kicker { (self.kicker) }
+                        h1 { (self.title) }
+                        p.subtitle { (self.subtitle) }
+                    }
+                    main id="content" {
+                        section.answer id="answer" aria-label="The answer" { (self.answer) }
+                        nav aria-label="On this page" {
+                            ol {
+                                @for section in &self.sections {
+                                    li { a href={ "#" (section.id) } { (section.title) } }
+                                }
+                            }
+                        }
+                        @for section in &self.sections {
+                            section id=(section.id) aria-labelledby={ (section.id) "-title" } {
+                                h2 id={ (section.id) "-title" } { (section.title) }
+                                (section.body)
+                            }
+                        }
+                    }
+                    footer {
+                        p.help {
+                            "Charts: drag across to enlarge a stretch, double-click to see all again; press a name below \
+                             a chart to hide or show it. With the keyboard: arrows move the read-out, + and − enlarge, 0 \
+                             shows all."
+                        }
+                        p { "Written by loosepin " (self.version) ". This page is complete in itself and loads nothing." }
+                    }
+                    noscript { p.help { "The charts of this page are drawn by its own script, which is switched off here; the numbers stand in the tables." } }
+                    script { (PreEscaped(UPLOT_SCRIPT)) }
+                    script { (PreEscaped(CHART_SCRIPT)) }
+                    script { (PreEscaped(MECHANISM_SCRIPT)) }
+                }
+            }
+        };
+        page.into_string()
+    }
+}
+
+/// Sentences, the first one as the headline.
+pub(super) fn sentences(sentences: &[String]) -> Markup {
+    html! {
+        @for (index, sentence) in sentences.iter().enumerate() {
+            @if index == 0 { p.headline { (sentence) } } @else { p { (sentence) } }
+        }
+    }
+}
+
+/// A name and what it stands for, one per line.
+pub(super) fn facts(rows: &[(String, Markup)]) -> Markup {
+    html! {
+        dl.facts {
+            @for (name, value) in rows {
+                div { dt { (name) } dd { (value) } }
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Percentiles of statistics that are themselves random, in words.
+
+use super::answer::output_unit;
+use super::number::{NumberWriter, Rounding};
+use super::study_page::bound_value;
+use super::wording::{deviation_words, output_words, place_words, statistic_words};
+use loosepin_study::result::{BoundRecord, ResponsePoint, StudyResult};
+
+/// What stands above them.
+pub(super) const PERCENTILES_MEAN: &str = "Parameters of distributions are themselves known by distributions, so that each statistic is random: with the \
+     probability of a percentile it does not exceed that percentile. Where something else is unknown, each percentile lies between two \
+     bounds. Numerical errors are added outwards. All other numbers here hold wherever in its range such a parameter lies.";
+
+/// More statistics are left to `bounds.csv`.
+const MOST_STATISTICS: usize = 20;
+
+/// `5 %` as the name of a percentile.
+pub(super) fn percentile_words(percentile: f64, writer: &NumberWriter) -> String {
+    format!("{} percentile", writer.percent(percentile, Rounding::Nearest))
+}
+
+/// One sentence for each statistic that is no point of a curve.
+pub(super) fn percentile_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
+    let Some(first) = result.percentiles.first() else { return Vec::new() };
+    let is_single = |(_, bound): &(usize, &BoundRecord)| !matches!(bound.at, ResponsePoint::Curve { .. });
+    let sentence = |(index, bound): (usize, &BoundRecord)| {
+        let parts = result.percentiles.iter().filter_map(|each| {
+            let bound = each.bounds.get(index)?;
+            Some(format!(
+                "{} {} to {}",
+                percentile_words(each.percentile, writer),
+                bound_value(&bound.lower, bound, Rounding::Down, writer),
+                bound_value(&bound.upper, bound, Rounding::Up, writer)
+            ))
+        });
+        format!(
+            "{} of {} ({}, {}): {}.",
+            statistic_words(bound.statistic, &output_unit(result, &bound.output), writer),
+            output_words(&bound.output, &result.outputs),
+            deviation_words(bound.of),
+            place_words(bound.at, writer),
+            parts.collect::<Vec<String>>().join(", ")
+        )
+    };
+    first.bounds.iter().enumerate().filter(is_single).take(MOST_STATISTICS).map(sentence).collect()
+}

@@ -1,0 +1,57 @@
+//! A bifurcation diagram: for every value of the quantity the points of its Poincaré section.
+
+use maud::{Markup, html};
+
+use super::axes::{Axes, Axis};
+use super::number::NumberWriter;
+use super::wording::named_words;
+use loosepin_simulate::sweep::record::{SweepPoint, SweepRecord};
+
+/// Width and height of the picture in its own units; a unit is about a pixel.
+const WIDTH: f64 = 960.0;
+const HEIGHT: f64 = 420.0;
+
+/// One dot for every turn of every value, in two colours: motion that repeats itself, and motion that does not.
+pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &NumberWriter) -> Markup {
+    let swept = &record.outputs[output];
+    let (across, up) = (writer.units.of(&record.unit), writer.units.of(&swept.unit));
+    let x_axis = Axis::over(record.points.iter().map(|point| across.from_si(point.value_si)));
+    let sections = || record.points.iter().filter_map(|point| Some((point, point.sections_si.get(output)?)));
+    let y_axis = Axis::over(sections().flat_map(|(_, section)| section.iter().map(|v| up.from_si(*v)))).wider();
+    let axes = Axes { width: WIDTH, height: HEIGHT, x: x_axis, y: y_axis };
+    let dots = |is_wanted: &dyn Fn(&SweepPoint) -> bool| {
+        let mut path = String::new();
+        for (point, section) in sections().filter(|(point, _)| is_wanted(point)) {
+            let x = axes.across(across.from_si(point.value_si));
+            for value_si in section.iter().filter(|value_si| value_si.is_finite()) {
+                path.push_str(&format!("M{x:.1} {:.1}h0", axes.up(up.from_si(*value_si))));
+            }
+        }
+        path
+    };
+    let name = named_words(&swept.name, &swept.words);
+    let angle = writer.value_trimmed(record.section_angle_rad, &loosepin_text::units::SiUnit::ANGLE);
+    let alternative = format!(
+        "Bifurcation diagram: deviation of {name} once a turn, at {angle} of {}, over {}; {} turns for each of {} values.",
+        record.drive,
+        record.path,
+        record.recorded_turns,
+        record.points.len()
+    );
+    html! {
+        figure.section {
+            svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(alternative) {
+                (axes.grid())
+                path.irregular d=(dots(&|point| point.period_turns.is_none())) {}
+                path.regular d=(dots(&|point| point.period_turns.is_some())) {}
+                (axes.labels([&record.path, &across.symbol], [&format!("deviation of {}", swept.name), &up.symbol]))
+            }
+            figcaption {
+                strong { "Once a turn, at " (angle) " of " (record.drive) ": the deviation of " (name) "." }
+                " A dot for each of " (record.recorded_turns) " turns; "
+                span.regular { "blue" } " where the motion repeats itself, "
+                span.irregular { "orange" } " where it does not."
+            }
+        }
+    }
+}

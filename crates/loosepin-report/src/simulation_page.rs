@@ -1,0 +1,543 @@
+//! The page of one run: outputs over time, deviation, impacts, contact force, journal paths, energy, the mechanism.
+
+use maud::{Markup, html};
+
+use super::answer::{turn_word, turns};
+use super::chart::{Chart, Entry, HorizontalAxis, Role, scaled};
+use super::measured_figures::measured_figures;
+use super::mechanism_figure::mechanism_figure;
+use super::motion_kind_section::{kind_section, kind_sentences};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::page::{Page, Section, facts, sentences};
+use super::script_data::rounded;
+use super::still_figures::orbit_figure;
+use super::wording::{count, counted, listed, named_words};
+use loosepin_simulate::record::{
+    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    SimulationRecord, StopReason, SwingCourse,
+};
+use loosepin_text::units::SiUnit;
+
+/// Rows of the table of impacts; the others stand in `impacts.csv`.
+const MOST_IMPACTS: usize = 30;
+
+/// The page of one run as one HTML text that needs no network: outputs and their deviation over time, impacts, contact
+/// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
+pub fn simulation_page(record: &SimulationRecord) -> String {
+    let writer = NumberWriter::for_page(&record.display_units);
+    let mut sections = vec![Section::new("outputs", "Outputs over time", outputs(record, &writer))];
+    if record.outputs.iter().any(|output| !output.deviation_si.is_empty()) {
+        sections.push(Section::new("deviation", "Deviation from the ideal motion", deviations(record, &writer)));
+    }
+    if !record.measured.is_empty() {
+        sections.push(Section::new("measured", "Measured against computed", measured_figures(record, &writer)));
+    }
+    if !record.extremes.is_empty() {
+        sections.push(Section::new("extremes", "Smallest and largest values", extremes(record, &writer)));
+    }
+    if !record.joints.is_empty() {
+        sections.push(Section::new("contact", "Contact and impacts", contact(record, &writer)));
+    }
+    if !record.controls.is_empty() {
+        sections.push(Section::new("control", "Controls", controls(record, &writer)));
+    }
+    if !record.orbits.is_empty() {
+        sections.push(Section::new(
+            "orbits",
+            "The journal in its bearing",
+            html! {
+                p {
+                    "The path of the pin's centre relative to the hole, in the frame of the part that carries the hole."
+                }
+                div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, &writer)) } }
+            },
+        ));
+    }
+    if let Some(kind) = kind_section(record, &writer) {
+        sections.push(Section::new("kind", "What kind of motion it is", kind));
+    }
+    if !record.drawing.bodies.is_empty() {
+        let figure = mechanism_figure(&record.drawing, &record.settings.drive, "mechanism-figure");
+        sections.push(Section::new("mechanism", "The mechanism", figure));
+    }
+    sections.push(Section::new("energy", "Energy account", energy(record, &writer)));
+    sections.push(Section::new("method", "How this was computed", method(record, &writer)));
+    Page {
+        title: record.model.clone(),
+        kicker: "Simulation",
+        subtitle: html! {
+            @if let Some(speed) = record.settings.drive_speed_rad_s {
+                (record.settings.drive) " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
+            }
+            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s))
+            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+        },
+        answer: answer(record, &writer),
+        sections,
+        version: record.version.clone(),
+    }
+    .into_html()
+}
+
+fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @if let StopReason::Failed { words, .. } = &record.stop {
+            p.verdict.not-met { "The run failed" }
+            p { (words) ". What follows is the part before." }
+        }
+        (sentences(&headline_sentences(record, writer)))
+    }
+}
+
+/// The answer of a run in sentences, the most important first; for pages and terminals alike.
+pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let deviation = record.extremes.iter().find(|extreme| extreme.name.ends_with("deviation"));
+    let play: Vec<String> = record
+        .joints
+        .iter()
+        .map(|joint| {
+            // In a guide or a slot it lies between faces.
+            let is_between_faces = record.drawing.joints.iter().any(|drawn| {
+                drawn.name == joint.joint && matches!(drawn.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
+            });
+            let clearance = writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH);
+            let kind = if is_between_faces { "clearance" } else { "radial clearance" };
+            format!("a {kind} of {clearance} in {}", joint.joint)
+        })
+        .collect();
+    let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };
+    if let Some(extreme) = deviation {
+        sentences.push(format!(
+            "{with}, the {} departs from its ideal motion by {} to {}.",
+            extreme.name.trim_end_matches(", deviation"),
+            writer.value(extreme.minimum.value_si, &extreme.unit),
+            writer.value(extreme.maximum.value_si, &extreme.unit),
+        ));
+    } else {
+        sentences.push(format!(
+            "{with}, {} were recorded.",
+            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s)
+        ));
+    }
+    for joint in &record.joints {
+        let force = writer.value(joint.peak_force_n, &SiUnit::FORCE);
+        let contact = if joint.impacts == 0 {
+            format!("no impact, with up to {force} contact force")
+        } else {
+            format!(
+                "{} with up to {} approach speed and {force} contact force",
+                counted(joint.impacts, "impact", writer),
+                writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            )
+        };
+        sentences.push(format!(
+            "{}: {contact}; the surfaces are pressed together by {} at most.",
+            joint.joint,
+            writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
+        ));
+    }
+    for control in &record.controls {
+        sentences.extend(control_sentences(control, writer));
+    }
+    sentences.extend(kind_sentences(record, writer));
+    sentences.push(format!(
+        "The energy account of the run closes to {} of the largest energy exchanged.",
+        writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
+    ));
+    sentences.extend(quasi_static_sentence(&record.quasi_static_check, writer));
+    sentences
+}
+
+/// The outcome of the quasi-static check: the output that breaks it, or else the one that departs furthest.
+fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> Option<String> {
+    let worst = checks.iter().max_by(|a, b| {
+        (a.is_exceeded, a.largest_share)
+            .partial_cmp(&(b.is_exceeded, b.largest_share))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    })?;
+    let skipped: usize = checks.iter().map(|check| check.samples_without_worst_case).sum();
+    let mut sentence = if worst.is_exceeded {
+        format!(
+            "The {} departs by {}, beyond the {} that clearances and penetrations allow: this run is wrong.",
+            worst.output,
+            writer.value(worst.deviation_si, &worst.unit),
+            writer.value(worst.worst_case_si, &worst.unit)
+        )
+    } else {
+        format!(
+            "No output departs further than clearances and penetrations allow; the {} departs furthest, by {} of what they allow.",
+            worst.output,
+            writer.percent(worst.largest_share, Rounding::Up)
+        )
+    };
+    if skipped > 0 {
+        sentence.push_str(&format!(
+            " {} could not be checked, with a dead point within the clearances.",
+            counted(skipped as u64, "sample", writer)
+        ));
+    }
+    Some(sentence)
+}
+
+/// How a control followed its reference, and whether it keeps moving where it ought to rest.
+fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let mut sentences = vec![format!(
+        "Control {}: {} departs from its reference by {} at most, with up to {} in {}.",
+        control.name,
+        control.measured,
+        writer.value(largest(&control.error_si), &control.unit),
+        writer.value(largest(&control.effort_si), &control.effort_unit),
+        control.joint,
+    )];
+    if let Some(swing) = &control.swing {
+        let amplitude = writer.value(swing.amplitude_si, &control.unit);
+        let period = writer.value(swing.period_s, &SiUnit::TIME);
+        sentences.push(match swing.course {
+            SwingCourse::Steady => format!(
+                "Control {}: {} does not come to rest although its reference does: it keeps swinging by {amplitude} either way, once \
+                 in {period} (a limit cycle, over {} swings).",
+                control.name, control.measured, swing.swings
+            ),
+            SwingCourse::Grows => format!(
+                "Control {}: {} swings more and more although its reference rests: by {amplitude} either way in the end, once in \
+                 {period}.",
+                control.name, control.measured
+            ),
+        });
+    }
+    sentences
+}
+
+/// A chart over time with the angle of the drive in the caption.
+fn time_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
+    Chart {
+        id,
+        horizontal: HorizontalAxis::Plain,
+        x_label: "time".to_owned(),
+        x_symbol: writer.symbol(&SiUnit::TIME),
+        x: rounded(&scaled(&record.time_s, &SiUnit::TIME, writer)),
+        y_label: String::new(),
+        y_symbol: String::new(),
+        y_range: None,
+        entries: Vec::new(),
+        marks: Vec::new(),
+        height: 300,
+        caption: html! {},
+        alternative: String::new(),
+    }
+}
+
+fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, output) in record.outputs.iter().enumerate() {
+            (output_chart(record, output, index, writer).figure())
+        }
+    }
+}
+
+fn output_chart(record: &SimulationRecord, output: &OutputHistory, index: usize, writer: &NumberWriter) -> Chart {
+    let mut chart = time_chart(record, format!("output-{index}"), writer);
+    chart.y_label.clone_from(&output.name);
+    chart.y_symbol = writer.symbol(&output.unit);
+    chart.entries.push(Entry::line("with play", Role::First, false, &output.value_si, &output.unit, writer));
+    if !output.ideal_si.is_empty() {
+        chart.entries.push(Entry::line("ideal", Role::Worst, true, &output.ideal_si, &output.unit, writer));
+    }
+    chart.caption = html! { strong { (named_words(&output.name, &output.words)) } " over time." };
+    chart.alternative = format!("Chart of {} over time.", named_words(&output.name, &output.words));
+    chart
+}
+
+fn deviations(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| !output.deviation_si.is_empty()) {
+            (deviation_chart(record, output, index, writer).figure())
+        }
+    }
+}
+
+fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, index: usize, writer: &NumberWriter) -> Chart {
+    let mut chart = time_chart(record, format!("deviation-{index}"), writer);
+    chart.y_label = format!("deviation of {}", output.name);
+    chart.y_symbol = writer.symbol(&output.unit);
+    chart.entries.push(Entry::line(
+        "actual minus ideal",
+        Role::Mixed,
+        false,
+        &output.deviation_si,
+        &output.unit,
+        writer,
+    ));
+    chart.caption = html! { strong { "Deviation of " (named_words(&output.name, &output.words)) } ": actual minus ideal at the same time." };
+    chart.alternative = format!(
+        "Chart of the deviation of {} from its ideal value over time.",
+        named_words(&output.name, &output.words)
+    );
+    chart
+}
+
+fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    let point = |point: &ExtremePoint, unit: &SiUnit| {
+        html! {
+            strong { (writer.value(point.value_si, unit)) } " "
+            span.quiet {
+                (writer.value(point.time_s, &SiUnit::TIME))
+                @if record.settings.drive_speed_rad_s.is_some() {
+                    ", " (record.settings.drive) " at "
+                    (writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest))
+                }
+            }
+        }
+    };
+    html! {
+        p { "Located on the continuous motion, not read off samples." }
+        table.cards {
+            thead {
+                tr { th scope="col" { "Quantity" } th.number scope="col" { "Smallest" } th.number scope="col" { "Largest" } }
+            }
+            tbody {
+                @for extreme in &record.extremes {
+                    tr {
+                        th scope="row" { (extreme.name) }
+                        td.number data-label="Smallest" { (point(&extreme.minimum, &extreme.unit)) }
+                        td.number data-label="Largest" { (point(&extreme.maximum, &extreme.unit)) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    let shown = record.impacts.len().min(MOST_IMPACTS);
+    html! {
+        @for joint in &record.joints { h3 { (joint.joint) } (facts(&joint_facts(joint, turn_word(record.settings.drive_speed_rad_s), writer))) }
+        @if record.contact_forces.iter().any(|history| !history.force_n.is_empty()) {
+            (force_chart(record, writer).figure())
+        }
+        @if !record.impacts.is_empty() {
+            details.numbers {
+                summary {
+                    @if shown < record.impacts.len() { "The first " (shown) " of " (count(record.impacts.len() as u64, writer)) " impacts" }
+                    @else { "All " (shown) " impacts" }
+                }
+                div.scroll tabindex="0" role="region" aria-label="Table of impacts" { (impact_table(record, shown, writer)) }
+            }
+        }
+    }
+}
+
+fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) -> Markup {
+    // The phase of a cycle in which no drive turns tells nothing that the time does not.
+    let has_angle = record.settings.drive_speed_rad_s.is_some();
+    let row = |impact: &ImpactRecord| {
+        html! {
+            tr {
+                th scope="row" { (writer.value(impact.time_s, &SiUnit::TIME)) }
+                @if has_angle { td { (writer.value(impact.drive_angle_rad, &SiUnit::ANGLE)) } }
+                td { (impact.joint) }
+                td { (writer.value(impact.speed_m_s, &SiUnit::VELOCITY)) }
+                td { (writer.value(impact.duration_s, &SiUnit::TIME)) }
+                td { (writer.value(impact.peak_force_n, &SiUnit::FORCE)) }
+                td {
+                    @match impact.separation_speed_m_s {
+                        Some(speed) => (writer.value(speed, &SiUnit::VELOCITY)),
+                        None => "still touching",
+                    }
+                }
+            }
+        }
+    };
+    html! {
+        table {
+            thead {
+                tr {
+                    th scope="col" { "Onset" }
+                    @if has_angle { th scope="col" { "Angle of " (record.settings.drive) } }
+                    th scope="col" { "Joint" }
+                    th scope="col" { "Approach speed" }
+                    th scope="col" { "Duration" }
+                    th scope="col" { "Peak force" }
+                    th scope="col" { "Separation speed" }
+                }
+            }
+            tbody { @for impact in record.impacts.iter().take(shown) { (row(impact)) } }
+        }
+    }
+}
+
+fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
+    let mut chart = time_chart(record, "contact-force".to_owned(), writer);
+    chart.y_label = "contact force".to_owned();
+    chart.y_symbol = writer.symbol(&SiUnit::FORCE);
+    for (index, history) in record.contact_forces.iter().enumerate() {
+        let role = Role::of_index(index);
+        chart.entries.push(Entry::line(&history.joint, role, false, &history.force_n, &SiUnit::FORCE, writer));
+    }
+    chart.caption = html! {
+        strong { "Normal contact force" } " at the sample times; a peak between samples is higher than drawn, and stands \
+        in the table of impacts."
+    };
+    chart.alternative = "Chart of the normal contact force of each joint with play over time.".to_owned();
+    chart
+}
+
+fn controls(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, control) in record.controls.iter().enumerate() {
+            h3 { (control.name) }
+            @let about = html! { strong { "Error." } " Reference minus " (control.measured) "." };
+            (control_chart(record, format!("control-error-{index}"), "error", (&control.error_si, &control.unit), about, writer))
+            @let about = html! { strong { "Effort." } " What the actuator does in " (control.joint) "." };
+            (control_chart(record, format!("control-effort-{index}"), "effort", (&control.effort_si, &control.effort_unit), about, writer))
+        }
+    }
+}
+
+fn control_chart(
+    record: &SimulationRecord,
+    id: String,
+    label: &str,
+    (values_si, unit): (&[f64], &SiUnit),
+    caption: Markup,
+    writer: &NumberWriter,
+) -> Markup {
+    let mut chart = time_chart(record, id, writer);
+    chart.height = 220;
+    chart.y_label = label.to_owned();
+    chart.y_symbol = writer.symbol(unit);
+    chart.entries.push(Entry::line(label, Role::Mixed, false, values_si, unit, writer));
+    chart.caption = caption;
+    chart.alternative = format!("Chart of the {label} of a control over time.");
+    chart.figure()
+}
+
+fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(String, Markup)> {
+    let mut rows = vec![
+        ("Contact law".to_owned(), html! { (joint.law) }),
+        (
+            "Contacts".to_owned(),
+            html! {
+                (count(joint.contacts, writer)) ", of which " (count(joint.impacts, writer)) " impacts"
+                @if let Some(per_turn) = joint.impacts_per_turn {
+                    " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per " (turn) ")"
+                }
+            },
+        ),
+        (
+            "Loss of contact".to_owned(),
+            html! {
+                "out of contact for " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact is lost "
+                (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per " (turn)
+            },
+        ),
+        (
+            "Largest penetration".to_owned(),
+            html! {
+                (writer.value(joint.largest_penetration_m, &SiUnit::LENGTH))
+                @if joint.radial_clearance_m > 0.0 {
+                    ", " (writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up))
+                    " of the clearance of " (writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH))
+                }
+            },
+        ),
+        ("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }),
+        ("Largest approach speed".to_owned(), html! { (writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY)) }),
+    ];
+    if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
+        rows.push((
+            "Restitution".to_owned(),
+            html! {
+                "stated " (writer.shortest(nominal, &SiUnit::NONE)) "; a free impact under this law really delivers "
+                strong { (writer.value_trimmed(delivered, &SiUnit::NONE)) }
+            },
+        ));
+    }
+    if let Some(share) = joint.share_outside_validity {
+        rows.push((
+            "Outside the law's validity".to_owned(),
+            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law was made for" },
+        ));
+    }
+    if joint.floored_contacts > 0 {
+        rows.push((
+            "Very gentle contacts".to_owned(),
+            html! { (count(joint.floored_contacts, writer)) " computed with the least impact speed of the law" },
+        ));
+    }
+    rows
+}
+
+fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    let account = &record.energy;
+    let unit = SiUnit::ENERGY;
+    let mut chart = time_chart(record, "energy-account".to_owned(), writer);
+    chart.y_label = "energy".to_owned();
+    chart.y_symbol = writer.symbol(&unit);
+    let histories = [
+        ("kinetic", Role::First, &account.kinetic_j),
+        ("potential", Role::Third, &account.potential_j),
+        ("stored in contacts and springs", Role::Fourth, &account.stored_j),
+        ("lost in contacts", Role::Second, &account.contact_loss_j),
+        ("lost in friction", Role::Limit, &account.friction_loss_j),
+        ("lost in dampers", Role::Mixed, &account.damping_loss_j),
+        ("supplied", Role::Worst, &account.supplied_j),
+    ];
+    for (label, role, values_j) in histories {
+        if values_j.iter().any(|value| *value != 0.0) {
+            chart.entries.push(Entry::line(label, role, label == "supplied", values_j, &unit, writer));
+        }
+    }
+    chart.caption = html! {
+        strong { "Energy account." } " Kinetic, potential and stored energy, what was lost, and the work supplied since \
+        the start; what is zero throughout is left out."
+    };
+    chart.alternative = "Chart of the parts of the energy account over time.".to_owned();
+    let mut rest = time_chart(record, "energy-residual".to_owned(), writer);
+    rest.height = 200;
+    rest.y_label = "residual".to_owned();
+    rest.y_symbol = writer.symbol(&unit);
+    rest.entries.push(Entry::line("residual", Role::Worst, false, &account.residual_j, &unit, writer));
+    rest.caption = html! {
+        strong { "What does not add up." } " At most "
+        (writer.rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))
+        " of the largest energy exchanged: the run's own check."
+    };
+    rest.alternative = "Chart of the energy residual over time.".to_owned();
+    html! {
+        @if !chart.entries.is_empty() { (chart.figure()) }
+        @if !account.residual_j.is_empty() { (rest.figure()) }
+    }
+}
+
+fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    let settings = &record.settings;
+    let counters = &record.counters;
+    facts(&[
+        (
+            "Turns".to_owned(),
+            html! {
+                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " to start up, then "
+                (turns(settings.recorded_turns, settings.drive_speed_rad_s)) " recorded, "
+                (settings.samples_per_turn) " samples per " (turn_word(settings.drive_speed_rad_s))
+            },
+        ),
+        (
+            "Integration".to_owned(),
+            html! {
+                (settings.method) ", position tolerance " (writer.value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
+            },
+        ),
+        (
+            "Work".to_owned(),
+            html! {
+                (count(counters.steps, writer)) " steps, " (count(counters.rejections, writer)) " rejected, "
+                (count(counters.evaluations, writer)) " evaluations of the equations of motion, "
+                (count(counters.contact_changes, writer)) " beginnings and ends of contact located"
+            },
+        ),
+        ("Version".to_owned(), html! { "loosepin " (record.version) }),
+    ])
+}

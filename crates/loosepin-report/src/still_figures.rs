@@ -1,0 +1,126 @@
+//! Pictures that do not move and need no script: the path of a journal, bars, histograms.
+
+use maud::{Markup, html};
+
+use super::number::{NumberWriter, Rounding};
+use loosepin_simulate::record::JournalOrbit;
+use loosepin_study::result::HistogramBin;
+use loosepin_text::units::SiUnit;
+
+/// Half the side of an orbit picture in its own units; the clearance circle has radius 1000.
+const ORBIT_HALF_SIDE: f64 = 1180.0;
+/// Radius of the clearance circle.
+const ORBIT_RADIUS: f64 = 1000.0;
+/// Points of an orbit in a page.
+const ORBIT_POINTS: usize = 3000;
+
+/// Path of a journal inside the circle of its clearance.
+pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Markup {
+    let clearance = writer.value_trimmed(orbit.radial_clearance_m, &SiUnit::LENGTH);
+    let scale = if orbit.radial_clearance_m > 0.0 { ORBIT_RADIUS / orbit.radial_clearance_m } else { 0.0 };
+    let radii = || orbit.x_m.iter().zip(&orbit.y_m).map(|(x_m, y_m)| x_m.hypot(*y_m));
+    let farthest_m = radii().fold(0.0, f64::max);
+    let on_rim = radii().filter(|radius_m| *radius_m >= 0.999 * orbit.radial_clearance_m).count();
+    let rim_share = on_rim as f64 / orbit.x_m.len().max(1) as f64;
+    let farthest = writer.value_trimmed(farthest_m, &SiUnit::LENGTH);
+    let rim = writer.percent(rim_share, Rounding::Nearest);
+    let step = orbit.x_m.len().div_ceil(ORBIT_POINTS).max(1);
+    let mut path = String::new();
+    for (x_m, y_m) in orbit.x_m.iter().zip(&orbit.y_m).step_by(step).filter(|(x, y)| (**x + **y).is_finite()) {
+        let command = if path.is_empty() { 'M' } else { 'L' };
+        path.push_str(&format!("{command}{:.0} {:.0}", x_m * scale, y_m * scale));
+    }
+    let view = format!("{} {} {} {}", -ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE);
+    let title = if orbit.label.is_empty() { orbit.joint.clone() } else { format!("{}, {}", orbit.joint, orbit.label) };
+    html! {
+        figure.orbit {
+            svg viewBox=(view) role="img" aria-label=(format!(
+                "Path of the journal of {title}: within {farthest} of the bearing's centre, clearance {clearance}."
+            )) {
+                g transform="scale(1 -1)" {
+                    line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
+                    line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
+                    circle.clearance r=(ORBIT_RADIUS) {}
+                    path.track d=(path) {}
+                }
+            }
+            figcaption {
+                strong { (title) } ". Circle: radial clearance " (clearance) ". On the rim in " (rim)
+                " of the samples; farthest " (farthest) " from the centre."
+            }
+        }
+    }
+}
+
+/// A journal once a turn, inside the circle of its clearance: a dot for each turn.
+pub(super) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) -> Markup {
+    let clearance = writer.value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
+    let scale = if journal.radial_clearance_m > 0.0 { ORBIT_RADIUS / journal.radial_clearance_m } else { 0.0 };
+    let step = journal.x_m.len().div_ceil(ORBIT_POINTS).max(1);
+    let mut dots = String::new();
+    for (x_m, y_m) in journal.x_m.iter().zip(&journal.y_m).step_by(step).filter(|(x, y)| (**x + **y).is_finite()) {
+        dots.push_str(&format!("M{:.0} {:.0}h0", x_m * scale, y_m * scale));
+    }
+    let view = format!("{} {} {} {}", -ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE);
+    let turns = journal.x_m.len();
+    html! {
+        figure.orbit {
+            svg viewBox=(view) role="img" aria-label=(format!(
+                "The journal of {} once a turn, {turns} turns: dots in the circle of the clearance {clearance}.", journal.joint
+            )) {
+                g transform="scale(1 -1)" {
+                    line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
+                    line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
+                    circle.clearance r=(ORBIT_RADIUS) {}
+                    path.dots d=(dots) {}
+                }
+            }
+            figcaption { strong { (journal.joint) ", once a turn" } ". Circle: radial clearance " (clearance) ". " (turns) " turns." }
+        }
+    }
+}
+
+/// Where `value` lies between `from` and `to`, in percent of the width.
+pub(super) fn percent_of(value: f64, from: f64, to: f64) -> String {
+    let share = if to > from { (value - from) / (to - from) } else { 0.5 };
+    // The ends may be infinite where a bound does not exist.
+    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    format!("{:.3}%", 100.0 * share)
+}
+
+/// Bars over a logarithmic axis.
+pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup, alternative: &str) -> Markup {
+    // A logarithmic axis has no place for anything else, and its decades are counted below.
+    let bins: Vec<&HistogramBin> = bins
+        .iter()
+        .filter(|bin| bin.from.is_normal() && bin.from > 0.0 && bin.to > bin.from && bin.to.is_finite())
+        .collect();
+    let most = bins.iter().map(|bin| bin.count).max().unwrap_or(0).max(1) as f64;
+    let (Some(first), Some(last)) = (bins.first(), bins.last()) else { return html! {} };
+    let (from, to) = (first.from.log10(), last.to.log10());
+    let decades: Vec<i32> = (from.ceil() as i32..=to.floor() as i32).collect();
+    let every = decades.len().div_ceil(8).max(1);
+    html! {
+        figure.histogram id=(id) {
+            svg width="100%" height="170" role="img" aria-label=(alternative) {
+                @for bin in &bins {
+                    @let share = bin.count as f64 / most;
+                    @let left = (bin.from.log10() - from) / (to - from) * 94.0 + 3.0;
+                    @let width = (bin.to.log10() - bin.from.log10()) / (to - from) * 94.0;
+                    rect.bar x=(format!("{left:.3}%")) width=(format!("{:.3}%", (width - 0.25).max(0.1)))
+                        y=(format!("{:.2}", 130.0 - 115.0 * share)) height=(format!("{:.2}", 115.0 * share)) {
+                        title { (bin.count) @if bin.count == 1 { " run" } @else { " runs" } }
+                    }
+                }
+                line.axis x1="3%" x2="97%" y1="130" y2="130" {}
+                @for decade in decades.iter().step_by(every) {
+                    @let place = (f64::from(*decade) - from) / (to - from) * 94.0 + 3.0;
+                    text x=(format!("{place:.3}%")) y="150" text-anchor="middle" {
+                        "10" tspan dy="-5" font-size="10" { (decade.to_string().replace('-', "−")) }
+                    }
+                }
+            }
+            figcaption { (caption) }
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! The deviation over the cycle, and probability boxes.
+
+use maud::{Markup, html};
+
+use crate::answer::limits_words;
+use crate::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled};
+use crate::number::{NumberWriter, Rounding, significant};
+use crate::script_data::{round_to_digits, rounded};
+use crate::wording::{capitalised, deviation_words, output_words, place_words};
+use loosepin_study::result::{
+    BoundRecord, CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve,
+    StatisticKind, StudyResult, TreatmentKind,
+};
+use loosepin_text::units::SiUnit;
+
+pub(super) fn deviation_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        @for (index, curve) in result.curves.iter().enumerate() {
+            (deviation_chart(result, curve, index, writer).figure())
+        }
+    }
+}
+
+fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, writer: &NumberWriter) -> Chart {
+    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let range = |range: &CurveRange| {
+        (scaled(&range.lower_si, &curve.unit, writer), scaled(&range.upper_si, &curve.unit, writer))
+    };
+    let mut entries = Vec::new();
+    let mut add = |label: String, role: Role, dashed: bool, values: EntryValues| {
+        entries.push(Entry { label, role, dashed, values });
+    };
+    if !curve.mixed.lower_si.is_empty() {
+        let (lower, upper) = range(&curve.mixed);
+        let label = format!("{share}, whatever the unknown values");
+        add(label, Role::Mixed, false, EntryValues::band(&lower, &upper));
+    }
+    for each in curve.simultaneous.iter().filter(|each| !each.band.lower_si.is_empty()) {
+        let (lower, upper) = range(&each.band);
+        let label = format!("{} for the whole cycle", writer.percent(each.share, Rounding::Nearest));
+        add(label, Role::Mixed, true, EntryValues::pair(&lower, &upper));
+    }
+    let has_random = curve.random.lower_si.iter().any(|value| value.is_finite());
+    if has_random {
+        let (lower, upper) = range(&curve.random);
+        add(format!("{share}, random scatter alone"), Role::Random, false, EntryValues::band(&lower, &upper));
+    }
+    if !curve.nominal_si.is_empty() {
+        let values = scaled(&curve.nominal_si, &curve.unit, writer);
+        add("nominal parts".to_owned(), Role::Nominal, true, EntryValues::line(&values));
+    }
+    for (label, lower_si, upper_si) in limits(result, curve, writer) {
+        let constant = |value_si: f64| vec![writer.scaled(value_si, &curve.unit); curve.pose_rad.len()];
+        add(label, Role::Limit, true, EntryValues::pair(&constant(lower_si), &constant(upper_si)));
+    }
+    let (worst_angle, worst) = worst_pose(curve);
+    let subject = output_words(&curve.output, &result.outputs);
+    let centre = writer.witness(&curve.centre, &result.inputs);
+    let worst_words = format!(
+        "reaches furthest at {}, to {}",
+        writer.rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest),
+        writer.rounded(worst, &curve.unit, 2, Rounding::Up)
+    );
+    Chart {
+        id: format!("deviation-{index}"),
+        horizontal: HorizontalAxis::Angle,
+        x_label: format!("angle of {}", result.cycle.drive),
+        x_symbol: writer.symbol(&SiUnit::ANGLE),
+        x: rounded(&scaled(&curve.pose_rad, &SiUnit::ANGLE, writer)),
+        y_label: format!("{} of {}", deviation_words(curve.of), curve.output),
+        y_symbol: writer.symbol(&curve.unit),
+        y_range: None,
+        entries,
+        marks: Vec::new(),
+        height: 380,
+        caption: html! {
+            strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
+            "At each angle, " (share) " of mechanisms lie inside "
+            @if has_random {
+                "the blue band if the unknown values are in the middle of their ranges"
+                @if !centre.is_empty() { " (" (centre) ")" }
+                ", and inside "
+            }
+            "the orange band whatever " @if has_random { "they" } @else { "the unknown values" } " are. The orange band " (worst_words)
+            "; its numerical error, up to " (writer.error(curve.numerical_error_si, &curve.unit))
+            ", is included."
+            @for each in &curve.simultaneous {
+                " " (simultaneous_words(each, writer))
+            }
+        },
+        alternative: format!(
+            "Chart of the {} of {} over one turn of {}; the band for every unknown value {worst_words}.",
+            deviation_words(curve.of),
+            subject,
+            result.cycle.drive
+        ),
+    }
+}
+
+/// What the band for whole curves says.
+fn simultaneous_words(each: &SimultaneousCurve, writer: &NumberWriter) -> String {
+    let share = writer.percent(each.share, Rounding::Nearest);
+    if each.band.lower_si.is_empty() {
+        return format!("The runs do not tell in which band {share} of mechanisms stay for the whole cycle.");
+    }
+    format!(
+        "Between the dashed lines {share} of mechanisms stay for the whole cycle, whatever the unknown values: {:.2} times as wide as \
+         the band of the same share at each angle by itself.",
+        each.factor
+    )
+}
+
+/// The limits that a requirement puts on this deviation over the cycle.
+fn limits(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Vec<(String, f64, f64)> {
+    let concerns = |requirement: &&RequirementOutcome| {
+        requirement.output == curve.output && requirement.of == curve.of && requirement.at == ResponsePoint::Whole
+    };
+    result
+        .requirements
+        .iter()
+        .filter(concerns)
+        .map(|requirement| {
+            let words = limits_words(requirement.lower_si, requirement.upper_si, &curve.unit, writer);
+            (format!("required: {words}"), requirement.lower_si, requirement.upper_si)
+        })
+        .collect()
+}
+
+fn worst_pose(curve: &DeviationCurve) -> (f64, f64) {
+    let reach = |pose: usize| {
+        let at = |list: &[f64]| list.get(pose).copied().unwrap_or(0.0).abs();
+        at(&curve.mixed.lower_si).max(at(&curve.mixed.upper_si))
+    };
+    (0..curve.pose_rad.len())
+        .map(|pose| (curve.pose_rad[pose], reach(pose)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or((0.0, 0.0))
+}
+
+pub(super) fn box_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "Read off the share of mechanisms that stay below a given size. The share itself is known only to lie within \
+             the orange band: how wide it is shows what is not known."
+        }
+        @for (index, probability_box) in result.boxes.iter().enumerate() {
+            (box_chart(result, probability_box, index, writer).figure())
+        }
+    }
+}
+
+fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: &NumberWriter) -> Chart {
+    let percent = |list: &[f64]| -> Vec<f64> { list.iter().map(|share| 100.0 * share).collect() };
+    let response = format!(
+        "{} of {}, {}",
+        deviation_words(pbox.of),
+        output_words(&pbox.output, &result.outputs),
+        place_words(pbox.at, writer)
+    );
+    let mut entries = vec![Entry {
+        label: "bounds of the share below".to_owned(),
+        role: Role::Mixed,
+        dashed: false,
+        values: EntryValues::band(&percent(&pbox.lower), &percent(&pbox.upper)),
+    }];
+    if !pbox.probability_only.is_empty() {
+        entries.push(Entry {
+            label: "everything as probability".to_owned(),
+            role: Role::Probability,
+            dashed: true,
+            values: EntryValues::line(&percent(&pbox.probability_only)),
+        });
+    }
+    let marks: Vec<Mark> = pbox
+        .limit_si
+        .iter()
+        .map(|limit_si| Mark {
+            at: round_to_digits(writer.scaled(*limit_si, &pbox.unit), 6),
+            label: writer.value_trimmed(*limit_si, &pbox.unit),
+        })
+        .collect();
+    let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(result, pbox, limit_si, writer)).unwrap_or_default();
+    let crossing = |list: &[f64]| {
+        let position = list.iter().position(|share| *share >= 0.5);
+        position.and_then(|position| pbox.value_si.get(position)).copied()
+    };
+    let median = match (crossing(&pbox.upper), crossing(&pbox.lower)) {
+        (Some(from), Some(to)) => format!(
+            "Half of all mechanisms stay below a size between {} and {}.",
+            significant(writer.scaled(from, &pbox.unit), 2, Rounding::Down).replace('-', "−"),
+            writer.rounded(to, &pbox.unit, 2, Rounding::Up)
+        ),
+        _ => String::new(),
+    };
+    Chart {
+        id: format!("box-{index}"),
+        horizontal: HorizontalAxis::Plain,
+        x_label: format!("{} of {}", deviation_words(pbox.of), pbox.output),
+        x_symbol: writer.symbol(&pbox.unit),
+        x: rounded(&scaled(&pbox.value_si, &pbox.unit, writer)),
+        y_label: "share of mechanisms below".to_owned(),
+        y_symbol: "%".to_owned(),
+        y_range: Some([0.0, 100.0]),
+        entries,
+        marks,
+        height: 320,
+        caption: html! {
+            strong { (capitalised(&response)) ". " } (median) " " (limit_words)
+            " Sampling error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
+        },
+        alternative: format!("Probability box: {response}. {median}"),
+    }
+}
+
+/// The share below the limit that was asked about: as its own bound has it, with its error; else read off the box outwards.
+fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -> String {
+    let above = pbox.value_si.partition_point(|value_si| *value_si < limit_si);
+    let read_off = || {
+        let least = pbox.lower.get(above.saturating_sub(1)).copied()?;
+        Some(([least, pbox.upper.get(above).copied()?], ", without the sampling error"))
+    };
+    let bounded = bounded_share(result, pbox, limit_si).map(|share| (share, ", numerical error included"));
+    let Some(([least, most], error)) = bounded.or_else(read_off) else { return String::new() };
+    format!(
+        "Below {}: between {} and {} of mechanisms{error}.",
+        writer.value_trimmed(limit_si, &pbox.unit),
+        writer.percent(least, Rounding::Down),
+        writer.percent(most, Rounding::Up)
+    )
+}
+
+/// Least and largest share below the limit, where a probability of the same was asked for.
+fn bounded_share(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64) -> Option<[f64; 2]> {
+    let is_own = |bound: &&BoundRecord| {
+        bound.treatment == TreatmentKind::Mixed
+            && (&bound.output, bound.of, bound.at) == (&pbox.output, pbox.of, pbox.at)
+    };
+    result.bounds.iter().filter(is_own).find_map(|bound| {
+        let ends = [bound.lower.widened_si, bound.upper.widened_si];
+        match bound.statistic {
+            StatisticKind::ProbabilityAbove { limit_si: own } if own == limit_si => {
+                Some([1.0 - ends[1], 1.0 - ends[0]])
+            }
+            StatisticKind::ProbabilityBelow { limit_si: own } if own == limit_si => Some(ends),
+            _ => None,
+        }
+    })
+}

@@ -1,0 +1,76 @@
+//! Bounds in columns: by degree of possibility, where an input is a fuzzy number; by percentile, where a statistic is itself random.
+
+use maud::{Markup, html};
+
+use crate::answer::output_unit;
+use crate::number::{NumberWriter, Rounding};
+use crate::percentile_words::{PERCENTILES_MEAN, percentile_words};
+use crate::study_page::bounds_table::end_value;
+use crate::wording::{deviation_words, further, output_words, place_words, statistic_words};
+use loosepin_study::result::{BoundRecord, ResponsePoint, StudyResult};
+
+/// More statistics are left to `bounds.csv`.
+const MOST_STATISTICS: usize = 20;
+
+/// Of a study with fuzzy numbers.
+pub(super) fn cuts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let columns = result.cuts.iter().map(|cut| (format!("Degree {}", cut.alpha), &cut.bounds[..]));
+    let columns: Vec<(String, &[BoundRecord])> = columns.collect();
+    html! {
+        p {
+            "A fuzzy number says which values are possible to which degree. At each degree every statistic lies between its two \
+             bounds; the higher the degree, the less is possible and the closer they are."
+        }
+        (in_columns(&columns, result, writer))
+    }
+}
+
+/// Of a study whose parameters have distributions.
+pub(super) fn percentiles(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let columns = result.percentiles.iter();
+    let columns = columns.map(|each| (percentile_words(each.percentile, writer), &each.bounds[..]));
+    let columns: Vec<(String, &[BoundRecord])> = columns.collect();
+    html! {
+        p { (PERCENTILES_MEAN) }
+        (in_columns(&columns, result, writer))
+    }
+}
+
+fn in_columns(columns: &[(String, &[BoundRecord])], result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let Some((_, first)) = columns.first() else { return html! {} };
+    let is_single = |(_, bound): &(usize, &BoundRecord)| !matches!(bound.at, ResponsePoint::Curve { .. });
+    let rows: Vec<(usize, &BoundRecord)> = first.iter().enumerate().filter(is_single).collect();
+    let others = rows.len().saturating_sub(MOST_STATISTICS);
+    html! {
+        table.cards {
+            thead {
+                tr {
+                    th scope="col" { "Statistic" }
+                    @for (title, _) in columns { th.number scope="col" { (title) } }
+                }
+            }
+            tbody {
+                @for (index, bound) in rows.iter().take(MOST_STATISTICS) {
+                    tr {
+                        td data-label="Statistic" {
+                            (output_words(&bound.output, &result.outputs)) ", " (deviation_words(bound.of)) ", "
+                            (place_words(bound.at, writer)) ": "
+                            (statistic_words(bound.statistic, &output_unit(result, &bound.output), writer))
+                        }
+                        @for (title, bounds) in columns {
+                            td.number data-label=(title) {
+                                @if let Some(bound) = bounds.get(*index) {
+                                    (end_value(&bound.lower, bound, Rounding::Down, writer)) " to "
+                                    (end_value(&bound.upper, bound, Rounding::Up, writer))
+                                } @else { "–" }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        @if others > 0 {
+            p.quiet { (further(others, "statistic", "", writer)) code { "bounds.csv" } "." }
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! Which runs failed and why, the energy check, and how everything was computed.
+
+use maud::{Markup, html};
+
+use crate::answer::{reweighting_sentence, turn_word, turns};
+use crate::glossary::glossary;
+use crate::number::{NumberWriter, Rounding};
+use crate::page::facts;
+use crate::still_figures::histogram_figure;
+use crate::wording::{
+    count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
+};
+use loosepin_study::result::{EnergyResiduals, InputKind, JointImpacts, RunPurpose, StudyResult, TreatmentKind};
+use loosepin_text::units::SiUnit;
+
+pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let share = result.counts.failed as f64 / result.counts.runs.max(1) as f64;
+    html! {
+        p {
+            @if is_by_surrogate(result) { (counted(result.counts.runs, "run", writer)) ", by which a surrogate was learned and held against them. " }
+            @else {
+                (counted(result.counts.runs, "run", writer))
+                @if result.counts.by_purpose.len() > 1 { ", " (count(double_loop_runs(result), writer)) " of them in the double loop" }
+                ": " (double_loop_words(result, ", each with ", writer))
+                @if has_unknown(&result.inputs) && has_scatter(result) { ", the same for every one of them" }
+                ". "
+                @if let Some(sentence) = reweighting_sentence(result, writer) { (sentence) " " }
+            }
+            @if result.counts.failed == 0 { "No run failed. " }
+            @else {
+                strong { (counted(result.counts.failed, "run", writer)) " failed" }
+                " (" (writer.percent(share, Rounding::Up)) "). What " @if result.counts.failed == 1 { "it" } @else { "they" } " would have given is not known: probabilities \
+                 include both possibilities. "
+            }
+            @if let Some(settled) = result.settled_share {
+                "In " (writer.percent(settled, Rounding::Down)) " of the runs the motion had settled into a period; the \
+                 others are kept. "
+                @if settled < 0.5 {
+                    "Most motions do not repeat from turn to turn: statistics over more recorded turns are advised."
+                }
+            }
+        }
+        @if !result.failures.is_empty() {
+            table.cards {
+                thead { tr { th scope="col" { "Reason" } th.number scope="col" { "Runs" } th scope="col" { "One of them" } } }
+                tbody {
+                    @for failure in &result.failures {
+                        tr {
+                            th scope="row" { (failure.words) br; code.quiet { (failure.code) } }
+                            td.number data-label="Runs" { (count(failure.count, writer)) }
+                            td data-label="One of them" {
+                                "run " (failure.example.index) ":" pre { code { (failure.example.command) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        @for joint in &result.impacts { (impacts(joint, turn_word(result.cycle.drive_speed_rad_s), writer)) }
+    }
+}
+
+fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
+    let [least, median, most] = joint.impacts_per_turn;
+    let mut rows = vec![(
+        format!("Impacts per {turn}"),
+        html! {
+            (plain(median, writer)) " in the median run (" (plain(least, writer)) " to " (plain(most, writer)) ")"
+        },
+    )];
+    let share = writer.percent(joint.largest_penetration_share, Rounding::Up);
+    rows.push(("Largest penetration".to_owned(), html! { (share) " of the clearance of its run" }));
+    rows.push(("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }));
+    if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
+        rows.push((
+            "Restitution".to_owned(),
+            html! {
+                "stated " (range(nominal, writer)) "; under this contact law a free impact really delivers "
+                strong { (range(delivered, writer)) }
+            },
+        ));
+    }
+    if let Some(share) = joint.share_outside_validity {
+        rows.push((
+            "Outside the law's validity".to_owned(),
+            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law was made for" },
+        ));
+    }
+    if joint.floored_contacts > 0 {
+        rows.push((
+            "Very gentle contacts".to_owned(),
+            html! { (count(joint.floored_contacts, writer)) " computed with the least impact speed of the law" },
+        ));
+    }
+    html! { h3 { "Impacts in " (joint.joint) } (facts(&rows)) }
+}
+
+fn plain(value: f64, writer: &NumberWriter) -> String {
+    writer.shortest((value * 100.0).round() / 100.0, &SiUnit::NONE)
+}
+
+fn range(ends: [f64; 2], writer: &NumberWriter) -> String {
+    let [from, to] = ends.map(|end| writer.shortest((end * 1e4).round() / 1e4, &SiUnit::NONE));
+    if from == to { from } else { format!("{from} to {to}") }
+}
+
+pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup {
+    let share = |value: f64| writer.rounded(value, &SiUnit::NONE, 2, Rounding::Up);
+    let alternative = format!(
+        "Histogram of the energy residuals of the runs; half lie below {}, the largest is {}.",
+        share(energy.median),
+        share(energy.maximum)
+    );
+    html! {
+        p {
+            "Every run adds up its energy: kinetic, potential, stored, lost in contact and friction, supplied by the drive. \
+             What is left over, as a share of the largest energy exchanged, is the run's own check."
+        }
+        (histogram_figure(
+            &energy.histogram,
+            "energy-residuals",
+            html! {
+                strong { "Energy residuals of the runs. " }
+                "Half lie below " (share(energy.median)) ", 90 % below " (share(energy.quantile_90)) ", 99 % below "
+                (share(energy.quantile_99)) "; the largest is " (share(energy.maximum)) ". Bars: number of runs, over the \
+                 relative residual."
+            },
+            &alternative,
+        ))
+    }
+}
+
+pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        h3 { "What is uncertain" }
+        table.cards {
+            thead { tr { th scope="col" { "Input" } th scope="col" { "Kind" } th scope="col" { "Range or distribution" } } }
+            tbody {
+                @for input in &result.inputs {
+                    tr {
+                        th scope="row" { code { (input.path) } }
+                        td data-label="Kind" { (kind_words(&input.kind)) }
+                        td data-label="Range or distribution" { (input.words) }
+                    }
+                }
+            }
+        }
+        @if !result.correlations.is_empty() {
+            p {
+                "Correlations (Gaussian copula): "
+                @for (index, correlation) in result.correlations.iter().enumerate() {
+                    @if index > 0 { "; " }
+                    (listed(&correlation.of)) " "
+                    @if let Some(linear) = correlation.linear { "linear " (writer.shortest(linear, &SiUnit::NONE)) }
+                    @else { "rank " (writer.shortest(correlation.rank, &SiUnit::NONE)) }
+                }
+                ". All other random inputs are independent. Interval-only bands take every combination of the cut inputs, \
+                 correlated or not"
+                "."
+            }
+        }
+        h3 { "How it was run" }
+        (facts(&run_facts(result, writer)))
+        (glossary())
+    }
+}
+
+/// Runs of the double loop.
+fn double_loop_runs(result: &StudyResult) -> u64 {
+    let parts = result.counts.by_purpose.iter();
+    parts.filter(|part| part.purpose == RunPurpose::Mixed).map(|part| part.runs).sum()
+}
+
+/// Whether anything scatters with a known distribution.
+fn has_scatter(result: &StudyResult) -> bool {
+    result.inputs.iter().any(|input| input.kind == InputKind::Random)
+}
+
+/// The double loop: values of what is unknown, samples of what scatters at each of them.
+fn double_loop_words(result: &StudyResult, each: &str, writer: &NumberWriter) -> String {
+    let counts = &result.counts;
+    let values = format!("{} of the {}", counted(counts.outer, "value", writer), unknown_words(&result.inputs));
+    let samples = counted(counts.inner, "random sample", writer);
+    match (has_unknown(&result.inputs), has_scatter(result)) {
+        (true, true) => format!("{values}{each}{samples}"),
+        (true, false) => values,
+        (false, _) => samples,
+    }
+}
+
+fn purpose_words(purpose: RunPurpose) -> &'static str {
+    match purpose {
+        RunPurpose::Mixed => "with each as what it is",
+        RunPurpose::ProbabilityOnly => "with everything as probability",
+        RunPurpose::IntervalOnly => "with everything as interval",
+        RunPurpose::Contributors => "for what contributes",
+        RunPurpose::Rare => "for small probabilities",
+        RunPurpose::Training => "for surrogates to learn from",
+        RunPurpose::Confirming => "to confirm surrogates",
+    }
+}
+
+fn kind_words(kind: &InputKind) -> &'static str {
+    match kind {
+        InputKind::Random => "random",
+        InputKind::Interval { .. } => "interval",
+        InputKind::Periodic { .. } => "periodic",
+        InputKind::SecondOrder { .. } => "parameter with a distribution",
+        InputKind::Evidence { is_scattering: false, .. } => "evidence",
+        InputKind::Evidence { is_scattering: true, .. } => "probability box",
+        InputKind::Fuzzy { .. } => "fuzzy number",
+        InputKind::Choice { .. } => "one of a list",
+    }
+}
+
+fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup)> {
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == TreatmentKind::Mixed);
+    let mut guarantees: Vec<String> = mixed().map(|bound| guarantee_words(bound.guarantee, writer)).collect();
+    guarantees.sort();
+    guarantees.dedup();
+    let mut readings: Vec<&'static str> = mixed().map(|bound| reading_words(bound.reading)).collect();
+    readings.sort_unstable();
+    readings.dedup();
+    let counts = &result.counts;
+    let mut rows = vec![
+        (
+            "Cycle".to_owned(),
+            html! {
+                (result.cycle.drive)
+                @if let Some(speed) = result.cycle.drive_speed_rad_s {
+                    " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+                }
+                "; " (turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s)) " to start up, then "
+                (turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s)) " recorded"
+            },
+        ),
+        (
+            "Runs".to_owned(),
+            html! {
+                (count(counts.runs, writer))
+                @if is_by_surrogate(result) { ", by which a surrogate was learned and held against them" }
+                @else {
+                    " = " (double_loop_words(result, " × ", writer))
+                }
+                @if counts.replicates > 1 { " (" (counts.replicates) " independent replicates of " (count(counts.inner / counts.replicates, writer)) ")" }
+                @if counts.rounds > 1 { ", in " (counts.rounds) " rounds" }
+                @for part in counts.by_purpose.iter().filter(|part| part.purpose != RunPurpose::Mixed) {
+                    @if is_by_surrogate(result) { "; " } @else { " + " }
+                    (count(part.runs, writer)) " " (purpose_words(part.purpose))
+                }
+            },
+        ),
+        (
+            "Integration".to_owned(),
+            html! {
+                (result.cycle.method) ", position tolerance "
+                (writer.value_shortest(result.cycle.tolerance_m, &SiUnit::LENGTH))
+            },
+        ),
+    ];
+    if !readings.is_empty() {
+        let text = readings.join("; ");
+        rows.push(("Reading of an interval".to_owned(), html! { (text) }));
+    }
+    if !guarantees.is_empty() {
+        let text = guarantees.join(", or ");
+        rows.push(("Guarantee of the bounds".to_owned(), html! { (text) }));
+    }
+    rows.push(("Seed".to_owned(), html! { (result.seed) }));
+    rows.push(("Hash of all inputs".to_owned(), html! { code.hash { (result.input_hash) } }));
+    rows.push(("Version".to_owned(), html! { "loosepin " (result.version) }));
+    rows
+}

@@ -1,0 +1,138 @@
+//! Surrogates beside the direct bounds: what they save, and what they do not know.
+
+use maud::{Markup, html};
+
+use crate::answer::output_unit;
+use crate::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use crate::number::NumberWriter;
+use crate::script_data::rounded;
+use crate::surrogate_figure::surrogate_figure;
+use crate::surrogate_text::{
+    MOST_ROWS, direct_bound, output_sentences, range_words, runs_sentence, single_bounds, surrogate_error,
+    treatment_rows,
+};
+use crate::wording::{deviation_words, output_words, response_words, statistic_words};
+use loosepin_study::result::{
+    BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentComparison,
+};
+use loosepin_text::units::SiUnit;
+
+pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Markup {
+    let shown = single_bounds(record);
+    let others = record.bounds.len() - shown.len().min(MOST_ROWS);
+    html! {
+        p {
+            "A surrogate is a function learned from runs, and these bounds come from it. "
+            (runs_sentence(record, writer))
+            " Means and probabilities are corrected by these runs; every bound is widened by what the surrogate does not know."
+        }
+        ul { @for sentence in output_sentences(result, record, writer) { li { (sentence) } } }
+        @if !shown.is_empty() { (bounds(result, &shown[..shown.len().min(MOST_ROWS)], writer)) }
+        @if others > 0 {
+            p.quiet { "A further " (others) " of its bounds stand in " code { "summary.json" } "." }
+        }
+        @for comparison in &record.treatments { (treatments(result, comparison, writer)) }
+        @for (index, output) in record.outputs.iter().enumerate() {
+            @if let Some(along) = &output.along { (along_chart(result, output, along, index, writer)) }
+            @if let Some(picture) = &output.picture { (surrogate_figure(result, output, picture, writer)) }
+        }
+    }
+}
+
+fn bounds(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Markup {
+    html! {
+        table.cards {
+            thead {
+                tr {
+                    th scope="col" { "Statistic" }
+                    th.number scope="col" { "Direct" }
+                    th.number scope="col" { "By surrogate" }
+                    th.number scope="col" { "± surrogate" }
+                }
+            }
+            @for group in shown.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at) {
+                tbody.group {
+                    tr {
+                        th scope="rowgroup" colspan="4" {
+                            (response_words(result, (&group[0].output, group[0].of, group[0].at), writer))
+                        }
+                    }
+                    @for bound in group {
+                        tr {
+                            td data-label="Statistic" {
+                                (statistic_words(bound.statistic, &output_unit(result, &bound.output), writer))
+                            }
+                            td.number data-label="Direct" {
+                                (direct_bound(result, bound).map_or("–".to_owned(), |direct| range_words(direct, writer)))
+                            }
+                            td.number data-label="By surrogate" { (range_words(bound, writer)) }
+                            td.number data-label="± surrogate" { (surrogate_error(bound, writer)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The three treatments of a number, directly and by the surrogate.
+fn treatments(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
+    let [treatment, direct, learned, error, share] =
+        ["Treatment", "Direct", "By surrogate", "± surrogate", "Share inside"];
+    html! {
+        h3 { (response_words(result, (&comparison.output, comparison.of, comparison.at), writer)) }
+        table.cards {
+            thead {
+                tr {
+                    th scope="col" { (treatment) }
+                    th.number scope="col" { (direct) }
+                    th.number scope="col" { (learned) }
+                    th.number scope="col" { (error) }
+                    th scope="col" { (share) }
+                }
+            }
+            tbody {
+                @for [name, of_direct, of_learned, of_error, of_share] in treatment_rows(result, comparison, writer) {
+                    tr {
+                        th scope="row" { (name) }
+                        td.number data-label=(direct) { (of_direct) }
+                        td.number data-label=(learned) { (of_learned) }
+                        td.number data-label=(error) { (of_error) }
+                        td data-label=(share) { (of_share) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The held-out error over the cycle.
+fn along_chart(
+    result: &StudyResult,
+    output: &SurrogateOutput,
+    along: &SurrogateAlong,
+    index: usize,
+    writer: &NumberWriter,
+) -> Markup {
+    let name = output_words(&output.output, &result.outputs);
+    let values = EntryValues::line(&scaled(&along.held_out_si, &output.unit, writer));
+    Chart {
+        id: format!("held-out-{index}"),
+        horizontal: HorizontalAxis::Angle,
+        x_label: format!("angle of {}", result.cycle.drive),
+        x_symbol: writer.symbol(&SiUnit::ANGLE),
+        x: rounded(&scaled(&along.pose_rad, &SiUnit::ANGLE, writer)),
+        y_label: format!("held-out error of {}", output.output),
+        y_symbol: writer.symbol(&output.unit),
+        y_range: None,
+        entries: vec![Entry { label: "held-out error".to_owned(), role: Role::Worst, dashed: false, values }],
+        marks: Vec::new(),
+        height: 220,
+        caption: html! {
+            strong { (name) ", " (deviation_words(output.of)) ": error of the surrogate at runs that it has not seen." }
+            " Root mean square, pose by pose."
+        },
+        alternative: format!("Held-out error of the surrogate of {name} over the cycle."),
+    }
+    .figure()
+}

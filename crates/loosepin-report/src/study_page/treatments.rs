@@ -1,0 +1,145 @@
+//! The three treatments side by side: what each claims, how wide it is, and whether it keeps its promise.
+
+use maud::{Markup, html};
+
+use crate::answer::treatment_sentences;
+use crate::number::{NumberWriter, Rounding};
+use crate::still_figures::percent_of;
+use crate::wording::{
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, has_lists, promise_word, response_words, share_words, treatment_words,
+    unknown_words,
+};
+use loosepin_study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
+
+pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "The same runs, read in three ways. Each reading names a band and promises that a stated share of mechanisms \
+             lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at "
+            @if is_learned(result) {
+                "each of those that were looked at, of the surrogate. Its ends may be off by what the surrogate does not know; a share is as small as it is then."
+            } @else {
+                "each of those that were run, in the runs that the mixed band was made from."
+            }
+            @if has_lists(&result.inputs) {
+                " " (EQUALLY_PROBABLE)
+            }
+        }
+        @for comparison in &result.treatments { (one(result, comparison, writer)) }
+    }
+}
+
+/// Whether the bands are those of a surrogate that stands alone.
+fn is_learned(result: &StudyResult) -> bool {
+    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.ends.is_some())
+}
+
+fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
+    let band_ends = || comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
+    let (from, to) = padded(band_ends().fold(f64::INFINITY, f64::min), band_ends().fold(f64::NEG_INFINITY, f64::max));
+    let promised = comparison.promised_coverage;
+    let least = comparison.bands.iter().map(TreatmentBand::least_share).fold(promised, f64::min);
+    let share_from = ((least - 0.5 * (1.0 - least)).max(0.0) * 20.0).floor() / 20.0;
+    let promise = writer.percent(promised, Rounding::Nearest);
+    html! {
+        figure.treatments {
+            h3 {
+                (response_words(result, (&comparison.output, comparison.of, comparison.at), writer))
+            }
+            table.cards {
+                thead {
+                    tr {
+                        th scope="col" { "Treatment" }
+                        th scope="col" { "Band that is to hold " (promise) " of mechanisms" }
+                        @if is_learned(result) { th.number scope="col" { "± surrogate" } }
+                        th.number scope="col" { "Width" }
+                        th scope="col" { "Share really inside" }
+                        th scope="col" { "Promise" }
+                    }
+                }
+                tbody {
+                    @for band in &comparison.bands {
+                        tr {
+                            th scope="row" { (treatment_words(band.treatment)) }
+                            td data-label="Band" { (band_bar(band, comparison, from, to, writer)) }
+                            @if let Some(error) = band.surrogate_error_si() {
+                                td.number data-label="± surrogate" { (writer.error(error, &comparison.unit)) }
+                            }
+                            td.number data-label="Width" {
+                                (writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))
+                            }
+                            td data-label="Share really inside" { (coverage_strip(band, promised, share_from, writer)) }
+                            td data-label="Promise" {
+                                @let word = promise_word(band, promised);
+                                @if band.is_promise_unknown(promised) { span.verdict.undecided { (word) } }
+                                @else if band.keeps_promise(promised) { span.verdict.met { (word) } }
+                                @else { span.verdict.not-met { (word) } }
+                            }
+                        }
+                    }
+                }
+            }
+            figcaption {
+                "Bars: the bands on a common scale. Dots: the share inside at each value of the " (unknown_words(&result.inputs)) " that was \
+                 run, from " (writer.percent(share_from, Rounding::Nearest)) " to " (writer.percent(1.0, Rounding::Nearest))
+                "; the upright line is the promised " (promise) "."
+            }
+        }
+        ul.treatment-words {
+            @for (band, sentence) in comparison.bands.iter().zip(treatment_sentences(comparison, writer)) {
+                li { strong { (treatment_words(band.treatment)) ". " } (sentence) }
+            }
+        }
+    }
+}
+
+fn padded(from: f64, to: f64) -> (f64, f64) {
+    let margin = 0.04 * (to - from);
+    (from - margin, to + margin)
+}
+
+fn colour(treatment: TreatmentKind) -> &'static str {
+    match treatment {
+        TreatmentKind::ProbabilityOnly => "probability",
+        TreatmentKind::IntervalOnly => "worst",
+        TreatmentKind::Mixed => "mixed",
+    }
+}
+
+fn band_bar(
+    band: &TreatmentBand,
+    comparison: &TreatmentComparison,
+    from: f64,
+    to: f64,
+    writer: &NumberWriter,
+) -> Markup {
+    let lower = writer.rounded(band.lower_si, &comparison.unit, band_digits(comparison), Rounding::Down);
+    let upper = writer.rounded(band.upper_si, &comparison.unit, band_digits(comparison), Rounding::Up);
+    let width = percent_of(band.upper_si - band.lower_si, 0.0, to - from);
+    html! {
+        svg.bar width="100%" height="20" role="img" aria-label=(format!("Band from {lower} to {upper}")) {
+            line.axis x1="0%" x2="100%" y1="10" y2="10" {}
+            @if from < 0.0 && to > 0.0 {
+                @let zero = percent_of(0.0, from, to);
+                line.zero x1=(zero) x2=(zero) y1="0" y2="20" {}
+            }
+            rect class=(colour(band.treatment)) x=(percent_of(band.lower_si, from, to)) y="4" width=(width) height="12"
+                rx="2" {}
+        }
+        span.range { (lower) " to " (upper) }
+    }
+}
+
+fn coverage_strip(band: &TreatmentBand, promised: f64, share_from: f64, writer: &NumberWriter) -> Markup {
+    let range = share_words(band, writer);
+    let place = |share: f64| percent_of(share, share_from - 0.02 * (1.0 - share_from), 1.0 + 0.02 * (1.0 - share_from));
+    html! {
+        svg.strip width="100%" height="20" role="img" aria-label=(format!("Share inside: {range}")) {
+            line.axis x1="0%" x2="100%" y1="10" y2="10" {}
+            line.range x1=(place(band.least_share())) x2=(place(band.coverage_maximum)) y1="10" y2="10" {}
+            @for point in &band.coverage_at { circle cx=(place(point.coverage)) cy="10" r="2.5" {} }
+            line.promise x1=(place(promised)) x2=(place(promised)) y1="1" y2="19" {}
+        }
+        span.range { (range) }
+    }
+}

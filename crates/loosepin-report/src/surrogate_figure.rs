@@ -1,0 +1,72 @@
+//! Training runs against one input, with the surrogate and by how much it is taken to err.
+
+use maud::{Markup, html};
+
+use super::axes::{Axes, Axis};
+use super::number::{NumberWriter, plain_name};
+use super::wording::{deviation_words, output_words, place_words};
+use loosepin_study::result::{ResponsePoint, StudyResult, SurrogateOutput, SurrogatePicture};
+
+/// Width and height of the picture in its own units; a unit is about a pixel.
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 340.0;
+
+/// A dot for each run, a line for the surrogate, and two for the ends of its band.
+pub(super) fn surrogate_figure(
+    result: &StudyResult,
+    output: &SurrogateOutput,
+    picture: &SurrogatePicture,
+    writer: &NumberWriter,
+) -> Markup {
+    let (across, up) = (writer.units.of(&picture.input_unit), writer.units.of(&output.unit));
+    let ends = |sign: f64| {
+        let pairs = picture.output_si.iter().zip(&picture.half_width_si);
+        pairs.map(move |(value, half)| value + sign * half).collect::<Vec<f64>>()
+    };
+    let (low, high) = (ends(-1.0), ends(1.0));
+    let x_axis = Axis::over(picture.input_si.iter().map(|value| across.from_si(*value)));
+    let shown = picture.run_output_si.iter().chain(&low).chain(&high);
+    let y_axis = Axis::over(shown.map(|value| up.from_si(*value))).wider();
+    let axes = Axes { width: WIDTH, height: HEIGHT, x: x_axis, y: y_axis };
+    let x = |value_si: f64| axes.across(across.from_si(value_si));
+    let y = |value_si: f64| axes.up(up.from_si(value_si));
+    let line = |values: &[f64]| {
+        let mut path = String::new();
+        for (input, value) in picture.input_si.iter().zip(values) {
+            let command = if path.is_empty() { 'M' } else { 'L' };
+            path.push_str(&format!("{command}{:.1} {:.1}", x(*input), y(*value)));
+        }
+        path
+    };
+    let mut dots = String::new();
+    for (input, value) in picture.run_input_si.iter().zip(&picture.run_output_si) {
+        dots.push_str(&format!("M{:.1} {:.1}h0", x(*input), y(*value)));
+    }
+    let name = output_words(&output.output, &result.outputs);
+    // Of a curve the picture is at one of its poses.
+    let at = picture.pose_rad.map_or(output.at, |pose_rad| ResponsePoint::Pose { pose_rad });
+    let at = place_words(at, writer);
+    let input = plain_name(&picture.path, &result.inputs);
+    let subject = format!("{} of {}", deviation_words(output.of), output.output);
+    let alternative = format!(
+        "{} training runs of {name} against the {input}, and the surrogate with its band.",
+        picture.run_input_si.len()
+    );
+    html! {
+        figure.section {
+            svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(alternative) {
+                (axes.grid())
+                path.irregular.dots d=(dots) {}
+                path.regular d=(line(&picture.output_si)) {}
+                path.regular stroke-dasharray="5 5" d=(line(&low)) {}
+                path.regular stroke-dasharray="5 5" d=(line(&high)) {}
+                (axes.labels([&input, &across.symbol], [&subject, &up.symbol]))
+            }
+            figcaption {
+                strong { (name) ", " (deviation_words(output.of)) ", " (at) ", against the " (input) "." }
+                " " span.irregular { "Dots" } ": training runs, moved along the surrogate to the middle of all other inputs. "
+                span.regular { "Lines" } ": the surrogate there, and by how much it is taken to err."
+            }
+        }
+    }
+}

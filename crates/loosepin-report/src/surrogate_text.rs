@@ -1,0 +1,293 @@
+//! What surrogates learned and what they save: sentences and tables for pages and terminals.
+
+use super::answer::output_unit;
+use super::history_words::history_words;
+use super::number::{NumberWriter, Rounding};
+use super::study_page::bound_value;
+use super::terminal::{push_table, table, wrapped};
+use super::wording::{
+    band_digits, count, counted, deviation_words, listed, output_words, place_words, response_words, share_words,
+    statistic_words, treatment_words,
+};
+use loosepin_study::result::{
+    BoundRecord, ResponsePoint, StudyResult, SurrogateLearning, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
+    TreatmentBand, TreatmentComparison,
+};
+
+/// Rows of a table; the others stand in `summary.json`.
+pub(super) const MOST_ROWS: usize = 24;
+
+/// What the part is called.
+pub(super) fn title(record: &SurrogateRecord) -> &'static str {
+    if record.is_alone() { "The surrogate" } else { "The same by surrogate" }
+}
+
+/// How many runs the surrogates needed, beside the direct bounds.
+pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> String {
+    let failed = if record.failed > 0 {
+        format!("; {} of all these failed", count(record.failed, writer))
+    } else {
+        String::new()
+    };
+    let direct = match record.direct_runs {
+        0 => "there are no direct bounds beside".to_owned(),
+        runs => format!("the direct bounds took {}", count(runs, writer)),
+    };
+    format!(
+        "Learned from {}, {}{failed}; {direct}.",
+        counted(record.training_runs, "run", writer),
+        match (record.confirming_runs, record.runs_at_bounds > 0) {
+            (0, _) => "held against no other".to_owned(),
+            (runs, true) =>
+                format!("and held against {} more at the values that attain the bounds", count(runs, writer)),
+            (runs, false) => format!(
+                "and held against {} more at extreme values, none of them at values that attain a bound",
+                count(runs, writer)
+            ),
+        },
+    )
+}
+
+/// One sentence or more for each output: what was learned, how well, and what more runs would do.
+pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Vec<String> {
+    // Where the surrogate is alone its bounds are those of the study.
+    let bounds = if record.is_alone() { &result.bounds } else { &record.bounds };
+    let is_asked = |output: &&SurrogateOutput| {
+        let own = |bound: &BoundRecord| bound.output == output.output && bound.of == output.of && bound.at == output.at;
+        output.at == ResponsePoint::Whole || bounds.iter().any(own)
+    };
+    // What nothing was learned of is said whatever is asked.
+    let shown = record.outputs.iter().filter(|output| output.problem.is_some() || is_asked(output));
+    shown.map(|output| output_sentence(result, (output, &record.outputs), writer)).collect()
+}
+
+fn output_sentence(
+    result: &StudyResult,
+    (output, all): (&SurrogateOutput, &[SurrogateOutput]),
+    writer: &NumberWriter,
+) -> String {
+    let subject = format!(
+        "{}, {}, {}",
+        output_words(&output.output, &result.outputs),
+        deviation_words(output.of),
+        if output.at == ResponsePoint::Whole { "over the cycle".to_owned() } else { place_words(output.at, writer) }
+    );
+    if let Some(problem) = &output.problem {
+        let problem = problem.split("\nhint:").next().unwrap_or_default();
+        return format!("{subject}: no surrogate. {problem}.");
+    }
+    let q2 = output.q2.map_or(String::new(), |q2| {
+        format!(", {} of the variance is explained", writer.percent(q2.max(0.0), Rounding::Down))
+    });
+    let size = |si: f64| writer.rounded(si, &output.unit, 2, Rounding::Up);
+    let mut sentence = format!(
+        "{subject}: {} from {}; held-out error {}{q2}. {}",
+        kinds(output),
+        counted(output.runs, "run", writer),
+        size(output.held_out_si),
+        verdict_words(output, &size, writer)
+    );
+    if let Some(words) = history_words(output, all, writer) {
+        sentence.push_str(&format!(" {words}"));
+    }
+    if output.failed > 0 {
+        sentence.push_str(&format!(
+            " {} gave no value: what share of the mechanisms fails at which values was not learned, so that nothing is known of \
+             probabilities and quantiles.",
+            counted(output.failed, "run", writer)
+        ));
+    }
+    if output.share_outside > 0.0 {
+        sentence.push_str(&format!(
+            " At a bound {} of the mechanisms lie outside of the range of its runs, where it gives no answer, and count as failed; \
+             more training_runs reach further.",
+            writer.percent(output.share_outside, Rounding::Up)
+        ));
+    }
+    if output.largest_ratio > 0.0 {
+        sentence.push_str(&format!(
+            " Direct runs at the bounds differ by up to {:.1} standard deviations of it; up to {:.1} are conceded.",
+            output.largest_ratio, output.reach
+        ));
+    }
+    sentence
+}
+
+/// "polynomial chaos", or "4 modes by polynomial chaos and Kriging".
+fn kinds(output: &SurrogateOutput) -> String {
+    let mut different: Vec<String> = Vec::new();
+    for kind in &output.kinds {
+        if !different.contains(kind) {
+            different.push(kind.clone());
+        }
+    }
+    match (output.at, output.kinds.len()) {
+        (ResponsePoint::Whole, 0) => "the mean curve".to_owned(),
+        (ResponsePoint::Whole, 1) => format!("1 mode by {}", listed(&different)),
+        (ResponsePoint::Whole, modes) => format!("{modes} modes by {}", listed(&different)),
+        _ => listed(&different),
+    }
+}
+
+fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer: &NumberWriter) -> String {
+    let learned: Vec<String> = output
+        .learning
+        .iter()
+        .map(|step| format!("{} from {}", size(step.held_out_si), count(step.runs, writer)))
+        .collect();
+    let learned = if learned.is_empty() { String::new() } else { format!(" ({})", listed(&learned)) };
+    match output.verdict {
+        Some(SurrogateVerdict::Constant) => "All runs gave the same.".to_owned(),
+        Some(SurrogateVerdict::Resolved) => "Nothing is left that would matter.".to_owned(),
+        Some(SurrogateVerdict::Falling) => format!("The error falls with more runs{learned}."),
+        Some(SurrogateVerdict::Floor) if still_falls(&output.learning) => format!(
+            "The error falls less and less with more runs{learned}, as if to a limit not far below: what is left is taken for a \
+             property of the response, and is part of its scatter here."
+        ),
+        Some(SurrogateVerdict::Floor) => format!(
+            "What is left does not fall with more runs{learned}: it is no error of the surrogate but a property of the response, \
+             and is part of its scatter here."
+        ),
+        Some(SurrogateVerdict::Nothing) => format!(
+            "Nothing was learned{learned}: as a function of the inputs this is noise. What is drawn from are the runs themselves."
+        ),
+        Some(SurrogateVerdict::Jump) => format!(
+            "A few errors are large and most are small{learned}: the response jumps, and near the jump the surrogate is wrong. What \
+             is left is part of its scatter here; rely on direct bounds (direct = \"double-loop\")."
+        ),
+        Some(SurrogateVerdict::Unknown) | None => {
+            "Too few runs to tell whether more would help; what is left is taken as scatter.".to_owned()
+        }
+    }
+}
+
+/// Whether the last doubling of the runs made the error visibly smaller.
+fn still_falls(learning: &[SurrogateLearning]) -> bool {
+    const VISIBLY: f64 = 0.9;
+    matches!(learning, [.., half, all] if all.held_out_si < VISIBLY * half.held_out_si)
+}
+
+/// The direct bound of the same statistic.
+pub(super) fn direct_bound<'r>(result: &'r StudyResult, bound: &BoundRecord) -> Option<&'r BoundRecord> {
+    result.bounds.iter().find(|direct| {
+        (&direct.output, direct.of, direct.at, direct.statistic, direct.treatment)
+            == (&bound.output, bound.of, bound.at, bound.statistic, bound.treatment)
+    })
+}
+
+/// The bounds that are not points of curves.
+pub(super) fn single_bounds(record: &SurrogateRecord) -> Vec<&BoundRecord> {
+    record.bounds.iter().filter(|bound| !matches!(bound.at, ResponsePoint::Curve { .. })).collect()
+}
+
+/// "-0.55 mm to 0.55 mm".
+pub(super) fn range_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    format!(
+        "{} to {}",
+        bound_value(&bound.lower, bound, Rounding::Down, writer),
+        bound_value(&bound.upper, bound, Rounding::Up, writer)
+    )
+}
+
+/// The larger part of the error that the surrogate does not know.
+pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error = bound.lower.error.surrogate_si.max(bound.upper.error.surrogate_si);
+    if bound.statistic.is_probability() {
+        writer.percent(error.min(1.0), Rounding::Up)
+    } else {
+        writer.error(error, &bound.unit)
+    }
+}
+
+/// "-0.55 mm to 0.55 mm", to the digits that tell the bands of `comparison` from each other.
+pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    let digits = band_digits(comparison);
+    format!(
+        "{} to {}",
+        writer.rounded(band.lower_si, &comparison.unit, digits, Rounding::Down),
+        writer.rounded(band.upper_si, &comparison.unit, digits, Rounding::Up)
+    )
+}
+
+/// Treatment, direct band, band by surrogate, what the surrogate does not know of its ends, share inside: a row a treatment.
+pub(super) fn treatment_rows(
+    result: &StudyResult,
+    comparison: &TreatmentComparison,
+    writer: &NumberWriter,
+) -> Vec<[String; 5]> {
+    let is_same =
+        |of: &&TreatmentComparison| (&of.output, of.of, of.at) == (&comparison.output, comparison.of, comparison.at);
+    let direct = result.treatments.iter().find(is_same);
+    let row = |band: &TreatmentBand| {
+        let of_direct = direct.and_then(|of| Some((of.bands.iter().find(|own| own.treatment == band.treatment)?, of)));
+        [
+            treatment_words(band.treatment).to_owned(),
+            of_direct.map_or("–".to_owned(), |(band, of)| band_words(band, of, writer)),
+            band_words(band, comparison, writer),
+            band.surrogate_error_si().map_or(String::new(), |error| writer.error(error, &comparison.unit)),
+            share_words(band, writer),
+        ]
+    };
+    comparison.bands.iter().map(row).collect()
+}
+
+/// What the columns of [`treatment_rows`] are.
+pub(super) const TREATMENT_HEAD: [&str; 5] =
+    ["treatment", "direct", "by surrogate", "± surrogate", "share inside, by surrogate"];
+
+/// The surrogates of a study for a terminal; empty where there are none.
+pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> String {
+    let Some(record) = &result.surrogate else { return String::new() };
+    let mut text = format!("\n{}\n\n{}\n", title(record), wrapped(&runs_sentence(record, writer), ""));
+    for sentence in output_sentences(result, record, writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+    }
+    let shown = single_bounds(record);
+    for group in shown[..shown.len().min(MOST_ROWS)].chunk_by(|a, b| (&a.output, a.of, a.at) == (&b.output, b.of, b.at))
+    {
+        let mut rows = table(&["statistic", "direct", "by surrogate", "± surrogate"], &[1, 2, 3]);
+        for bound in group {
+            let direct = direct_bound(result, bound);
+            rows.add_row([
+                statistic_words(bound.statistic, &output_unit(result, &bound.output), writer),
+                direct.map_or("-".to_owned(), |direct| range_words(direct, writer)),
+                range_words(bound, writer),
+                surrogate_error(bound, writer),
+            ]);
+        }
+        text.push_str(&format!("\n{}\n", response_words(result, (&group[0].output, group[0].of, group[0].at), writer)));
+        push_table(&mut text, &rows);
+    }
+    if shown.len() > MOST_ROWS {
+        text.push_str(&format!("\n{} more in summary.json\n", shown.len() - MOST_ROWS));
+    }
+    for comparison in &record.treatments {
+        let mut rows = table(&TREATMENT_HEAD, &[3]);
+        treatment_rows(result, comparison, writer).into_iter().for_each(|row| {
+            rows.add_row(row);
+        });
+        text.push_str(&format!(
+            "\n{}\n",
+            response_words(result, (&comparison.output, comparison.of, comparison.at), writer)
+        ));
+        push_table(&mut text, &rows);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_falls_less_and_less_is_not_said_to_stand_still() {
+        let learning = |errors: [f64; 3]| {
+            [15, 30, 60].into_iter().zip(errors).map(|(runs, held_out_si)| SurrogateLearning { runs, held_out_si })
+        };
+        let falls = |errors| still_falls(&learning(errors).collect::<Vec<_>>());
+        assert!(falls([0.34e-3, 0.18e-3, 0.12e-3]));
+        assert!(!falls([0.34e-3, 0.18e-3, 0.17e-3]));
+        assert!(!falls([0.34e-3, 0.18e-3, 0.20e-3]));
+        assert!(!still_falls(&[]));
+    }
+}

@@ -1,0 +1,391 @@
+//! The tables that the command prints: plain text, aligned, with units, at most 100 columns, readable without colour.
+
+use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
+
+use super::accuracy_text::accuracy_sentences;
+use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
+use super::contributors_text::contributors_text;
+use super::inverse::{inverse_sentences, rare_sentences};
+use super::measured_figures::at_words;
+use super::number::{NumberWriter, Rounding};
+use super::percentile_words::percentile_sentences;
+use super::study_page::{bound_error, bound_value};
+use super::surrogate_text::{band_words, surrogate_text};
+use super::wording::{
+    EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
+    place_words, promise_word, reading_beside, response_words, share_words, statistic_words, treatment_words,
+    unknown_words,
+};
+use super::{motion_page, simulation_page, sweep_page};
+use loosepin_simulate::accuracy::record::MotionRecord;
+use loosepin_simulate::record::{SimulationRecord, StopReason};
+use loosepin_simulate::sweep::record::SweepRecord;
+use loosepin_study::result::{BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use loosepin_text::units::SiUnit;
+
+/// Columns that a terminal is taken to have.
+pub const TERMINAL_COLUMNS: u16 = 100;
+/// Rows of a table; the others stand in the files.
+const MOST_ROWS: usize = 24;
+
+/// The result of a study as text for a terminal: the answer, the bounds, the treatments, what failed.
+pub fn study_text(result: &StudyResult) -> String {
+    let writer = NumberWriter::for_terminal(&result.display_units);
+    let answer = answer(result, &writer);
+    let mut text = format!("{}\n\n", result.name);
+    if let Some(verdict) = answer.verdict {
+        text.push_str(&format!("{}\n", verdict_headline(verdict)));
+        for requirement in &answer.requirements {
+            text.push_str(&format!("{}\n", wrapped(requirement, "- ")));
+        }
+        text.push('\n');
+    }
+    text.push_str(&format!("{}\n", wrapped(&answer.headline, "")));
+    for detail in &answer.details {
+        text.push_str(&format!("{}\n", wrapped(detail, "- ")));
+    }
+    let shown: Vec<&BoundRecord> = result
+        .bounds
+        .iter()
+        .filter(|bound| bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
+        .collect();
+    if !shown.is_empty() {
+        let is_over_some = has_unknown(&result.inputs);
+        let over = if is_over_some { format!(" over the {}", unknown_words(&result.inputs)) } else { String::new() };
+        text.push_str(&format!("\nBounds{over}, widened by their numerical error\n"));
+        let rows = &shown[..shown.len().min(MOST_ROWS)];
+        for group in
+            rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
+        {
+            text.push_str(&format!(
+                "\n{}{}\n\n{}\n",
+                response_words(result, (&group[0].output, group[0].of, group[0].at), &writer),
+                reading_beside(result, group[0]),
+                bounds_table(result, group, &writer)
+            ));
+        }
+        if shown.len() > MOST_ROWS {
+            text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
+        }
+    } else if let Some(words) = only_curves(result.bounds.len(), &writer) {
+        text.push_str(&format!("\n{}\n", wrapped(&words, "")));
+    }
+    for (title, sentences) in [
+        ("Accuracy", accuracy_sentences(result, &writer)),
+        ("How well each statistic is known", percentile_sentences(result, &writer)),
+        ("Small probabilities", rare_sentences(result, &writer)),
+        ("What the requirements allow", inverse_sentences(result, &writer)),
+    ] {
+        if !sentences.is_empty() {
+            text.push_str(&format!("\n{title}\n\n"));
+        }
+        for sentence in sentences {
+            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+        }
+    }
+    text.push_str(&surrogate_text(result, &writer));
+    text.push_str(&contributors_text(result, &writer));
+    for comparison in &result.treatments {
+        text.push_str(&format!(
+            "\nThree ways to treat what is not known: {} {}, {}\n\n{}\n",
+            comparison.output,
+            deviation_words(comparison.of),
+            place_words(comparison.at, &writer),
+            treatments_table(comparison, &writer)
+        ));
+        let of_lists = has_lists(&result.inputs).then(|| EQUALLY_PROBABLE.to_owned());
+        for sentence in treatment_sentences(comparison, &writer).into_iter().chain(of_lists) {
+            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+        }
+    }
+    for failure in &result.failures {
+        text.push_str(&format!(
+            "\n{}\n  again: {}\n",
+            wrapped(&format!("{} failed: {}", counted(failure.count, "run", &writer), failure.words), ""),
+            failure.example.command
+        ));
+    }
+    as_shown(&text)
+}
+
+/// One run as text for a terminal: the answer, extremes, joints, counters.
+pub fn simulation_text(record: &SimulationRecord) -> String {
+    let writer = NumberWriter::for_terminal(&record.display_units);
+    let mut text = format!("{}\n\n", record.model);
+    if let StopReason::Failed { words, .. } = &record.stop {
+        text.push_str(&format!("{}\n", wrapped(&format!("the run failed: {words}"), "")));
+    }
+    for sentence in simulation_page::headline_sentences(record, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    let at = |point: &loosepin_simulate::record::ExtremePoint| {
+        let time = writer.value(point.time_s, &SiUnit::TIME);
+        // The phase of a cycle in which no drive turns tells nothing that the time does not.
+        if record.settings.drive_speed_rad_s.is_none() {
+            return time;
+        }
+        format!("{time}, {}", writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest))
+    };
+    let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
+    for extreme in &record.extremes {
+        extremes.add_row([
+            extreme.name.clone(),
+            writer.value(extreme.minimum.value_si, &extreme.unit),
+            at(&extreme.minimum),
+            writer.value(extreme.maximum.value_si, &extreme.unit),
+            at(&extreme.maximum),
+        ]);
+    }
+    push_table(&mut text, &extremes);
+    let mut joints = table(
+        &["joint", "impacts", "contacts", "fastest", "peak force", "penetration", "clearance", "restitution"],
+        &[1, 2, 3, 4, 5, 6, 7],
+    );
+    for joint in &record.joints {
+        let share =
+            |value: Option<f64>| value.map_or("-".to_owned(), |value| writer.value_trimmed(value, &SiUnit::NONE));
+        joints.add_row([
+            joint.joint.clone(),
+            count(joint.impacts, &writer),
+            count(joint.contacts, &writer),
+            writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            writer.value(joint.peak_force_n, &SiUnit::FORCE),
+            writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+            format!("{} ({})", share(joint.delivered_restitution), share(joint.nominal_restitution)),
+        ]);
+    }
+    push_table(&mut text, &joints);
+    if !record.joints.is_empty() {
+        text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
+    }
+    push_table(&mut text, &contact_table(record, &writer));
+    if record.joints.iter().any(|joint| joint.share_outside_validity.is_some()) {
+        text.push_str("too fast: share of the impacts beyond the speed up to which the contact law is meant\n");
+    }
+    let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
+    for curve in &record.measured {
+        measured.add_row([
+            curve.output.clone(),
+            count(curve.at_si.len() as u64, &writer),
+            writer.value(curve.rms_si, &curve.unit),
+            writer.value(curve.largest_si, &curve.unit),
+            at_words(curve, record, &writer),
+        ]);
+    }
+    push_table(&mut text, &measured);
+    if !record.measured.is_empty() {
+        text.push_str("residuals: measured minus computed\n");
+    }
+    let counters = &record.counters;
+    text.push_str(&format!(
+        "\n{} steps, {} rejected, {} evaluations, {} beginnings and ends of contact\n",
+        count(counters.steps, &writer),
+        count(counters.rejections, &writer),
+        count(counters.evaluations, &writer),
+        count(counters.contact_changes, &writer)
+    ));
+    as_shown(&text)
+}
+
+/// The ideal motion and the quasi-static answer as text for a terminal.
+pub fn motion_text(record: &MotionRecord) -> String {
+    let writer = NumberWriter::for_terminal(&record.display_units);
+    let mut text = format!("{}\n{}\n\n", record.model, record.mobility);
+    for sentence in motion_page::headline_sentences(record, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    let mut ranges =
+        table(&["output", "smallest", "largest", "worst case of play", "at", "deviation on rims"], &[1, 2, 3, 4, 5]);
+    for output in &record.outputs {
+        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
+        let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
+        let smallest = output.value_si.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let where_known = |text: String| if worst_si.is_finite() { text } else { "-".to_owned() };
+        ranges.add_row([
+            named_words(&output.name, &output.words),
+            writer.value(smallest, &output.unit),
+            writer.value(largest, &output.unit),
+            where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
+            where_known(writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)),
+            where_known(writer.rounded(rim_si, &output.unit, 4, Rounding::Up)),
+        ]);
+    }
+    push_table(&mut text, &ranges);
+    let mut contributors = table(&["output", "joint", "clearance", "part of the worst case", "share"], &[2, 3, 4]);
+    for output in &record.outputs {
+        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
+        let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
+        for joint in &output.clearance.contributors {
+            let part_si = joint.worst_case_si.get(pose).copied().unwrap_or(f64::NAN);
+            contributors.add_row([
+                output.name.clone(),
+                joint.joint.clone(),
+                writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+                writer.value(part_si, &output.unit),
+                writer.percent(part_si / worst_si, Rounding::Nearest),
+            ]);
+        }
+    }
+    push_table(&mut text, &contributors);
+    push_table(&mut text, &scatter_table(record, &writer));
+    as_shown(&text)
+}
+
+/// A sweep as text for a terminal: the answer, and what kind of motion there is where.
+pub fn sweep_text(record: &SweepRecord) -> String {
+    let writer = NumberWriter::for_terminal(&record.display_units);
+    let mut text = format!("{}\n\n", record.model);
+    for sentence in sweep_page::headline_sentences(record, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    let stretches = sweep_page::stretches(record);
+    let mut kinds = table(&["from", "to", "values", "motion"], &[0, 1, 2]);
+    for stretch in stretches.iter().take(MOST_ROWS) {
+        let [first, last] = stretch.range;
+        kinds.add_row([
+            writer.value_trimmed(record.points[first].value_si, &record.unit),
+            writer.value_trimmed(record.points[last].value_si, &record.unit),
+            count((last - first + 1) as u64, &writer),
+            sweep_page::period_words(stretch.period),
+        ]);
+    }
+    push_table(&mut text, &kinds);
+    if stretches.len() > MOST_ROWS {
+        text.push_str(&format!("\n{} more in sweep.csv\n", stretches.len() - MOST_ROWS));
+    }
+    as_shown(&text)
+}
+
+/// How often and how long the parts of each joint with play do not touch, and how much of the impacts and of the clearance is
+/// beyond what the law is meant for.
+fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
+    let [impacts, losses] = ["impacts", "losses"]
+        .map(|what| format!("{what} a {}", super::answer::turn_word(record.settings.drive_speed_rad_s)));
+    let head = ["joint", &impacts, &losses, "out of contact", "too fast", "penetration/clearance"];
+    let mut contacts = table(&head, &[1, 2, 3, 4, 5]);
+    let tenths = |value: f64| writer.shortest((value * 10.0).round() / 10.0, &SiUnit::NONE);
+    for joint in &record.joints {
+        contacts.add_row([
+            joint.joint.clone(),
+            joint.impacts_per_turn.map_or("-".to_owned(), tenths),
+            tenths(joint.losses_per_turn),
+            writer.percent(joint.flight_share, Rounding::Nearest),
+            joint.share_outside_validity.map_or("-".to_owned(), |share| writer.percent(share, Rounding::Up)),
+            writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up),
+        ]);
+    }
+    contacts
+}
+
+/// The scatter of the dimensions where it moves each output most: their root of the sum of squares, and their parts.
+fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
+    let mut scatter = table(&["output", "scatters", "standard deviation", "at", "share of variance"], &[2, 3, 4]);
+    for output in &record.outputs {
+        if output.dimensional_standard_deviation_si.is_empty() {
+            continue;
+        }
+        let (angle_rad, total_si) = motion_page::largest(record, &output.dimensional_standard_deviation_si);
+        let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
+        let mut row = |name: &str, part_si: f64| {
+            scatter.add_row([
+                output.name.clone(),
+                name.to_owned(),
+                writer.rounded(part_si, &output.unit, 4, Rounding::Up),
+                writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest),
+                writer.percent((part_si / total_si).powi(2), Rounding::Nearest),
+            ]);
+        };
+        row("all, root of the sum of squares", total_si);
+        for dimension in &output.dimensional_contributors {
+            row(&dimension.path, dimension.standard_deviation_si.get(pose).copied().unwrap_or(f64::NAN));
+        }
+    }
+    scatter
+}
+
+fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
+    let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
+    for bound in group {
+        let output_unit = output_unit(result, &bound.output);
+        bounds.add_row([
+            statistic_words(bound.statistic, &output_unit, writer),
+            bound_value(&bound.lower, bound, Rounding::Down, writer),
+            bound_value(&bound.upper, bound, Rounding::Up, writer),
+            bound_error(bound, writer),
+            writer.witness(&bound.upper.witness, &result.inputs),
+        ]);
+    }
+    trimmed(&bounds)
+}
+
+fn treatments_table(comparison: &loosepin_study::result::TreatmentComparison, writer: &NumberWriter) -> String {
+    // A band by a surrogate has one number more: what the surrogate does not know of its ends.
+    let mut head = vec!["treatment", "band", "width", "share really inside", "promise"];
+    if comparison.bands.iter().any(|band| band.ends.is_some()) {
+        head.insert(2, "± surrogate");
+    }
+    let mut treatments = table(&head, if head.len() > 5 { &[2, 3] } else { &[2] });
+    for band in &comparison.bands {
+        let surrogate = band.surrogate_error_si().map(|error| writer.error(error, &comparison.unit));
+        let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
+        let further = [
+            writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
+            share_words(band, writer),
+            promise_word(band, comparison.promised_coverage).to_owned(),
+        ];
+        treatments.add_row(cells.into_iter().chain(surrogate).chain(further));
+    }
+    trimmed(&treatments)
+}
+
+/// A table with a rule under its head, numbers to the right, wrapped to the width of the terminal.
+pub(super) fn table(head: &[&str], numbers: &[usize]) -> Table {
+    let mut table = Table::new();
+    // Only the rule under the head and the gap between columns.
+    table
+        .load_style(TableStyle::new().header_separator(LineStyle::none().fill('-').junction('-')))
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(TERMINAL_COLUMNS)
+        .set_header(head.iter().copied());
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 1));
+        if numbers.contains(&index) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table
+}
+
+/// Adds a table that has rows.
+pub(super) fn push_table(text: &mut String, table: &Table) {
+    if table.row_count() > 0 {
+        text.push_str(&format!("\n{}\n", trimmed(table)));
+    }
+}
+
+/// The lines of a table without blanks at their ends.
+fn trimmed(table: &Table) -> String {
+    let lines: Vec<String> = table.lines().map(|line| line.trim_end().to_owned()).collect();
+    lines.join("\n")
+}
+
+/// What a terminal shows as it is: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
+fn as_shown(text: &str) -> String {
+    let is_command =
+        |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let shown = |c| match c {
+        '\u{a0}' => ' ',
+        c if is_command(c) => char::REPLACEMENT_CHARACTER,
+        c => c,
+    };
+    text.chars().map(shown).collect()
+}
+
+pub(super) fn wrapped(sentence: &str, bullet: &str) -> String {
+    let indent = " ".repeat(bullet.len());
+    let options =
+        textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent(bullet).subsequent_indent(&indent);
+    textwrap::fill(sentence, options)
+}

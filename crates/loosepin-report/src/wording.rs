@@ -1,0 +1,228 @@
+//! Words for the parts of a result.
+
+use super::number::{NumberWriter, Rounding};
+use loosepin_study::result::{
+    BoundRecord, DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription,
+    Reduction, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
+    TreatmentKind, Verdict,
+};
+use loosepin_text::units::SiUnit;
+
+pub(super) fn deviation_words(of: DeviationKind) -> &'static str {
+    match of {
+        DeviationKind::Value => "value",
+        DeviationKind::Total => "deviation",
+        DeviationKind::Dimensional => "deviation from part scatter",
+        DeviationKind::Clearance => "deviation from play",
+    }
+}
+
+pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
+    match at {
+        ResponsePoint::Whole => "over the whole cycle".to_owned(),
+        ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
+            format!("at {}", writer.value_trimmed(pose_rad, &SiUnit::ANGLE))
+        }
+        ResponsePoint::Reduced { reduction } => match reduction {
+            Reduction::Maximum => "largest in the cycle",
+            Reduction::Minimum => "smallest in the cycle",
+            Reduction::MaximumAbsolute => "largest in the cycle, in either direction",
+            Reduction::Range => "peak to peak in the cycle",
+            Reduction::RootMeanSquare => "root mean square over the cycle",
+            Reduction::Mean => "mean over the cycle",
+        }
+        .to_owned(),
+    }
+}
+
+pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &NumberWriter) -> String {
+    match statistic {
+        StatisticKind::Mean => "mean".to_owned(),
+        StatisticKind::StandardDeviation => "standard deviation".to_owned(),
+        StatisticKind::Quantile { probability } => {
+            format!("{} quantile", writer.percent(probability, Rounding::Nearest))
+        }
+        StatisticKind::SimultaneousBand { share } => {
+            format!("band of {} for the whole cycle", writer.percent(share, Rounding::Nearest))
+        }
+        StatisticKind::ProbabilityAbove { limit_si } => {
+            format!("probability above {}", writer.value_trimmed(limit_si, unit))
+        }
+        StatisticKind::ProbabilityBelow { limit_si } => {
+            format!("probability below {}", writer.value_trimmed(limit_si, unit))
+        }
+        StatisticKind::ProbabilityBeyond { limit_si } => {
+            format!("probability beyond ±{}", writer.value_trimmed(limit_si, unit))
+        }
+    }
+}
+
+/// Digits of the width of a band.
+pub(super) const WIDTH_DIGITS: usize = 3;
+
+/// Digits of the ends of bands, so many that the least of the widths can be told from them.
+pub(super) fn band_digits(comparison: &TreatmentComparison) -> usize {
+    let ends = comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
+    let largest = ends.map(f64::abs).filter(|end| end.is_finite()).fold(0.0, f64::max);
+    let widths = comparison.bands.iter().map(TreatmentBand::width_si).filter(|width| *width > 0.0 && width.is_finite());
+    let more = (largest / widths.fold(f64::INFINITY, f64::min)).log10().floor();
+    WIDTH_DIGITS + if more.is_finite() { more.clamp(0.0, 9.0) as usize } else { 0 }
+}
+
+pub(super) fn treatment_words(treatment: TreatmentKind) -> &'static str {
+    match treatment {
+        TreatmentKind::ProbabilityOnly => "Everything as probability",
+        TreatmentKind::IntervalOnly => "Everything as interval",
+        TreatmentKind::Mixed => "Each as what it is",
+    }
+}
+
+/// "93 % to 100 %": the share inside a band, over the epistemic inputs.
+pub(super) fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
+    writer.percent_range(band.least_share(), band.coverage_maximum)
+}
+
+/// Whether a band holds what it promises, in a word.
+pub(super) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str {
+    if band.is_promise_unknown(promised) {
+        "not known"
+    } else if band.keeps_promise(promised) {
+        "kept"
+    } else {
+        "broken"
+    }
+}
+
+pub(super) fn reading_words(reading: IntervalReading) -> &'static str {
+    match reading {
+        IntervalReading::Fixed => "fixed but unknown: one value, the same for every mechanism made (reading A)",
+        IntervalReading::UnknownDistribution => {
+            "of unknown distribution, independent of the random inputs (reading A2)"
+        }
+        IntervalReading::RandomSet => "free to differ from mechanism to mechanism in any way (reading B)",
+    }
+}
+
+/// How intervals are read in `bound`, where the study reads them in several ways: what follows the place of the bound.
+pub(super) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> String {
+    if result.bounds.iter().all(|other| other.reading == bound.reading) {
+        return String::new();
+    }
+    format!("; intervals {}", reading_words(bound.reading))
+}
+
+pub(super) fn guarantee_words(guarantee: GuaranteeKind, writer: &NumberWriter) -> String {
+    match guarantee {
+        GuaranteeKind::Enclosure => "proven, rounding included".to_owned(),
+        GuaranteeKind::Optimised => "best found by a search over the intervals".to_owned(),
+        GuaranteeKind::Sampled { confidence } => {
+            format!("holds with {} confidence over the sampling", writer.percent(confidence, Rounding::Nearest))
+        }
+        GuaranteeKind::Inner => "at least this wide; not confirmed".to_owned(),
+    }
+}
+
+pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Met => "met",
+        Verdict::NotMet => "not met",
+        Verdict::Undecided => "undecided",
+    }
+}
+
+/// What the epistemic inputs are called: by what is known of them.
+pub(super) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
+    if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
+}
+
+/// Whether anything is known as an interval, a list or so.
+pub(super) fn has_unknown(inputs: &[InputDescription]) -> bool {
+    inputs.iter().any(|input| input.kind != InputKind::Random)
+}
+
+/// What stands beside bounds that are put together from several intervals.
+pub(super) const MASSES_ADD: &str = "Masses of evidence add: such a bound is attained by one value in each of the intervals, so that no single value stands beside it. \
+     Read as probability, each interval is taken by its mass and evenly within; of fuzzy numbers each cut by the difference of the degrees.";
+
+/// Whether an input is made of several intervals.
+pub(super) fn has_parts(inputs: &[InputDescription]) -> bool {
+    inputs.iter().any(|input| matches!(input.kind, InputKind::Evidence { .. } | InputKind::Fuzzy { .. }))
+}
+
+/// What the treatments take lists for.
+pub(super) const EQUALLY_PROBABLE: &str = "Read as probability, every member of a list is equally probable; read as interval, every combination of members is tried.";
+
+/// Whether an input is one of a list.
+pub(super) fn has_lists(inputs: &[InputDescription]) -> bool {
+    inputs.iter().any(|input| matches!(input.kind, InputKind::Choice { .. }))
+}
+
+/// `slider` with its meaning where there is one: `slider (x of slider.pin)`.
+pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String {
+    let words = outputs.iter().find(|output| output.name == name).map_or("", |output| &output.words);
+    named_words(name, words)
+}
+
+/// `slider (x of slider.pin): deviation, largest in the cycle`, as headings have it.
+pub(super) fn response_words(
+    result: &StudyResult,
+    (output, of, at): (&str, DeviationKind, ResponsePoint),
+    writer: &NumberWriter,
+) -> String {
+    format!("{}: {}, {}", output_words(output, &result.outputs), deviation_words(of), place_words(at, writer))
+}
+
+/// Whether the bounds of the study are those of a surrogate that stands alone.
+pub(super) fn is_by_surrogate(result: &StudyResult) -> bool {
+    result.surrogate.as_ref().is_some_and(SurrogateRecord::is_alone)
+}
+
+/// A name with its meaning where there is one.
+pub(super) fn named_words(name: &str, words: &str) -> String {
+    if words.is_empty() { name.to_owned() } else { format!("{name} ({words})") }
+}
+
+/// With a capital at its beginning.
+pub(super) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// A count, on a page with thousands apart: `16 384`.
+pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
+    writer.count(value)
+}
+
+/// `1 run`, `2 runs`.
+pub(super) fn counted(value: u64, singular: &str, writer: &NumberWriter) -> String {
+    counted_as(value, singular, &format!("{singular}s"), writer)
+}
+
+/// Where the bounds are that no table shows, for all `count` are points of curves; nothing where there are none.
+pub(super) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
+    (count > 0).then(|| {
+        format!(
+            "The bounds are those of curves, angle by angle: {} in bounds.csv. One number for the whole cycle is asked for with \
+             'reduce'.",
+            counted(count as u64, "row", writer)
+        )
+    })
+}
+
+/// `A further 3 bounds stand in `, `A further bound stands in `; `which` stands behind the noun, with a space at its end.
+pub(super) fn further(others: usize, singular: &str, which: &str, writer: &NumberWriter) -> String {
+    match others {
+        1 => format!("A further {singular} {which}stands in "),
+        _ => format!("A further {} {which}stand in ", counted(others as u64, singular, writer)),
+    }
+}
+
+/// `1 study`, `2 studies`.
+pub(super) fn counted_as(value: u64, singular: &str, plural: &str, writer: &NumberWriter) -> String {
+    format!("{}{}{}", count(value, writer), writer.space(), if value == 1 { singular } else { plural })
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(parts: &[String]) -> String {
+    loosepin_text::units::listed(parts, "and")
+}

@@ -1,0 +1,57 @@
+//! Why there is no quasi-static answer.
+
+use loosepin_mechanics::mechanism::SampleError;
+use loosepin_mechanics::mechanism::constraints::Opening;
+use loosepin_mechanics::model::QuantityError;
+use thiserror::Error;
+
+/// Why the ideal motion or the quasi-static answer cannot be given.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum AccuracyError {
+    /// The sample is impossible or its loops cannot close at the start.
+    #[error(transparent)]
+    Sample(#[from] SampleError),
+    /// A quantity cannot be varied.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+    /// Forces move the mechanism, not drives alone.
+    #[error("the drives do not move the mechanism alone: without its forces it has no ideal motion")]
+    NotDriven,
+    /// The drive whose angle is the input does not turn.
+    #[error("drive '{drive}' stands still: it goes through no cycle")]
+    StandsStill {
+        /// The drive.
+        drive: String,
+    },
+    /// Too few positions to describe a cycle.
+    #[error("{positions} positions a cycle were asked for; must be at least {least}")]
+    TooFewPositions {
+        /// What was asked for.
+        positions: usize,
+        /// The smallest number.
+        least: usize,
+    },
+    /// A standard deviation that is negative or not finite.
+    #[error("the standard deviation of {path} is {standard_deviation_si}; must be a finite number >= 0")]
+    BadStandardDeviation {
+        /// Path of the quantity.
+        path: String,
+        /// What was given, SI.
+        standard_deviation_si: f64,
+    },
+    /// A slider that its guide does not hold upright.
+    #[error("joint '{joint}': the slider can turn over in its guide, so that there is no quasi-static answer")]
+    TurnsOver {
+        /// The joint.
+        joint: String,
+    },
+    /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
+    #[error("the links cannot close when the journals are displaced within their clearances: {open}")]
+    CannotCloseWithPlay {
+        /// What stays open furthest.
+        open: Opening,
+    },
+    /// Journals displaced within their clearances bring the mechanism into a singular position.
+    #[error("a singular position lies within the clearances: there the drives no longer determine the motion")]
+    SingularWithPlay,
+}

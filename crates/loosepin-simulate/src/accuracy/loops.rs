@@ -1,0 +1,263 @@
+//! The loops of the ideal mechanism at one instant, with the bodies of joints with play displaced against each other.
+
+use super::error::AccuracyError;
+use super::position::PositionReading;
+use loosepin_math::{Dual, Vec2, determinant, solve_square};
+use loosepin_mechanics::mechanism::constraints::{self, Opening};
+use loosepin_mechanics::mechanism::{Geometry, Kinematics, Mechanism, point_m};
+use loosepin_mechanics::model::{PointId, Values};
+
+/// Newton steps from one displacement to the next; from nearby two or three are enough.
+const NEWTON_STEPS: usize = 12;
+/// Residual, relative to the size of the mechanism, from which one more Newton step reaches round-off.
+const NEARLY_CLOSED: f64 = 1e-9;
+/// Pivot ratio of the loop equations below which a position counts as singular.
+const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
+/// A displacement that does not close at once is approached in at most this many halvings.
+const HALVINGS: u32 = 10;
+
+/// Ideal mechanism, every joint closed but for a chosen displacement e_k of each joint with play: Φ(q, e) = 0 at a fixed
+/// position of the drives. e_k = r_journal - r_bearing (ground's frame) of a journal, ordinate and angle of a slider in its
+/// guide ([`super::PlayReach`]).
+///
+/// The coordinates q of the ideal tree are m and rad, free ones first. The assembly branch is the one of the position it
+/// was set to: a displacement that would leave it through a singular position is refused.
+#[derive(Debug, Clone)]
+pub struct DisplacedLoops<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    geometry: Geometry<f64>,
+    /// The same numbers as constants, for derivatives.
+    dual_geometry: Geometry<Dual<f64>>,
+    /// The numbers with all joints in the middle of their play.
+    centred_geometry: Geometry<f64>,
+    /// Displacements, in the order of [`Mechanism::plays`].
+    displacements: Vec<Vec2<f64>>,
+    coordinates: Vec<f64>,
+    /// Coordinates with all journals centred.
+    centred: Vec<f64>,
+    /// Whether the determinant of the loop matrix is positive on the present branch.
+    is_positive: bool,
+    kinematics: Kinematics<f64>,
+    dual_kinematics: Kinematics<Dual<f64>>,
+    residuals: Vec<f64>,
+    dual_residuals: Vec<Dual<f64>>,
+    jacobian: Vec<f64>,
+}
+
+impl<'a> DisplacedLoops<'a> {
+    /// The loops of `mechanism` with the dimensions of `values`; to be set to a position first.
+    pub fn new(mechanism: &'a Mechanism, values: &'a Values) -> Self {
+        let tree = &mechanism.ideal;
+        let (rows, columns) = (tree.constraint_rows(), tree.coordinates());
+        Self {
+            mechanism,
+            values,
+            geometry: Geometry::new(&mechanism.model, tree, values),
+            dual_geometry: Geometry::new(&mechanism.model, tree, values),
+            centred_geometry: Geometry::new(&mechanism.model, tree, values),
+            displacements: vec![Vec2::zero(); mechanism.plays.len()],
+            coordinates: vec![0.0; columns],
+            centred: vec![0.0; columns],
+            is_positive: true,
+            kinematics: Kinematics::new(tree),
+            dual_kinematics: Kinematics::new(tree),
+            residuals: vec![0.0; rows],
+            dual_residuals: vec![Dual::constant(0.0); rows],
+            jacobian: vec![0.0; rows * columns],
+        }
+    }
+
+    /// Takes the position `coordinates`, in which the loops are closed with all journals centred.
+    pub fn set_position(&mut self, coordinates: &[f64]) {
+        self.centred.copy_from_slice(coordinates);
+        self.centre();
+        let mut matrix = self.loop_matrix();
+        self.is_positive = determinant(&mut matrix, self.mechanism.ideal.free) > 0.0;
+    }
+
+    /// Puts all joints back into the middle of their play.
+    pub fn centre(&mut self) {
+        let centred = vec![Vec2::zero(); self.mechanism.plays.len()];
+        self.set_displacements(&centred);
+        self.coordinates.copy_from_slice(&self.centred);
+        self.set_kinematics();
+    }
+
+    /// Moves the joints to `displacements` (in the order of [`Mechanism::plays`]) and closes the loops again, from the
+    /// present position on.
+    ///
+    /// # Errors
+    /// The loops cannot be closed, or a singular position lies on the way. The joints are then where they were.
+    pub fn displace(&mut self, displacements: &[Vec2<f64>]) -> Result<(), AccuracyError> {
+        let start = self.displacements.clone();
+        let start_coordinates = self.coordinates.clone();
+        let (mut reached, mut stride) = (0.0, 1.0);
+        let smallest = 0.5_f64.powi(HALVINGS as i32);
+        let mut last_coordinates = start_coordinates.clone();
+        while reached < 1.0 {
+            let share = f64::min(reached + stride, 1.0);
+            let between: Vec<Vec2<f64>> = if share == 1.0 {
+                displacements.to_vec()
+            } else {
+                start.iter().zip(displacements).map(|(a, b)| *a * (1.0 - share) + *b * share).collect()
+            };
+            self.set_displacements(&between);
+            match self.close() {
+                Ok(()) => {
+                    reached = share;
+                    last_coordinates.copy_from_slice(&self.coordinates);
+                }
+                Err(error) => {
+                    stride *= 0.5;
+                    self.coordinates.copy_from_slice(&last_coordinates);
+                    if stride < smallest {
+                        self.set_displacements(&start);
+                        self.coordinates.copy_from_slice(&start_coordinates);
+                        self.set_kinematics();
+                        return Err(error);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The present displacements, in the order of [`Mechanism::plays`].
+    pub fn displacements(&self) -> &[Vec2<f64>] {
+        &self.displacements
+    }
+
+    /// Coordinates of the ideal tree in the present position.
+    pub fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+
+    /// The value of an output in the present position, m or rad.
+    pub fn value(&self, reading: PositionReading) -> f64 {
+        let (model, values) = (&self.mechanism.model, self.values);
+        reading.value(&self.mechanism.ideal, &self.kinematics, &|point| point_m(model, values, point))
+    }
+
+    /// Derivatives of `readings` when the joint with play `play` is displaced along `direction`.
+    ///
+    /// # Errors
+    /// The position is singular.
+    pub fn derivatives_along_play(
+        &mut self,
+        play: usize,
+        direction: Vec2<f64>,
+        readings: &[PositionReading],
+    ) -> Result<Vec<f64>, AccuracyError> {
+        let joint = self.mechanism.plays[play];
+        let at = self.displacements[play];
+        let moving =
+            Vec2::new(Dual { value: at.x, derivative: direction.x }, Dual { value: at.y, derivative: direction.y });
+        let tree = &self.mechanism.ideal;
+        let mut geometry = self.dual_geometry.clone();
+        geometry.set_displacement(tree, joint, moving, &self.centred_geometry);
+        let (model, values) = (&self.mechanism.model, self.values);
+        let driven = vec![0.0; tree.drives.len()];
+        self.derivatives(&geometry, &driven, readings, &|point| point_m(model, values, point))
+    }
+
+    /// Derivatives of `readings` when the numbers of the mechanism move along `geometry`, its driven coordinates along
+    /// `driven` and its points along `arm_m`: dq = -(dΦ/dq)⁻¹ dΦ, and the output's own derivative with it.
+    ///
+    /// # Errors
+    /// The position is singular.
+    pub fn derivatives(
+        &mut self,
+        geometry: &Geometry<Dual<f64>>,
+        driven: &[f64],
+        readings: &[PositionReading],
+        arm_m: &dyn Fn(PointId) -> Vec2<Dual<f64>>,
+    ) -> Result<Vec<f64>, AccuracyError> {
+        let tree = &self.mechanism.ideal;
+        let n = tree.free;
+        let mut coordinates: Vec<Dual<f64>> = self.coordinates.iter().map(|q| Dual::constant(*q)).collect();
+        for (coordinate, derivative) in coordinates[n..].iter_mut().zip(driven) {
+            coordinate.derivative = *derivative;
+        }
+        self.dual_kinematics.set_positions(tree, geometry, &coordinates);
+        constraints::residuals(tree, geometry, &self.dual_kinematics, &mut self.dual_residuals);
+        let mut change: Vec<f64> =
+            self.mechanism.ideal_rows().iter().map(|&row| -self.dual_residuals[row].derivative).collect();
+        let mut matrix = self.loop_matrix();
+        // Also false where an entry is not a number.
+        let is_regular = n == 0 || solve_square(&mut matrix, n, &mut change) > SINGULAR_PIVOT_RATIO;
+        if !is_regular {
+            return Err(AccuracyError::SingularWithPlay);
+        }
+        for (coordinate, derivative) in coordinates[..n].iter_mut().zip(change) {
+            coordinate.derivative = derivative;
+        }
+        self.dual_kinematics.set_positions(tree, geometry, &coordinates);
+        let kinematics = &self.dual_kinematics;
+        Ok(readings.iter().map(|reading| reading.value(tree, kinematics, arm_m).derivative).collect())
+    }
+
+    /// The matrix dΦ/dq over independent rows and free coordinates, n × n, row-major. Needs the present kinematics.
+    fn loop_matrix(&mut self) -> Vec<f64> {
+        let tree = &self.mechanism.ideal;
+        let (n, columns) = (tree.free, tree.coordinates());
+        constraints::jacobian(tree, &self.geometry, &self.kinematics, &mut self.jacobian);
+        let rows = self.mechanism.ideal_rows();
+        rows.iter().flat_map(|&row| self.jacobian[row * columns..row * columns + n].iter().copied()).collect()
+    }
+
+    fn set_kinematics(&mut self) {
+        self.kinematics.set_positions(&self.mechanism.ideal, &self.geometry, &self.coordinates);
+    }
+
+    fn set_displacements(&mut self, displacements: &[Vec2<f64>]) {
+        self.displacements.copy_from_slice(displacements);
+        let (tree, centred) = (&self.mechanism.ideal, &self.centred_geometry);
+        for (&joint, &displacement) in self.mechanism.plays.iter().zip(displacements) {
+            self.geometry.set_displacement(tree, joint, displacement, centred);
+            self.dual_geometry.set_displacement(tree, joint, Vec2::from_f64(displacement), centred);
+        }
+    }
+
+    /// Newton's method for Φ(q, e) = 0 over the free coordinates.
+    fn close(&mut self) -> Result<(), AccuracyError> {
+        let n = self.mechanism.ideal.free;
+        let size_m = self.mechanism.size_m;
+        // Without a free coordinate there is no loop that could be open.
+        if n == 0 {
+            self.set_kinematics();
+            return Ok(());
+        }
+        let mut polished = false;
+        for _ in 0..NEWTON_STEPS {
+            self.set_kinematics();
+            let tree = &self.mechanism.ideal;
+            constraints::residuals(tree, &self.geometry, &self.kinematics, &mut self.residuals);
+            let worst = self.residuals.iter().fold(0.0_f64, |w, r| w.max(r.abs()));
+            let is_closed = worst <= NEARLY_CLOSED * size_m;
+            let mut matrix = self.loop_matrix();
+            if polished {
+                let is_positive = determinant(&mut matrix, n) > 0.0;
+                return match (is_closed, is_positive == self.is_positive) {
+                    (true, true) => Ok(()),
+                    (true, false) => Err(AccuracyError::SingularWithPlay),
+                    (false, _) => Err(self.cannot_close()),
+                };
+            }
+            polished = is_closed;
+            let mut step: Vec<f64> = self.mechanism.ideal_rows().iter().map(|&row| -self.residuals[row]).collect();
+            let is_regular = solve_square(&mut matrix, n, &mut step) > SINGULAR_PIVOT_RATIO;
+            if !is_regular {
+                return Err(AccuracyError::SingularWithPlay);
+            }
+            self.coordinates.iter_mut().zip(step).for_each(|(coordinate, step)| *coordinate += step);
+        }
+        Err(self.cannot_close())
+    }
+
+    fn cannot_close(&self) -> AccuracyError {
+        let tree = &self.mechanism.ideal;
+        let open = Opening::worst(&self.mechanism.model, tree, &self.residuals);
+        AccuracyError::CannotCloseWithPlay { open }
+    }
+}

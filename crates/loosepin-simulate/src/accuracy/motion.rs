@@ -1,0 +1,274 @@
+//! The ideal motion over one cycle with the quasi-static answer: what `loosepin motion` shows.
+
+use super::cycle::Cycle;
+use super::dimension::{DimensionDirection, dimension_direction};
+use super::error::AccuracyError;
+use super::loops::DisplacedLoops;
+use super::play_reach::PlayReach;
+use super::position::{PositionOutput, PositionReading, position_outputs};
+use super::record::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
+use super::sensitivity::{dimension_derivatives, play_gradients};
+use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
+use crate::record::Override;
+use crate::{add_pose, skeleton};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
+use loosepin_mechanics::model::{CycleSpan, QuantityId, Values};
+use loosepin_text::units::DisplayUnits;
+
+/// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
+const LEAST_POSITIONS: usize = 12;
+
+/// What is computed.
+#[derive(Debug, Clone)]
+pub struct MotionPlan {
+    /// What is counted as the one turn that is walked through.
+    pub span: CycleSpan,
+    /// Steps of the cycle, at least 12; the record has one position more where the mechanism can turn fully.
+    pub positions: usize,
+    /// Dimensions that scatter; empty without a study.
+    pub scatter: Vec<Scatter>,
+    /// Those of them that do not scatter independently of each other.
+    pub correlations: Vec<ScatterCorrelation>,
+    /// What was set on the command line, for the record.
+    pub overrides: Vec<Override>,
+}
+
+/// A quantity that scatters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scatter {
+    /// The quantity; one that can be set.
+    pub quantity: QuantityId,
+    /// Its standard deviation, SI, >= 0.
+    pub standard_deviation_si: f64,
+}
+
+/// Two quantities that scatter together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScatterCorrelation {
+    /// One quantity.
+    pub first: QuantityId,
+    /// The other one.
+    pub second: QuantityId,
+    /// Linear correlation of their values, -1 to 1.
+    pub linear: f64,
+}
+
+/// The ideal motion of `mechanism` with `values` over one turn of a drive, what clearances do to it quasi-statically, and
+/// what scattering dimensions do to first order.
+///
+/// Where the mechanism cannot go through a whole turn, the record holds the positions that it can reach from its start in
+/// both directions, and its singular positions name the ends.
+///
+/// # Errors
+/// An impossible sample, loops that do not close at the start, a drive that stands still, too few positions, a standard
+/// deviation or a quantity that cannot be used.
+pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Result<MotionRecord, AccuracyError> {
+    if !mechanism.is_driven() {
+        return Err(AccuracyError::NotDriven);
+    }
+    let input = mechanism.model.input(plan.span, values);
+    if input.speed_rad_s == 0.0 {
+        return Err(AccuracyError::StandsStill { drive: input.name });
+    }
+    if plan.positions < LEAST_POSITIONS {
+        return Err(AccuracyError::TooFewPositions { positions: plan.positions, least: LEAST_POSITIONS });
+    }
+    let directions = directions(mechanism, values, &plan.scatter)?;
+    let sample = Sample::new(mechanism, values)?;
+    let reaches = PlayReach::of_sample(mechanism, &sample, sample.plays.iter().map(|_| 0.0))?;
+    let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+    let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions);
+    if input.speed_rad_s < 0.0 {
+        // The record is in the order of the angle, not of time.
+        cycle.states.reverse();
+    }
+
+    let outputs = position_outputs(mechanism);
+    let mut recorder = Recorder::new(mechanism, values, &sample, reaches, &outputs, plan, &directions);
+    let mut drawing = skeleton(mechanism, values);
+    let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
+    for state in &cycle.states {
+        let angle_rad = input.angle_rad(state.time_s());
+        drive_angle_rad.push(angle_rad);
+        recorder.record(state)?;
+        add_pose(&mut drawing.poses, &mechanism.ideal, state.kinematics(), angle_rad);
+    }
+    drawing.ideal_poses = Default::default();
+    Ok(MotionRecord {
+        model: mechanism.model.name.clone(),
+        version: loosepin_text::VERSION.to_owned(),
+        overrides: plan.overrides.clone(),
+        drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
+        mobility: mobility_words(mechanism),
+        singular_positions: cycle.singular_positions(&input),
+        drive: input.name,
+        display_units: mechanism.model.shown_in(DisplayUnits::default()),
+        drive_angle_rad,
+        outputs: recorder.outputs,
+        drawing,
+    })
+}
+
+/// Directions of all scattering quantities that have to do with the motion.
+fn directions(
+    mechanism: &Mechanism,
+    values: &Values,
+    scatter: &[Scatter],
+) -> Result<Vec<(Scatter, DimensionDirection)>, AccuracyError> {
+    let mut directions = Vec::new();
+    for entry in scatter {
+        if !(entry.standard_deviation_si >= 0.0 && entry.standard_deviation_si.is_finite()) {
+            return Err(AccuracyError::BadStandardDeviation {
+                path: mechanism.model.quantities[entry.quantity].path.clone(),
+                standard_deviation_si: entry.standard_deviation_si,
+            });
+        }
+        let direction = dimension_direction(mechanism, values, entry.quantity)?;
+        if !direction.leaves_motion_alone(mechanism) {
+            directions.push((*entry, direction));
+        }
+    }
+    Ok(directions)
+}
+
+/// Fills the histories of all outputs, position by position.
+struct Recorder<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    loops: DisplacedLoops<'a>,
+    readings: Vec<PositionReading>,
+    reaches: Vec<PlayReach>,
+    input: CycleSpan,
+    directions: &'a [(Scatter, DimensionDirection)],
+    /// Places of two correlated directions, and twice their correlation.
+    correlated: Vec<(usize, usize, f64)>,
+    outputs: Vec<OutputMotion>,
+}
+
+impl<'a> Recorder<'a> {
+    fn new(
+        mechanism: &'a Mechanism,
+        values: &'a Values,
+        sample: &Sample<f64>,
+        reaches: Vec<PlayReach>,
+        outputs: &[PositionOutput],
+        plan: &MotionPlan,
+        directions: &'a [(Scatter, DimensionDirection)],
+    ) -> Self {
+        let model = &mechanism.model;
+        let contributors = mechanism.plays.iter().zip(&sample.plays).map(|(joint, play)| JointContributor {
+            joint: model.joints[joint.0].name.clone(),
+            radial_clearance_m: play.clearance_m,
+            worst_case_si: Vec::new(),
+        });
+        let clearance = ClearanceAnswer { contributors: contributors.collect(), ..ClearanceAnswer::default() };
+        let dimensional_contributors: Vec<DimensionContributor> = directions
+            .iter()
+            .map(|(entry, _)| DimensionContributor {
+                path: model.quantities[entry.quantity].path.clone(),
+                standard_deviation_si: Vec::new(),
+            })
+            .collect();
+        let motions = outputs.iter().map(|output| OutputMotion {
+            name: output.name.clone(),
+            words: output.words.clone(),
+            unit: output.unit.clone(),
+            value_si: Vec::new(),
+            velocity_si: Vec::new(),
+            acceleration_si: Vec::new(),
+            clearance: clearance.clone(),
+            dimensional_standard_deviation_si: Vec::new(),
+            dimensional_contributors: dimensional_contributors.clone(),
+        });
+        Self {
+            mechanism,
+            values,
+            loops: DisplacedLoops::new(mechanism, values),
+            readings: outputs.iter().map(|output| output.reading).collect(),
+            reaches,
+            input: plan.span,
+            directions,
+            correlated: correlated(directions, &plan.correlations),
+            outputs: motions.collect(),
+        }
+    }
+
+    fn record(&mut self, state: &IdealMotion<'_>) -> Result<(), AccuracyError> {
+        let (mechanism, values) = (self.mechanism, self.values);
+        self.loops.set_position(state.coordinates());
+        let gradients = play_gradients(&mut self.loops, &self.readings)?;
+        for ((output, &reading), gradient) in self.outputs.iter_mut().zip(&self.readings).zip(gradients) {
+            let [velocity, acceleration] =
+                reading.rates(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), &|point| {
+                    point_m(&mechanism.model, values, point)
+                });
+            output.value_si.push(self.loops.value(reading));
+            output.velocity_si.push(velocity);
+            output.acceleration_si.push(acceleration);
+            let joints: Vec<_> = self.reaches.iter().copied().zip(gradient).collect();
+            let answer = &mut output.clearance;
+            answer.worst_case_si.push(worst_case_si(&joints));
+            answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
+            answer.rim_standard_deviation_si.push(rim_standard_deviation_si(&joints));
+            for (contributor, joint) in answer.contributors.iter_mut().zip(&joints) {
+                contributor.worst_case_si.push(worst_case_si(&[*joint]));
+            }
+        }
+        let mut variances = vec![0.0; self.outputs.len()];
+        let mut signed_si = vec![Vec::with_capacity(self.directions.len()); self.outputs.len()];
+        for (index, (entry, direction)) in self.directions.iter().enumerate() {
+            let derivatives = dimension_derivatives(
+                &mut self.loops,
+                mechanism,
+                values,
+                direction,
+                self.input,
+                state.time_s(),
+                &self.readings,
+            )?;
+            for (signed_si, derivative) in signed_si.iter_mut().zip(&derivatives) {
+                signed_si.push(derivative * entry.standard_deviation_si);
+            }
+            for ((output, variance), derivative) in self.outputs.iter_mut().zip(&mut variances).zip(derivatives) {
+                let deviation_si = derivative.abs() * entry.standard_deviation_si;
+                *variance += deviation_si * deviation_si;
+                output.dimensional_contributors[index].standard_deviation_si.push(deviation_si);
+            }
+        }
+        if !self.directions.is_empty() {
+            for ((output, mut variance), signed_si) in self.outputs.iter_mut().zip(variances).zip(signed_si) {
+                for &(first, second, twice) in &self.correlated {
+                    variance += twice * signed_si[first] * signed_si[second];
+                }
+                // What cancels in full leaves round-off, of either sign.
+                output.dimensional_standard_deviation_si.push(variance.max(0.0).sqrt());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Places of correlated quantities among the directions; a quantity that has nothing to do with the motion has none.
+fn correlated(
+    directions: &[(Scatter, DimensionDirection)],
+    correlations: &[ScatterCorrelation],
+) -> Vec<(usize, usize, f64)> {
+    let place = |quantity: QuantityId| directions.iter().position(|(entry, _)| entry.quantity == quantity);
+    let both = |each: &ScatterCorrelation| Some((place(each.first)?, place(each.second)?, 2.0 * each.linear));
+    correlations.iter().filter_map(both).collect()
+}
+
+/// The mobility in words, for example `1 degree of freedom, 1 drive`.
+fn mobility_words(mechanism: &Mechanism) -> String {
+    let counted = |count: usize, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
+    let mut words = format!(
+        "{}, {}",
+        counted(mechanism.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
+        counted(mechanism.model.drives.len(), "drive", "drives")
+    );
+    for (owner, constraints) in &mechanism.redundant {
+        let counted = counted(*constraints, "constraint", "constraints");
+        words.push_str(&format!("; {counted} of {} redundant", owner.words(&mechanism.model)));
+    }
+    words
+}

@@ -1,0 +1,133 @@
+//! How deep a contact may be pressed in.
+
+use super::Batch;
+use crate::failure::RunFailure;
+use crate::gap::ContactStep;
+use crate::lane::LaneRun;
+use crate::reads::ReadLayout;
+use loosepin_math::Lanes;
+use loosepin_mechanics::contact::NormalContact;
+use loosepin_mechanics::mechanism::{GapMeasure, PlayGeometry, PlayShape, SliderBlock, SlotShape};
+use loosepin_mechanics::model::JointKind;
+
+/// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
+/// solution, and round-off is far below.
+pub const LARGEST_RESIDUAL: f64 = 1e-9;
+
+/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole or slot, the axis of a slider inside its
+/// guide, and the penetration where the law has one meaning.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthLimit {
+    /// The largest penetration, m.
+    pub penetration_m: f64,
+    /// The gap function there.
+    pub gap: f64,
+    /// Whether the law ends there, and not the bodies.
+    pub is_of_law: bool,
+}
+
+impl DepthLimit {
+    /// The limit of the contacts of a joint with play.
+    pub fn new(play: &PlayGeometry<f64>) -> Self {
+        let body_m = match play.shape {
+            PlayShape::Pin { bearing_radius_m } => (bearing_radius_m - play.clearance_m).max(0.0),
+            PlayShape::Slider(block) => block.half_height_m,
+            PlayShape::Slot(slot) => (slot.end_radius_m - play.clearance_m).max(0.0),
+        };
+        let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
+        let penetration_m = body_m.min(law_m);
+        Self { penetration_m, gap: GapMeasure::of(play).gap(penetration_m), is_of_law: law_m < body_m }
+    }
+}
+
+impl<T: Lanes> Batch<'_, T> {
+    /// No contact may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
+    pub(super) fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
+        let Some(run) = &self.runs[lane] else { return Ok(()) };
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        for (contact, limit) in run.depth_limits.iter().enumerate() {
+            let gap = self.core.equations.reads[self.core.layout.gap(contact)].lane(lane);
+            if gap.is_nan() {
+                return Err(RunFailure::NotFinite { time_s });
+            }
+            let play = run.sample.play_of(contact);
+            if let (PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }), Some(place)) =
+                (play.shape, self.core.layout.along(contact))
+            {
+                let along_m = self.core.equations.reads[place].lane(lane);
+                if !(ends_m[0] <= along_m && along_m <= ends_m[1]) {
+                    return Err(RunFailure::BeyondGuide {
+                        contact: self.mechanism.contact_name(contact),
+                        joint: self.joint_name(contact).to_owned(),
+                        along_m,
+                        ends_m,
+                        time_s,
+                    });
+                }
+            }
+            let measure = GapMeasure::of(play);
+            let is_root = run.root == Some(contact);
+            let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap };
+            let mut depth_m = match (is_beyond, is_root) {
+                (false, _) => 0.0,
+                (true, true) => gap * gap,
+                (true, false) => measure.penetration_m(gap),
+            };
+            if !is_beyond && is_notable && limit.is_of_law && self.core.equations.contact(lane, contact).0.contact > 0.0
+            {
+                let (gap, time) = (self.gap(lane, contact), self.times(lane));
+                let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
+                depth_m = step.largest_penetration_m(measure);
+                if depth_m <= limit.penetration_m {
+                    depth_m = 0.0;
+                }
+            }
+            if depth_m > 0.0 {
+                return Err(self.too_deep(run, contact, depth_m, time_s));
+            }
+        }
+        Ok(())
+    }
+
+    /// Friction in ideal joints must have a solution at the end of a step.
+    pub(super) fn check_joint_friction(&self, lane: usize) -> Result<(), RunFailure> {
+        for index in 0..self.core.layout.frictions() {
+            let residual = self.core.equations.reads[self.core.layout.friction(index)].lane(lane);
+            if !(residual <= LARGEST_RESIDUAL)
+                && let Some(run) = &self.runs[lane]
+            {
+                let joint = run.sample.frictions[index].joint;
+                let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+                return Err(RunFailure::Jams { joint: self.mechanism.model.joints[joint.0].name.clone(), time_s });
+            }
+        }
+        Ok(())
+    }
+
+    fn joint_name(&self, contact: usize) -> &str {
+        let joint = self.mechanism.plays[self.mechanism.contacts[contact].play];
+        &self.mechanism.model.joints[joint.0].name
+    }
+
+    fn too_deep(&self, run: &LaneRun, contact: usize, penetration_m: f64, time_s: f64) -> RunFailure {
+        let model = &self.mechanism.model;
+        let joint = &model.joints[self.mechanism.plays[self.mechanism.contacts[contact].play].0];
+        let limit = run.depth_limits[contact];
+        match (&joint.kind, run.sample.play_of(contact).shape) {
+            (JointKind::Revolute { clearance: Some(clearance), .. }, _) if limit.is_of_law => RunFailure::BeyondLaw {
+                joint: joint.name.clone(),
+                law: model.contacts[clearance.contact.0].law.name(),
+                penetration_m,
+                limit_m: limit.penetration_m,
+                time_s,
+            },
+            (
+                _,
+                PlayShape::Pin { bearing_radius_m } | PlayShape::Slot(SlotShape { end_radius_m: bearing_radius_m, .. }),
+            ) => RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s },
+            (_, PlayShape::Slider(SliderBlock { half_height_m, .. })) => {
+                RunFailure::LeavesGuide { joint: joint.name.clone(), penetration_m, half_height_m, time_s }
+            }
+        }
+    }
+}

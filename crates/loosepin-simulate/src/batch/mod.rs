@@ -1,0 +1,532 @@
+//! Many runs side by side: every lane has its own time, step and contact state, and takes the next run when one is over.
+//!
+//! A pass tries one step in every lane at once, then decides lane by lane: try again, accept, begin or end a contact, finish.
+//! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
+
+mod depth;
+mod seats;
+mod switch;
+
+pub use depth::{DepthLimit, LARGEST_RESIDUAL};
+pub(super) use seats::{Seat, Seated, Seats};
+
+use crate::column::{Arms, Reading};
+use crate::core::{Attempt, Core};
+use crate::failure::RunFailure;
+use crate::gap::{ContactStep, GapJet};
+use crate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
+use crate::motion::Motion;
+use crate::observer::{DenseOutput, Observer, Source, Step};
+use crate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
+use crate::projection::Projection;
+use crate::reads::ReadLayout;
+use crate::report::{Counters, PlaySummary, RunReport};
+use crate::resume::MotionState;
+use crate::settings::{Settings, Window};
+use loosepin_math::Lanes;
+use loosepin_math::integrate::Stepper;
+use loosepin_mechanics::dynamics::PlayState;
+use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
+use loosepin_tape::native::Level;
+
+/// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
+/// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
+pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
+/// What starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
+/// size of the mechanism: tolerances of the energy account need a size.
+const LEAST_ENERGY_SHARE: f64 = 1e-3;
+/// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
+const SMALLEST_STEP_TURNS: f64 = 1e-14;
+/// Largest growth from one step to the next.
+const LARGEST_GROWTH: f64 = 6.0;
+/// Steps after which a run is asked whether it is stopped: a millisecond or so.
+const STEPS_PER_QUESTION: u64 = 64;
+
+/// A run that waits for a lane.
+pub struct Run<O> {
+    /// All its numbers.
+    pub sample: Sample<f64>,
+    /// Where its points are in their bodies: for the outputs that are followed.
+    pub arms: Arms,
+    /// What is recorded.
+    pub window: Window,
+    /// Who looks at it.
+    pub observer: O,
+    /// Where it goes on from; without, it starts at time zero in the ideal position.
+    pub resume: Option<MotionState>,
+}
+
+/// Runs that wait for a lane, and where they go when they are over.
+pub trait Queue {
+    /// Who looks at a run.
+    type Observer: Observer;
+
+    /// The next run, if any is left.
+    fn next(&mut self) -> Option<Run<Self::Observer>>;
+    /// Takes back the observer of a run that is over.
+    fn finished(&mut self, observer: Self::Observer, outcome: Result<RunReport, RunFailure>);
+}
+
+/// The passes over all lanes.
+pub(super) struct Batch<'a, T> {
+    mechanism: &'a Mechanism,
+    core: Core<'a, T>,
+    runs: Vec<Option<LaneRun>>,
+    /// Equations on one lane at a time, for whoever looks inside a step.
+    view: Motion<'a, f64>,
+    view_projection: Option<Projection<f64>>,
+    view_state: Vec<f64>,
+    /// Number of the run whose sample `view` holds, and of the run started last.
+    viewed: u64,
+    started: u64,
+    output_jets: Vec<[[f64; 3]; 2]>,
+    settings: Settings,
+    /// Lanes whose derivative is to be evaluated again before the next step.
+    restarts: u32,
+    gaps: Vec<[GapJet; 2]>,
+    slidings_m_s: Vec<[f64; 2]>,
+    is_closed: Vec<bool>,
+    is_root: Vec<bool>,
+}
+
+impl<'a, T: Lanes> Batch<'a, T> {
+    /// Runs everything in `queue`.
+    pub fn conduct(
+        mechanism: &'a Mechanism,
+        readings: &[Reading],
+        settings: &Settings,
+        level: Option<Level>,
+        queue: &mut dyn Seated,
+    ) {
+        let Some(first) = queue.next() else { return };
+        let contacts = mechanism.contacts.len();
+        let view = Motion::new(mechanism, &first.sample);
+        let mut batch = Self {
+            mechanism,
+            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings, level),
+            runs: (0..T::COUNT).map(|_| None).collect(),
+            view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
+            view_state: vec![0.0; view.layout.length()],
+            view,
+            viewed: 0,
+            started: 0,
+            output_jets: vec![[[0.0; 3]; 2]; readings.len()],
+            settings: *settings,
+            restarts: 0,
+            gaps: vec![[GapJet::default(); 2]; contacts],
+            slidings_m_s: vec![[0.0; 2]; contacts],
+            is_closed: vec![false; contacts],
+            is_root: vec![false; contacts],
+        };
+        batch.start(0, first, queue);
+        batch.refill(queue);
+        while batch.runs.iter().any(Option::is_some) {
+            batch.pass(queue);
+            batch.refill(queue);
+        }
+    }
+
+    /// Puts waiting runs into the free lanes.
+    fn refill(&mut self, queue: &mut dyn Seated) {
+        for lane in 0..T::COUNT {
+            while self.runs[lane].is_none() {
+                let Some(run) = queue.next() else { break };
+                self.start(lane, run, queue);
+            }
+        }
+    }
+
+    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or where it goes on.
+    fn start(&mut self, lane: usize, run: Run<Seat>, queue: &mut dyn Seated) {
+        let Run { mut sample, arms, window, observer, resume } = run;
+        let n = self.mechanism.real.free;
+        let state = &mut self.view_state;
+        let mut start_s = 0.0;
+        match &resume {
+            Some(resume) => {
+                start_s = resume.time_s(&self.view.layout);
+                sample.take_pieces_at(start_s);
+                state.copy_from_slice(&resume.state);
+            }
+            None => {
+                let (coordinates, rates) = match self.mechanism.start(&sample) {
+                    Ok(start) => start,
+                    Err(error) => return queue.finished(observer, Err(error.into())),
+                };
+                state.fill(0.0);
+                state[..n].copy_from_slice(&coordinates[..n]);
+                state[n..2 * n].copy_from_slice(&rates[..n]);
+            }
+        }
+        let mut rate_1_s = fastest_drive_rad_s(self.mechanism, &sample, window.end_s);
+        self.started += 1;
+        self.viewed = self.started;
+        self.view.dynamics.sample_mut().clone_from(&sample);
+        self.view.set_state(start_s, state);
+        if !self.mechanism.is_driven() {
+            self.view.states.fill(PlayState::flight());
+            self.view.evaluate(start_s, state);
+            rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
+        }
+        let mut energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        if !(energy_j > 0.0) || !self.mechanism.is_driven() {
+            energy_j = energy_j.max(LEAST_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
+        }
+        self.core.load(lane, &sample, &arms, state, rate_1_s, energy_j);
+        if let Some(resume) = &resume {
+            self.core.resume(lane, resume);
+        }
+        let turn_s = std::f64::consts::TAU / rate_1_s;
+        let longest_s = LARGEST_STEP_TURNS * turn_s;
+        let stop_s = sample.next_break_s(start_s).min(window.end_s);
+        self.runs[lane] = Some(LaneRun {
+            number: self.started,
+            depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
+            sample,
+            window,
+            observer,
+            longest_s,
+            smallest_s: SMALLEST_STEP_TURNS * turn_s,
+            phase: Phase::Stepping,
+            next: 1e-3 * longest_s,
+            was_rejected: false,
+            last_event: None,
+            after_event: [0.0; 2],
+            arms,
+            stop_s,
+            reaches_stop: false,
+            stalled: 0,
+            counters: Counters::default(),
+            contacts: vec![PlaySummary::default(); self.mechanism.contacts.len()],
+            root: None,
+        });
+        self.restarts |= 1 << lane;
+        self.choose_step(lane);
+    }
+
+    /// Evaluates the start of the flagged lanes again.
+    fn restart(&mut self, lanes: u32) {
+        if lanes == 0 {
+            return;
+        }
+        self.core.restart(lanes);
+        for (lane, run) in self.runs.iter_mut().enumerate() {
+            if let Some(run) = run.as_mut().filter(|_| lanes >> lane & 1 != 0) {
+                if run.counters.evaluations == 0 {
+                    self.core.open_account(lane);
+                }
+                run.counters.evaluations += 1;
+            }
+        }
+    }
+
+    /// Tries a step in every lane and acts on it.
+    fn pass(&mut self, queue: &mut dyn Seated) {
+        let restarts = std::mem::take(&mut self.restarts);
+        self.restart(restarts);
+        let attempt = self.core.attempt();
+        let per_attempt = self.core.stepper.evaluations_per_attempt();
+        let mut accepted = 0;
+        let mut events: [Option<Event>; 32] = [None; 32];
+        for lane in 0..T::COUNT {
+            let Some(run) = &mut self.runs[lane] else { continue };
+            run.counters.evaluations += per_attempt;
+            let bit = 1 << lane;
+            // A step onto an event is part of a good one; where it is not good itself, the search is given up.
+            if attempt.good & bit == 0 {
+                run.phase = Phase::Stepping;
+                self.reject(lane, queue);
+                continue;
+            }
+            let decision = if matches!(run.phase, Phase::Stepping) {
+                let passes_stop = self.core.equations.reads[ReadLayout::TIME].lane(lane) > run.stop_s;
+                if attempt.eventful & bit != 0 || passes_stop { self.decide(lane) } else { Decision::Accept(None) }
+            } else {
+                self.decide(lane)
+            };
+            match decision {
+                Decision::Retry(step) => self.core.steps.set_lane(lane, step),
+                Decision::SwitchAtStart(event) => {
+                    if let Some(failure) = self.too_many_evaluations(lane) {
+                        self.finish(lane, Err(failure), queue);
+                        continue;
+                    }
+                    self.count_event(lane, event);
+                    self.act(lane, event, queue);
+                }
+                Decision::Accept(event) => {
+                    if let Err(failure) = self.show(lane, event, &attempt, queue) {
+                        self.finish(lane, Err(failure), queue);
+                        continue;
+                    }
+                    accepted |= bit;
+                    events[lane] = event;
+                }
+            }
+        }
+        if accepted == 0 {
+            return;
+        }
+        self.core.accept(accepted);
+        if self.core.equations.holds_loops() {
+            self.restart(accepted);
+        }
+        self.core.close_accounts(accepted);
+        for lane in 0..T::COUNT {
+            if accepted >> lane & 1 != 0 {
+                self.go_on(lane, events[lane], queue);
+            }
+        }
+    }
+
+    /// Whether a run is to be given up.
+    fn too_many_evaluations(&self, lane: usize) -> Option<RunFailure> {
+        let limit = self.settings.largest_evaluations;
+        let is_beyond = self.runs[lane].as_ref().is_some_and(|run| run.counters.evaluations > limit);
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        is_beyond.then_some(RunFailure::TooManyEvaluations { time_s, limit })
+    }
+
+    /// What becomes of an attempt in `lane` that may hold an event.
+    fn decide(&mut self, lane: usize) -> Decision {
+        self.read_gaps(lane);
+        let step = LaneStep {
+            step: self.core.steps.lane(lane),
+            time: self.times(lane),
+            gaps: &self.gaps,
+            slidings_m_s: &self.slidings_m_s,
+            is_closed: &self.is_closed,
+            is_root: &self.is_root,
+        };
+        match &mut self.runs[lane] {
+            Some(run) => run.decide(&step, self.settings.event_tolerance_m()),
+            None => Decision::Accept(None),
+        }
+    }
+
+    /// Shortens the step after too large an error.
+    fn reject(&mut self, lane: usize, queue: &mut dyn Seated) {
+        let error = self.core.errors.lane(lane);
+        let step = self.core.steps.lane(lane);
+        let [time_s, pace, change] = self.times(lane)[0].jet;
+        let friction = self.check_joint_friction(lane);
+        let Some(run) = &mut self.runs[lane] else { return };
+        run.counters.rejections += 1;
+        run.was_rejected = true;
+        // An error that is not a number comes from a step far too long.
+        let factor = if error.is_finite() { self.core.growth.lane(lane).clamp(0.1, 0.9) } else { 0.1 };
+        run.next = step * factor;
+        let next_s = run.next * (pace + 0.5 * run.next * change).abs();
+        let smallest_s = run.smallest_s.max(8.0 * f64::EPSILON * time_s);
+        let failure = if next_s < smallest_s
+            && let Err(jams) = friction
+        {
+            jams
+        } else if next_s < smallest_s && error.is_finite() {
+            RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
+        } else if next_s < smallest_s {
+            RunFailure::NotFinite { time_s }
+        } else if run.counters.evaluations > self.settings.largest_evaluations {
+            RunFailure::TooManyEvaluations { time_s, limit: self.settings.largest_evaluations }
+        } else {
+            return self.choose_step(lane);
+        };
+        self.finish(lane, Err(failure), queue);
+    }
+
+    /// Notes what an accepted step shows before it is left behind.
+    fn show(
+        &mut self,
+        lane: usize,
+        event: Option<Event>,
+        attempt: &Attempt,
+        queue: &mut dyn Seated,
+    ) -> Result<(), RunFailure> {
+        let step = self.core.steps.lane(lane);
+        let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
+        let start_s = self.core.start[ReadLayout::TIME].lane(lane);
+        self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
+        self.check_joint_friction(lane)?;
+        let Some(run) = &mut self.runs[lane] else { return Ok(()) };
+        run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
+        let end_s = if run.reaches_stop { run.stop_s } else { end_s };
+        // With a root a step may be too short for the time to show it.
+        if end_s <= run.window.start_s || end_s <= start_s {
+            return Ok(());
+        }
+        if attempt.notable >> lane & 1 != 0 {
+            self.note_penetrations(lane);
+        }
+        for (output, jets) in self.output_jets.iter_mut().enumerate() {
+            let [start, end] = self.core.jets(lane, self.core.layout.output(output));
+            *jets = [start.jet, end.jet];
+        }
+        let time = self.times(lane);
+        let Some(run) = &mut self.runs[lane] else { return Ok(()) };
+        let mut dense = LaneDense { core: &mut self.core, lane, evaluations: 0 };
+        let source = Source::Integrated {
+            dense: &mut dense,
+            sample: &run.sample,
+            view: &mut self.view,
+            projection: self.view_projection.as_mut(),
+            state: &mut self.view_state,
+            viewed: &mut self.viewed,
+            run: run.number,
+        };
+        let mut step = Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets };
+        if let Some(observer) = queue.observer(run.observer) {
+            observer.step(&mut step);
+        }
+        run.counters.evaluations += dense.evaluations;
+        Ok(())
+    }
+
+    /// Takes in the largest penetration and force of a step that may hold a record.
+    fn note_penetrations(&mut self, lane: usize) {
+        let time = self.times(lane);
+        for contact in 0..self.mechanism.contacts.len() {
+            let (state, is_root) = self.core.equations.contact(lane, contact);
+            if !(state.contact > 0.0) {
+                continue;
+            }
+            let gap = self.gap(lane, contact);
+            let Some(run) = &mut self.runs[lane] else { return };
+            let (numbers, summary) = (run.sample.play_of(contact), &mut run.contacts[contact]);
+            let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
+            let depth_m = step.largest_penetration_m(GapMeasure::of(numbers));
+            summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
+            let shares = self.core.layout.share(contact).map_or([1.0; 2], |place| {
+                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane))
+            });
+            summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state, shares));
+            self.core.set_records(lane, contact, summary);
+        }
+    }
+
+    /// Closes the account of an accepted step and chooses the next one.
+    fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) {
+        let step = self.core.steps.lane(lane);
+        let growth = self.core.growth.lane(lane);
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let Some(run) = &mut self.runs[lane] else { return };
+        run.counters.steps += 1;
+        let was_searching = !matches!(run.phase, Phase::Stepping);
+        run.phase = Phase::Stepping;
+        if run.reaches_stop && run.stop_s == run.window.end_s {
+            return self.succeed(lane, queue);
+        }
+        if run.counters.evaluations > self.settings.largest_evaluations {
+            let limit = self.settings.largest_evaluations;
+            return self.finish(lane, Err(RunFailure::TooManyEvaluations { time_s, limit }), queue);
+        }
+        if run.counters.steps.is_multiple_of(STEPS_PER_QUESTION)
+            && queue.observer(run.observer).is_some_and(|observer| observer.is_stopped())
+        {
+            return self.finish(lane, Err(RunFailure::Stopped { time_s }), queue);
+        }
+        if run.reaches_stop {
+            return self.stop(lane, queue);
+        }
+        match event {
+            None => {
+                if let Some(kind) = run.last_event.take() {
+                    run.after_event[kind] = step;
+                }
+                let largest = if run.was_rejected { 1.0 } else { LARGEST_GROWTH };
+                run.was_rejected = false;
+                // After a search that found nothing the step that was good stays the next one.
+                if !was_searching {
+                    run.next = step * if growth.is_finite() { growth.clamp(0.2, largest) } else { largest };
+                }
+                self.watch_stalling(lane);
+                self.choose_step(lane);
+            }
+            Some(event) => {
+                self.count_event(lane, event);
+                self.act(lane, event, queue);
+            }
+        }
+    }
+
+    fn choose_step(&mut self, lane: usize) {
+        let time_s = self.core.stepper.start()[self.core.equations.motion.layout.time()].lane(lane);
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        if let Some(run) = &self.runs[lane] {
+            let step = run.choose_step(time_s, pace);
+            self.core.steps.set_lane(lane, step);
+        }
+    }
+
+    fn succeed(&mut self, lane: usize, queue: &mut dyn Seated) {
+        let Some(run) = &mut self.runs[lane] else { return };
+        let mut plays = vec![PlaySummary::default(); self.mechanism.plays.len()];
+        for (at, summary) in self.mechanism.contacts.iter().zip(&run.contacts) {
+            plays[at.play].take_in(summary);
+        }
+        let report = RunReport { counters: run.counters, plays, energy: Some(self.core.account(lane)) };
+        self.finish(lane, Ok(report), queue);
+    }
+
+    fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn Seated) {
+        if let Some(run) = self.runs[lane].take() {
+            queue.finished(run.observer, outcome);
+        }
+        self.restarts &= !(1 << lane);
+        self.core.steps.set_lane(lane, 0.0);
+    }
+
+    fn times(&self, lane: usize) -> [GapJet; 2] {
+        self.core.jets(lane, ReadLayout::TIME)
+    }
+
+    fn gap(&self, lane: usize, contact: usize) -> [GapJet; 2] {
+        self.core.jets(lane, self.core.layout.gap(contact))
+    }
+
+    fn read_gaps(&mut self, lane: usize) {
+        for contact in 0..self.mechanism.contacts.len() {
+            let (state, is_root) = self.core.equations.contact(lane, contact);
+            self.gaps[contact] = self.gap(lane, contact);
+            let place = self.core.layout.sliding(contact);
+            self.slidings_m_s[contact] =
+                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane));
+            self.is_closed[contact] = state.contact > 0.0;
+            self.is_root[contact] = is_root;
+        }
+    }
+}
+
+/// Dense output of one lane.
+struct LaneDense<'s, 'a, T> {
+    core: &'s mut Core<'a, T>,
+    lane: usize,
+    /// Evaluations that this lane's looks have cost.
+    evaluations: u64,
+}
+
+impl<T: Lanes> DenseOutput for LaneDense<'_, '_, T> {
+    fn interpolate(&mut self, share: f64, state: &mut [f64]) {
+        if self.evaluations == 0 {
+            self.evaluations = self.core.stepper.evaluations_for_dense();
+            self.core.prepare_dense();
+        }
+        let stepper: &Stepper<T> = &self.core.stepper;
+        if share <= 0.0 {
+            for (value, from) in state.iter_mut().zip(stepper.start()) {
+                *value = from.lane(self.lane);
+            }
+        } else if share >= 1.0 {
+            for (value, from) in state.iter_mut().zip(stepper.end()) {
+                *value = from.lane(self.lane);
+            }
+        } else {
+            stepper.interpolate_lane(self.lane, share, state);
+        }
+        // No negative zeros: see `Core::jets`.
+        state.iter_mut().for_each(|value| *value += 0.0);
+    }
+
+    fn contact(&self, contact: usize) -> PlayState<f64> {
+        self.core.equations.contact(self.lane, contact).0
+    }
+}

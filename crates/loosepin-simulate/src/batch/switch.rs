@@ -1,0 +1,189 @@
+//! Contacts that begin and end, and roots of penetrations that come and go with them.
+
+use super::Batch;
+use super::seats::Seated;
+use crate::gap::Crossing;
+use crate::lane::{Event, Phase};
+use crate::observer::{Onset, Separation};
+use crate::reads::ReadLayout;
+use loosepin_math::{Lanes, Real};
+use loosepin_mechanics::contact::NormalContact;
+use loosepin_mechanics::dynamics::PlayState;
+use loosepin_mechanics::mechanism::GapMeasure;
+
+/// Steps in turn that hardly move the time before the root of a penetration is given up as an unknown.
+const MOST_STALLED_STEPS: u32 = 12;
+/// Contacts of one joint that are within this many tolerances of their beginning or end begin together: a root that grows from
+/// zero beside another would hardly move the time.
+const TOGETHER_TOLERANCES: f64 = 1e3;
+/// Share of the longest step below which time hardly moves.
+const STALLED_SHARE: f64 = 1e-7;
+
+impl<T: Lanes> Batch<'_, T> {
+    /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
+    pub(super) fn watch_stalling(&mut self, lane: usize) {
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let step = self.core.steps.lane(lane);
+        let Some(run) = &mut self.runs[lane] else { return };
+        let Some(contact) = run.root else { return };
+        if step * pace.abs() > STALLED_SHARE * run.longest_s {
+            run.stalled = 0;
+            return;
+        }
+        run.stalled += 1;
+        if run.stalled > MOST_STALLED_STEPS {
+            run.stalled = 0;
+            run.next = STALLED_SHARE * run.longest_s;
+            run.root = None;
+            let (state, _) = self.core.equations.contact(lane, contact);
+            self.core.set_contact(lane, contact, &state, false);
+            self.core.start[ReadLayout::TIME + 1].set_lane(lane, 1.0);
+            self.restarts |= 1 << lane;
+        }
+    }
+
+    pub(super) fn count_event(&mut self, lane: usize, event: Event) {
+        if let (Some(run), Event::Contact { .. }) = (&mut self.runs[lane], event) {
+            run.counters.events += 1;
+        }
+    }
+
+    /// Ends the run at the end of its window, or takes the next pieces of the drives' motions.
+    pub(super) fn stop(&mut self, lane: usize, queue: &mut dyn Seated) {
+        let Some(run) = &mut self.runs[lane] else { return };
+        let time_s = run.stop_s;
+        if time_s == run.window.end_s {
+            return self.succeed(lane, queue);
+        }
+        run.phase = Phase::Stepping;
+        run.stop_s = run.sample.next_break_s(time_s).min(run.window.end_s);
+        let place = self.core.equations.motion.layout.time();
+        self.core.stepper.start_mut()[place].set_lane(lane, time_s);
+        if run.sample.take_pieces_at(time_s) {
+            self.core.equations.load(lane, &run.sample, &run.arms);
+            // Whoever looks inside a step must see the new pieces.
+            self.viewed = 0;
+        }
+        self.restarts |= 1 << lane;
+        self.choose_step(lane);
+    }
+
+    /// Lets a contact begin or end at the start of the step, or stops.
+    pub(super) fn act(&mut self, lane: usize, event: Event, queue: &mut dyn Seated) {
+        let (contact, crossing) = match event {
+            Event::Contact { contact, crossing } => (contact, crossing),
+            Event::Stop => return self.stop(lane, queue),
+            Event::Kink { .. } => {
+                // The force goes on evenly here: the step before was only not to reach across.
+                if let Some(run) = &mut self.runs[lane] {
+                    run.phase = Phase::Stepping;
+                }
+                return self.choose_step(lane);
+            }
+        };
+        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let speed_m_s = self.gap_rate_m_s(lane, contact);
+        let has_layout_root = self.core.equations.motion.layout.roots[contact].is_some();
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, contact) } else { 0.0 };
+        let is_with_another = crossing == Crossing::Onset && self.begins_with_another(lane, contact);
+        let Some(run) = &mut self.runs[lane] else { return };
+        run.phase = Phase::Stepping;
+        run.stalled = 0;
+        let had_root = run.root.is_some();
+        let numbers = run.sample.play_of(contact);
+        let (state, has_root, kind) = match crossing {
+            Crossing::Onset => {
+                let is_floored = !(speed_m_s > numbers.minimum_impact_speed_m_s);
+                let impact_speed_m_s = Real::max(speed_m_s, numbers.minimum_impact_speed_m_s);
+                if time_s >= run.window.start_s {
+                    let summary = &mut run.contacts[contact];
+                    summary.contacts += 1;
+                    summary.floored_contacts += u64::from(is_floored);
+                    summary.impacts_beyond_validity += u64::from(speed_m_s > numbers.largest_valid_impact_speed_m_s);
+                }
+                if let Some(observer) = queue.observer(run.observer) {
+                    observer.contact_begins(&Onset { contact, time_s, speed_m_s, is_floored });
+                }
+                let state =
+                    PlayState { contact: 1.0, inverse_impact_speed_s_m: 1.0 / impact_speed_m_s, effective_mass_kg };
+                // One root at a time: two that vanish together would never leave zero.
+                (state, has_layout_root && !had_root && !is_floored && !is_with_another, 0)
+            }
+            Crossing::Separation => {
+                if let Some(observer) = queue.observer(run.observer) {
+                    observer.contact_ends(&Separation { contact, time_s, speed_m_s: -speed_m_s });
+                }
+                (PlayState::flight(), false, 1)
+            }
+        };
+        // The first step after an event is as long as the last one after such an event. Before there is one, a tenth of the
+        // step that was cut, in time; from u = 0 on the time is v0 s²/4.
+        let cut_s = 0.1 * run.next * if had_root { pace.abs().max(1e-3 * numbers.clearance_m.sqrt()) } else { 1.0 };
+        run.next = match run.after_event[kind] {
+            known if known > 0.0 => known,
+            _ if has_root => (4.0 * cut_s * state.inverse_impact_speed_s_m).sqrt(),
+            _ => cut_s,
+        };
+        run.last_event = Some(kind);
+        if has_root {
+            run.root = Some(contact);
+        } else if run.root == Some(contact) {
+            run.root = None;
+        }
+        let is_even = run.root.is_none();
+        self.core.set_contact(lane, contact, &state, has_root);
+        self.restarts |= 1 << lane;
+        // The root begins at zero, and the time with it; without any root it goes on evenly.
+        if has_root || is_even {
+            self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
+        }
+        self.choose_step(lane);
+    }
+
+    /// Whether another contact of the same joint is at its beginning or end where `contact` begins.
+    fn begins_with_another(&self, lane: usize, contact: usize) -> bool {
+        let Some(run) = &self.runs[lane] else { return false };
+        let near_m = TOGETHER_TOLERANCES * self.settings.event_tolerance_m();
+        let measure = GapMeasure::of(run.sample.play_of(contact));
+        self.mechanism.contacts_of(self.mechanism.contacts[contact].play).any(|other| {
+            let value = self.gap(lane, other)[0].jet[0];
+            let is_root = self.core.equations.contact(lane, other).1;
+            let penetration_m = if is_root { value * value } else { measure.penetration_m(value) };
+            other != contact && penetration_m.abs() < near_m
+        })
+    }
+
+    /// The mass that a contact meets along its normal at the start of the step, kg; zero where its law does not ask for it.
+    fn effective_mass_kg(&mut self, lane: usize, contact: usize) -> f64 {
+        let Some(run) = &self.runs[lane] else { return 0.0 };
+        if !run.sample.play_of(contact).normal.needs_effective_mass() {
+            return 0.0;
+        }
+        if self.viewed != run.number {
+            self.viewed = run.number;
+            self.view.dynamics.sample_mut().clone_from(&run.sample);
+        }
+        for (value, from) in self.view_state.iter_mut().zip(self.core.stepper.start()) {
+            // No negative zeros: see `Core::jets`.
+            *value = from.lane(lane) + 0.0;
+        }
+        for (index, state) in self.view.states.iter_mut().enumerate() {
+            *state = self.core.equations.contact(lane, index).0;
+        }
+        let time_s = self.view_state[self.view.layout.time()];
+        self.view.evaluate(time_s, &self.view_state);
+        1.0 / self.view.dynamics.inverse_mass_along_normal_1_kg(contact)
+    }
+
+    /// δ̇ at the start of the step.
+    pub(super) fn gap_rate_m_s(&self, lane: usize, contact: usize) -> f64 {
+        let [value, slope, _] = self.gap(lane, contact)[0].jet;
+        if self.core.equations.contact(lane, contact).1 {
+            return 2.0 * slope;
+        }
+        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let Some(run) = &self.runs[lane] else { return 0.0 };
+        slope / (GapMeasure::of(run.sample.play_of(contact)).rate_share(value) * pace)
+    }
+}

@@ -1,0 +1,293 @@
+//! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
+
+use super::batch::{DepthLimit, Seat};
+use super::column::Arms;
+use super::gap::{Crossing, GapJet, first_crossing};
+use super::report::{Counters, PlaySummary};
+use super::settings::Window;
+use loosepin_mechanics::mechanism::{GapMeasure, Sample};
+
+/// What ends a step before its error does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Event {
+    /// A contact begins or ends.
+    Contact {
+        /// Index in [`loosepin_mechanics::mechanism::Mechanism::contacts`].
+        contact: usize,
+        /// Which of the two.
+        crossing: Crossing,
+    },
+    /// The sliding velocity passes a kink of the friction law.
+    Kink {
+        /// Index in [`loosepin_mechanics::mechanism::Mechanism::contacts`].
+        contact: usize,
+        /// Sliding velocity at the kink, m/s.
+        level_m_s: f64,
+    },
+    /// The time at which steps stop, while the time is no longer the variable of integration.
+    Stop,
+}
+
+/// A look for the place of an event: steps are taken again until one ends on it.
+#[derive(Debug, Clone, Copy)]
+pub struct Search {
+    /// What is looked for.
+    pub event: Event,
+    /// The event lies beyond this step.
+    pub low: f64,
+    /// The event lies before this step.
+    pub high: f64,
+    /// The step that is tried.
+    pub trial: f64,
+    /// Steps tried so far.
+    pub trials: u32,
+    /// The step tried before, and how far from the event it ended.
+    pub before: (f64, f64),
+}
+
+/// What the attempt at hand is for.
+#[derive(Debug, Clone, Copy)]
+pub enum Phase {
+    /// To go on.
+    Stepping,
+    /// To end on an event.
+    Searching(Search),
+    /// To stop just before an event that dissolved on closer look.
+    Stopping,
+}
+
+/// The run of a lane.
+pub struct LaneRun {
+    /// Runs of a batch are numbered as they start, from 1.
+    pub number: u64,
+    /// All numbers of the run.
+    pub sample: Sample<f64>,
+    /// What is recorded.
+    pub window: Window,
+    /// Who looks at it.
+    pub observer: Seat,
+    /// Longest step in time, s.
+    pub longest_s: f64,
+    /// Smallest step in time apart from steps onto events, s.
+    pub smallest_s: f64,
+    /// The attempt at hand.
+    pub phase: Phase,
+    /// Next step by the error of the last one.
+    pub next: f64,
+    /// Whether the last attempt was rejected: the next step does not grow.
+    pub was_rejected: bool,
+    /// Event after which the present step is the first: 0 for an onset, 1 for a separation.
+    pub last_event: Option<usize>,
+    /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
+    pub after_event: [f64; 2],
+    /// Where its points are in their bodies.
+    pub arms: Arms,
+    /// Steps end here at the latest, s: the end of the window, or where the pieces of a drive's motion meet.
+    pub stop_s: f64,
+    /// Whether the step at hand ends there.
+    pub reaches_stop: bool,
+    /// Steps in turn during which time hardly went on.
+    pub stalled: u32,
+    /// Counts.
+    pub counters: Counters,
+    /// By contact.
+    pub contacts: Vec<PlaySummary>,
+    /// By contact: how deep it may be pressed in.
+    pub depth_limits: Vec<DepthLimit>,
+    /// The contact the root of whose penetration is an unknown.
+    pub root: Option<usize>,
+}
+
+/// The ends of an attempted step in one lane.
+#[derive(Debug, Clone, Copy)]
+pub struct LaneStep<'s> {
+    /// Length of the step.
+    pub step: f64,
+    /// Time and its derivatives at both ends.
+    pub time: [GapJet; 2],
+    /// Gaps of all contacts at both ends.
+    pub gaps: &'s [[GapJet; 2]],
+    /// Sliding velocities of all contacts at both ends, m/s.
+    pub slidings_m_s: &'s [[f64; 2]],
+    /// Whether each contact is closed.
+    pub is_closed: &'s [bool],
+    /// Whether each gap is the root of a penetration.
+    pub is_root: &'s [bool],
+}
+
+/// Newton steps onto an event; from the polynomial's root two or three do.
+const MOST_TRIALS: u32 = 12;
+
+/// What becomes of an attempt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Decision {
+    /// Try another step.
+    Retry(f64),
+    /// The step is good; the event is at its end.
+    Accept(Option<Event>),
+    /// The event is at the start of the step: nothing moves.
+    SwitchAtStart(Event),
+}
+
+impl LaneRun {
+    /// |δ| below which a contact counts as at its beginning or end turned into the size of its gap function.
+    fn gap_tolerance(&self, contact: usize, is_root: bool, event_tolerance_m: f64) -> f64 {
+        match is_root {
+            true => event_tolerance_m.sqrt(),
+            false => GapMeasure::of(self.sample.play_of(contact)).tolerance(event_tolerance_m),
+        }
+    }
+
+    /// The event of the step that comes first, with its share of the step.
+    pub fn earliest_event(&self, step: &LaneStep<'_>) -> Option<(Event, f64)> {
+        let mut earliest: Option<(Event, f64)> = None;
+        for contact in 0..step.gaps.len() {
+            let [start, end] = &step.gaps[contact];
+            let crossing = if step.is_closed[contact] { Crossing::Separation } else { Crossing::Onset };
+            let Some(share) = first_crossing(start, end, step.step, crossing) else { continue };
+            if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
+                earliest = Some((Event::Contact { contact, crossing }, share));
+            }
+        }
+        for contact in (0..step.gaps.len()).filter(|&contact| step.is_closed[contact]) {
+            let [start, end] = step.slidings_m_s[contact];
+            let friction = &self.sample.play_of(contact).friction;
+            let tolerance_m_s = friction.kink_tolerance_m_s();
+            for speed_m_s in friction.kink_speeds_m_s().into_iter().flatten() {
+                for level_m_s in [speed_m_s, -speed_m_s] {
+                    let (from, to) = (start - level_m_s, end - level_m_s);
+                    if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
+                        let share = from / (from - to);
+                        if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
+                            earliest = Some((Event::Kink { contact, level_m_s }, share));
+                        }
+                    }
+                }
+            }
+        }
+        if step.is_root.contains(&true) {
+            let beyond = |jet: &GapJet| GapJet { jet: [jet.jet[0] - self.stop_s, jet.jet[1], jet.jet[2]] };
+            let [start, end] = [beyond(&step.time[0]), beyond(&step.time[1])];
+            if end.jet[0] > 0.0
+                && let Some(share) = first_crossing(&start, &end, step.step, Crossing::Onset)
+                && earliest.as_ref().is_none_or(|(_, first)| share < *first)
+            {
+                earliest = Some((Event::Stop, share));
+            }
+        }
+        earliest
+    }
+
+    /// Decides about a good attempt in [`Phase::Stepping`] that may hold an event, or about any later attempt of a search.
+    pub fn decide(&mut self, step: &LaneStep<'_>, event_tolerance_m: f64) -> Decision {
+        let search = match self.phase {
+            Phase::Stopping => return Decision::Accept(None),
+            Phase::Stepping => {
+                let Some((event, share)) = self.earliest_event(step) else {
+                    return Decision::Accept(None);
+                };
+                let trial = share * step.step;
+                if trial <= 0.0 {
+                    return Decision::SwitchAtStart(event);
+                }
+                let before = match event {
+                    Event::Kink { contact, level_m_s } => (step.step, step.slidings_m_s[contact][1] - level_m_s),
+                    _ => (0.0, 0.0),
+                };
+                self.phase = Phase::Searching(Search { event, low: 0.0, high: step.step, trial, trials: 0, before });
+                return Decision::Retry(trial);
+            }
+            Phase::Searching(search) => search,
+        };
+        self.go_on_searching(search, step, event_tolerance_m)
+    }
+
+    fn go_on_searching(&mut self, mut search: Search, step: &LaneStep<'_>, event_tolerance_m: f64) -> Decision {
+        search.trials += 1;
+        let trial = search.trial;
+        // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
+        let may_hide = step.gaps.len() > 1
+            || self.sample.play_of(0).friction.acts()
+            || step.time[1].jet[0] > self.stop_s
+            || !matches!(search.event, Event::Contact { .. });
+        let other = if may_hide { self.earliest_event(step) } else { None };
+        let other = other.filter(|(event, _)| *event != search.event);
+        if let Some((event, share)) = other {
+            // Another event was hidden behind this one.
+            search.high = trial;
+            search.trial *= share;
+            search.event = event;
+            search.before = (0.0, 0.0);
+            search.low = search.low.min(search.trial);
+            if search.trial <= 0.0 {
+                return Decision::SwitchAtStart(event);
+            }
+        } else {
+            let (value, rate, tolerance) = match search.event {
+                Event::Contact { contact, crossing } => {
+                    let [value, rate, _] = step.gaps[contact][1].jet;
+                    let tolerance = self.gap_tolerance(contact, step.is_root[contact], event_tolerance_m);
+                    (crossing.sign() * value, crossing.sign() * rate, tolerance)
+                }
+                Event::Kink { contact, level_m_s } => {
+                    let [start, end] = step.slidings_m_s[contact];
+                    let value = end - level_m_s;
+                    // The secant through the step tried before, or through the start.
+                    let slope = if search.before.0 > 0.0 {
+                        (value - search.before.1) / (trial - search.before.0)
+                    } else {
+                        (end - start) / trial
+                    };
+                    search.before = (trial, value);
+                    let sign = if start < level_m_s { 1.0 } else { -1.0 };
+                    (sign * value, sign * slope, self.sample.play_of(contact).friction.kink_tolerance_m_s())
+                }
+                Event::Stop => {
+                    let [time_s, pace, _] = step.time[1].jet;
+                    (time_s - self.stop_s, pace, 4.0 * f64::EPSILON * self.stop_s)
+                }
+            };
+            if value.abs() <= tolerance {
+                return Decision::Accept(Some(search.event));
+            }
+            // Too far; or, where a gap turns before it reaches zero, on the way back.
+            let turns = matches!(search.event, Event::Contact { .. }) && rate <= 0.0;
+            if value > 0.0 || turns {
+                search.high = trial;
+            } else {
+                search.low = trial;
+            }
+            let newton = trial - value / rate;
+            search.trial =
+                if newton > search.low && newton < search.high { newton } else { 0.5 * (search.low + search.high) };
+        }
+        if search.trials < MOST_TRIALS {
+            self.phase = Phase::Searching(search);
+            return Decision::Retry(search.trial);
+        }
+        // A touch that does not quite happen: go to the last place before it. A half step makes sure that time goes on.
+        let stop = if search.low > 0.0 { search.low } else { 0.5 * search.high };
+        if stop <= self.smallest_s {
+            return Decision::SwitchAtStart(search.event);
+        }
+        self.phase = Phase::Stopping;
+        Decision::Retry(stop)
+    }
+
+    /// The next step from the one that the error allows: the time at which steps stop is met exactly, and a last crumb is joined
+    /// to the step before it. `pace` is dt/ds; where that is not one, the stop is an event.
+    pub fn choose_step(&self, time_s: f64, pace: f64) -> f64 {
+        let left_s = self.stop_s - time_s;
+        if self.root.is_some() {
+            return if pace > 0.0 { self.next.min(self.longest_s / pace) } else { self.next };
+        }
+        let step_s = self.next.min(self.longest_s);
+        if step_s > left_s * (1.0 - 1e-6) {
+            left_s
+        } else if step_s > 0.5 * left_s {
+            0.5 * left_s
+        } else {
+            step_s
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! One run: steps, events, contact states, outputs.
+
+pub mod accuracy;
+pub mod measured;
+pub mod sweep;
+
+mod batch;
+mod column;
+mod control_history;
+mod core;
+mod drawing;
+mod engine;
+mod equations;
+mod failure;
+mod flight;
+mod free_motion;
+mod gap;
+mod history;
+mod lane;
+mod lyapunov;
+mod machine;
+mod motion;
+mod observer;
+mod pace;
+mod period;
+mod projection;
+mod reads;
+pub mod record;
+mod reference;
+mod report;
+mod resume;
+mod search;
+mod sections;
+mod settings;
+mod swing;
+mod tables;
+mod turns;
+mod watched;
+mod work;
+
+pub use batch::{Queue, Run};
+pub use column::{Arms, Column, Reading, columns};
+pub use drawing::{add_pose, skeleton};
+pub use engine::{conduct, run};
+pub use failure::RunFailure;
+pub use flight::FlightClock;
+pub use history::{BodyStates, Plan, Simulation, input, simulate, simulate_until};
+pub use lyapunov::{ExponentPlan, largest_exponent};
+pub use machine::EquationPrograms;
+pub use observer::{Observer, Onset, Separation, Step};
+pub use period::{REPEAT_SHARE, period_turns, section, section_sizes};
+pub use reference::IdealReference;
+pub use report::{Counters, EnergyAccount, PlaySummary, RunReport};
+pub use resume::MotionState;
+pub use search::{Peak, maximum_within};
+pub use settings::{STEP_SHARE, Settings, Window};
+pub use tables::{history_csv, history_names, impacts_csv};
+pub use turns::Turns;

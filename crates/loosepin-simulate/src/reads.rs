@@ -1,0 +1,142 @@
+//! What is read off the end of a step, as numbers in a row.
+
+use super::column::{Arms, Reading};
+use super::motion::Motion;
+use loosepin_math::Real;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::{JointId, JointKind};
+
+/// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
+/// integration.
+#[derive(Debug, Clone, Copy)]
+pub struct ReadLayout {
+    contacts: usize,
+    outputs: usize,
+    /// Ideal joints with friction.
+    frictions: usize,
+    /// Whether the kinetic energy is read as well: forces alone may exchange it with what springs and gravity hold, so that
+    /// their sum tells nothing of how much energy goes to and fro.
+    has_kinetic: bool,
+    /// Whether the stiffness of each contact is read as well: that of a pin in a slot differs from place to place.
+    has_shares: bool,
+    /// Whether the abscissas of corners are read as well, where some guide has ends.
+    has_ends: bool,
+}
+
+impl ReadLayout {
+    /// For the contacts of `mechanism` and this many followed outputs.
+    pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
+        let is_slot = |joint: &JointId| matches!(mechanism.model.joints[joint.0].kind, JointKind::Slot { .. });
+        let has_ends = |joint: &JointId| match &mechanism.model.joints[joint.0].kind {
+            JointKind::Prismatic { clearance: Some(clearance), .. } => clearance.ends_m.is_some(),
+            _ => false,
+        };
+        Self {
+            contacts: mechanism.contacts.len(),
+            outputs,
+            frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
+            has_kinetic: !mechanism.is_driven(),
+            has_shares: mechanism.plays.iter().any(is_slot),
+            has_ends: mechanism.plays.iter().any(has_ends),
+        }
+    }
+    /// Length of the row.
+    pub fn length(&self) -> usize {
+        self.friction(self.frictions)
+    }
+    /// The residual of an ideal joint with friction: see [`loosepin_mechanics::dynamics::Dynamics::joint_friction_residuals`].
+    #[inline(always)]
+    pub fn friction(&self, index: usize) -> usize {
+        self.gap(self.contacts) + 3 * self.outputs + index
+    }
+    /// Ideal joints with friction.
+    pub fn frictions(&self) -> usize {
+        self.frictions
+    }
+    /// The time, s.
+    pub const TIME: usize = 0;
+    /// Mechanical energy, J.
+    pub const ENERGY: usize = 3;
+    /// Kinetic energy, J, where it is read.
+    #[inline(always)]
+    pub fn kinetic(&self) -> Option<usize> {
+        self.has_kinetic.then_some(Self::ENERGY + 1)
+    }
+    /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
+    #[inline(always)]
+    pub fn gap(&self, contact: usize) -> usize {
+        4 + usize::from(self.has_kinetic) + (4 + usize::from(self.has_shares) + usize::from(self.has_ends)) * contact
+    }
+    /// Sliding velocity of a contact, m/s; zero where there is no friction.
+    #[inline(always)]
+    pub fn sliding(&self, contact: usize) -> usize {
+        self.gap(contact) + 3
+    }
+    /// Stiffness at the contact's place over that of its law, where it is read.
+    #[inline(always)]
+    pub fn share(&self, contact: usize) -> Option<usize> {
+        self.has_shares.then_some(self.gap(contact) + 4)
+    }
+    /// Abscissa of a corner along its guide, m, where it is read.
+    #[inline(always)]
+    pub fn along(&self, contact: usize) -> Option<usize> {
+        self.has_ends.then_some(self.gap(contact) + 4 + usize::from(self.has_shares))
+    }
+    /// A followed output.
+    #[inline(always)]
+    pub fn output(&self, output: usize) -> usize {
+        self.gap(self.contacts) + 3 * output
+    }
+}
+
+impl<T: Real> Motion<'_, T> {
+    /// Reads times, gaps, outputs and energy off the state that was evaluated last.
+    #[inline(always)]
+    pub fn read(&self, readings: &[Reading], arms: &Arms<T>, row: &mut [T]) {
+        let layout = ReadLayout::new(self.dynamics.mechanism(), readings.len());
+        let [pace, change] = self.pace();
+        let dynamics = &self.dynamics;
+        // d/ds = w d/dt and d²/ds² = w² d²/dt² + w' d/dt.
+        let over_s = |[value, rate, acceleration]: [T; 3]| {
+            [value, rate * pace, (pace * pace).mul_add(acceleration, change * rate)]
+        };
+        let half = T::from_f64(0.5);
+        row[..3].copy_from_slice(&[self.time_s, pace, change]);
+        let energy = dynamics.energy_in(
+            #[inline(always)]
+            |contact| self.states[contact].contact,
+        );
+        row[ReadLayout::ENERGY] = energy.total_j();
+        if let Some(place) = layout.kinetic() {
+            row[place] = energy.kinetic_j;
+        }
+        for (contact, (unknowns, force)) in self.unknowns.iter().zip(dynamics.contacts()).enumerate() {
+            let motion = dynamics.gap(contact);
+            let mut gap = over_s(motion.gap);
+            if let Some(root) = &unknowns.root {
+                let is_unknown = half.less_than(root.is_unknown);
+                // u' = δ̇/2, u'' = w δ̈/2.
+                let second = motion.penetration_acceleration_m_s2 * half * pace;
+                for (value, over_root) in gap.iter_mut().zip([root.root, half * force.penetration_rate_m_s, second]) {
+                    *value = T::select(is_unknown, over_root, *value);
+                }
+            }
+            row[layout.gap(contact)..layout.gap(contact) + 3].copy_from_slice(&gap);
+            row[layout.sliding(contact)] = force.sliding_m_s;
+            if let Some(place) = layout.share(contact) {
+                row[place] = force.stiffness_share;
+            }
+            if let Some(place) = layout.along(contact) {
+                row[place] = force.along_m;
+            }
+        }
+        dynamics.joint_friction_residuals(
+            #[inline(always)]
+            |index, residual| row[layout.friction(index)] = residual,
+        );
+        for (k, reading) in readings.iter().enumerate() {
+            let place = layout.output(k);
+            row[place..place + 3].copy_from_slice(&over_s(reading.jet(arms, dynamics)));
+        }
+    }
+}

@@ -1,0 +1,523 @@
+//! What one run leaves behind for pages, tables and files: plain data in SI, no physics.
+
+mod motion_kind;
+
+pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput};
+use serde::{Deserialize, Serialize};
+
+use loosepin_text::units::{DisplayUnits, SiUnit, extended};
+
+/// One dynamic run, complete: histories, impacts, joints, energy, counters, and what a page draws.
+///
+/// All histories have one entry per element of `time_s`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SimulationRecord {
+    /// Name of the model.
+    pub model: String,
+    /// Version of the program that made the record, `major.minor.patch`.
+    pub version: String,
+    /// Quantities that were set on the command line, in that order.
+    pub overrides: Vec<Override>,
+    /// How the run was made.
+    pub settings: SimulationSettings,
+    /// Why the run ended.
+    pub stop: StopReason,
+    /// Counters of the integration.
+    pub counters: RunCounters,
+    /// Smallest and largest value of each output and of each deviation.
+    pub extremes: Vec<Extreme>,
+    /// One entry per clearance joint.
+    pub joints: Vec<JointSummary>,
+    /// Whether the recorded turns repeat each other; absent for a mechanism that follows its drives alone, and for less than
+    /// two whole turns.
+    #[serde(default)]
+    pub kind: Option<MotionKind>,
+    /// The largest Lyapunov exponent, where it was asked for.
+    #[serde(default)]
+    pub lyapunov: Option<LyapunovRecord>,
+    /// The energy account at the end, and its history.
+    pub energy: EnergyAccount,
+    /// Units that pages and tables use.
+    pub display_units: DisplayUnits,
+    /// Sample times, increasing.
+    #[serde(with = "extended")]
+    pub time_s: Vec<f64>,
+    /// Angle of the drive at the sample times, continuous over turns.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: Vec<f64>,
+    /// The outputs in file order.
+    pub outputs: Vec<OutputHistory>,
+    /// Normal contact force of each clearance joint at the sample times. Peaks between samples stand in `impacts`.
+    pub contact_forces: Vec<ContactForceHistory>,
+    /// How controls followed their references; empty, and not written, where there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controls: Vec<ControlHistory>,
+    /// Every impact in the order of time.
+    pub impacts: Vec<ImpactRecord>,
+    /// Path of each journal in its bearing.
+    pub orbits: Vec<JournalOrbit>,
+    /// The mechanism and its poses.
+    pub drawing: Drawing,
+    /// How much of the quasi-static worst case the positions of the run use, by position output. Empty until the check was
+    /// made, and for a mechanism without play.
+    pub quasi_static_check: Vec<QuasiStaticShare>,
+    /// Measured curves laid over the outputs; empty, and not written, where none were given.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measured: Vec<MeasuredCurve>,
+}
+
+/// What the first column of a measured table is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Abscissa {
+    /// Time since the start of the run.
+    Time,
+    /// Angle of the drive.
+    DriveAngle,
+}
+
+/// A measured curve over the computed one. All lists have one entry a measured value.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MeasuredCurve {
+    /// The file that it was read from, as it was given.
+    pub file: String,
+    /// Name of the output.
+    pub output: String,
+    /// Unit of the values.
+    pub unit: SiUnit,
+    /// What `at_si` is.
+    pub abscissa: Abscissa,
+    /// Where it was measured, s or rad, increasing; angles are moved by whole turns into the recorded ones.
+    #[serde(with = "extended")]
+    pub at_si: Vec<f64>,
+    /// What was measured.
+    #[serde(with = "extended")]
+    pub measured_si: Vec<f64>,
+    /// What was computed there, between the rows of the history.
+    #[serde(with = "extended")]
+    pub computed_si: Vec<f64>,
+    /// Root of the mean square of measured minus computed.
+    #[serde(with = "extended")]
+    pub rms_si: f64,
+    /// The residual of the largest magnitude, measured minus computed.
+    #[serde(with = "extended")]
+    pub largest_si: f64,
+    /// Where it is.
+    #[serde(with = "extended")]
+    pub largest_at_si: f64,
+}
+
+/// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot
+/// move the output beyond the worst case of the exact loops.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct QuasiStaticShare {
+    /// Name of the output.
+    pub output: String,
+    /// Unit of its values.
+    pub unit: SiUnit,
+    /// Largest deviation over worst case among the samples, 0 to 1 for a sound run.
+    #[serde(with = "extended")]
+    pub largest_share: f64,
+    /// When; absent where no sample deviates.
+    #[serde(with = "extended")]
+    pub time_s: Option<f64>,
+    /// The deviation there.
+    #[serde(with = "extended")]
+    pub deviation_si: f64,
+    /// The worst case on the same side there, with the sign of the deviation.
+    #[serde(with = "extended")]
+    pub worst_case_si: f64,
+    /// Whether a sample lies beyond its worst case by more than tolerance and round-off: then the run is wrong.
+    pub is_exceeded: bool,
+    /// Samples at which a dead point lies within the clearances, so that there is no worst case.
+    pub samples_without_worst_case: usize,
+}
+
+/// A quantity of the model that replaces what the file says.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Override {
+    /// Path in the model, for example `joint.gudgeon.radial_clearance`.
+    pub path: String,
+    /// The value as it was written, for example `0.3 mm`.
+    pub written: String,
+}
+
+/// How a run was made.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SimulationSettings {
+    /// Name of the drive whose angle is the input; `cycle` where it is the phase of the cycle.
+    pub drive: String,
+    /// Speed of the drive where it is constant.
+    #[serde(with = "extended")]
+    pub drive_speed_rad_s: Option<f64>,
+    /// Turns that were run and thrown away.
+    #[serde(with = "extended")]
+    pub transient_turns: f64,
+    /// Turns that were recorded.
+    #[serde(with = "extended")]
+    pub recorded_turns: f64,
+    /// Samples per turn.
+    pub samples_per_turn: usize,
+    /// Position tolerance of the integration.
+    #[serde(with = "extended")]
+    pub tolerance_m: f64,
+    /// Name of the integration method.
+    pub method: String,
+}
+
+/// Why a run ended.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum StopReason {
+    /// The run reached its end.
+    Finished,
+    /// The run failed.
+    Failed {
+        /// Short name that does not change, for example `step_below_minimum`.
+        code: String,
+        /// The reason in words, with numbers and units.
+        words: String,
+    },
+}
+
+/// Counters of one run. They repeat exactly, unlike times.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RunCounters {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejections: u64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+    /// Located onsets and ends of contact.
+    pub contact_changes: u64,
+}
+
+/// The values of one output over time, and how far they are from the ideal motion.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct OutputHistory {
+    /// Name of the output.
+    pub name: String,
+    /// What it is in words, for example `x of slider.pin`.
+    pub words: String,
+    /// Unit of the values.
+    pub unit: SiUnit,
+    /// Actual values.
+    #[serde(with = "extended")]
+    pub value_si: Vec<f64>,
+    /// Values of the ideal mechanism; empty where the ideal mechanism has no such output (a contact force).
+    #[serde(with = "extended")]
+    pub ideal_si: Vec<f64>,
+    /// Actual minus ideal, computed before rounding; empty where there is no ideal value.
+    #[serde(with = "extended")]
+    pub deviation_si: Vec<f64>,
+}
+
+/// Normal contact force of one joint at the sample times.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ContactForceHistory {
+    /// Name of the joint.
+    pub joint: String,
+    /// Normal force, 0 in free flight.
+    #[serde(with = "extended")]
+    pub force_n: Vec<f64>,
+}
+
+/// How one control followed its reference, at the sample times.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ControlHistory {
+    /// Name of the control.
+    pub name: String,
+    /// Name of the joint of the actuator.
+    pub joint: String,
+    /// Name of the joint whose coordinate follows the reference.
+    pub measured: String,
+    /// Unit of reference and error.
+    pub unit: SiUnit,
+    /// Unit of the effort.
+    pub effort_unit: SiUnit,
+    /// The reference.
+    #[serde(with = "extended")]
+    pub reference_si: Vec<f64>,
+    /// Reference minus measured coordinate.
+    #[serde(with = "extended")]
+    pub error_si: Vec<f64>,
+    /// Torque or force of the actuator.
+    #[serde(with = "extended")]
+    pub effort_si: Vec<f64>,
+    /// Swings of the error that do not die out although the reference rests; absent where there are none.
+    pub swing: Option<Swing>,
+}
+
+/// Swings of an error about its mean over the second half of the recorded part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Swing {
+    /// Whether they stay as they are.
+    pub course: SwingCourse,
+    /// Half the range of the error over a swing: the mean of all, or of the last ones where they grow.
+    #[serde(with = "extended")]
+    pub amplitude_si: f64,
+    /// Mean duration of a swing.
+    #[serde(with = "extended")]
+    pub period_s: f64,
+    /// Mean error.
+    #[serde(with = "extended")]
+    pub mean_si: f64,
+    /// How many were looked at.
+    pub swings: usize,
+}
+
+/// How swings go on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SwingCourse {
+    /// As wide at the end as at the beginning: a limit cycle.
+    Steady,
+    /// Wider and wider.
+    Grows,
+}
+
+/// One impact: an onset of contact with an approach speed above the least impact speed of the law.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ImpactRecord {
+    /// Time of the onset.
+    #[serde(with = "extended")]
+    pub time_s: f64,
+    /// Angle of the drive at the onset.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: f64,
+    /// Name of the joint.
+    pub joint: String,
+    /// Approach speed at the onset.
+    #[serde(with = "extended")]
+    pub speed_m_s: f64,
+    /// Time from onset to the end of contact.
+    #[serde(with = "extended")]
+    pub duration_s: f64,
+    /// Largest normal force while the contact lasted.
+    #[serde(with = "extended")]
+    pub peak_force_n: f64,
+    /// Speed at which the parts separated; absent when the run ended in contact.
+    #[serde(with = "extended")]
+    pub separation_speed_m_s: Option<f64>,
+}
+
+/// What happened in one clearance joint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JointSummary {
+    /// Name of the joint.
+    pub joint: String,
+    /// Radial clearance of this run.
+    #[serde(with = "extended")]
+    pub radial_clearance_m: f64,
+    /// Name of the contact law.
+    pub law: String,
+    /// Located onsets of contact, floored ones included.
+    pub contacts: u64,
+    /// Onsets above the least impact speed.
+    pub impacts: u64,
+    /// Impacts per turn of the drive, where it turns.
+    #[serde(with = "extended")]
+    pub impacts_per_turn: Option<f64>,
+    /// Largest penetration.
+    #[serde(with = "extended")]
+    pub largest_penetration_m: f64,
+    /// Largest normal force.
+    #[serde(with = "extended")]
+    pub peak_force_n: f64,
+    /// Largest approach speed.
+    #[serde(with = "extended")]
+    pub largest_speed_m_s: f64,
+    /// Coefficient of restitution as the file states it; absent for a law without one.
+    #[serde(with = "extended")]
+    pub nominal_restitution: Option<f64>,
+    /// Coefficient of restitution that a free impact under this law delivers.
+    #[serde(with = "extended")]
+    pub delivered_restitution: Option<f64>,
+    /// Share of the impacts outside the validity limit of the law, 0 to 1; absent where no limit is known.
+    #[serde(with = "extended")]
+    pub share_outside_validity: Option<f64>,
+    /// Contacts that began more slowly than the least impact speed and were computed with that speed.
+    pub floored_contacts: u64,
+    /// Share of the time without contact, 0 to 1.
+    #[serde(with = "extended")]
+    pub flight_share: f64,
+    /// Contacts that ended, a turn.
+    #[serde(with = "extended")]
+    pub losses_per_turn: f64,
+}
+
+/// Smallest and largest value of one quantity, located on the dense output and not read off samples.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Extreme {
+    /// Name of the quantity, for example `slider` or `slider, deviation`.
+    pub name: String,
+    /// Unit of the values.
+    pub unit: SiUnit,
+    /// The smallest value.
+    pub minimum: ExtremePoint,
+    /// The largest value.
+    pub maximum: ExtremePoint,
+}
+
+/// A value and where it was found.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ExtremePoint {
+    /// The value.
+    #[serde(with = "extended")]
+    pub value_si: f64,
+    /// Time.
+    #[serde(with = "extended")]
+    pub time_s: f64,
+    /// Angle of the drive.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: f64,
+}
+
+/// kinetic + potential + stored + lost = supplied + what was there at the start; the residual is the difference.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EnergyAccount {
+    /// Largest |residual| over the run divided by the largest energy exchanged: the run's own check.
+    #[serde(with = "extended")]
+    pub relative_residual: f64,
+    /// Kinetic energy at the sample times.
+    #[serde(with = "extended")]
+    pub kinetic_j: Vec<f64>,
+    /// Potential energy of gravity at the sample times.
+    #[serde(with = "extended")]
+    pub potential_j: Vec<f64>,
+    /// Energy stored in contacts and springs at the sample times.
+    #[serde(with = "extended")]
+    pub stored_j: Vec<f64>,
+    /// Energy lost in contacts up to the sample time.
+    #[serde(with = "extended")]
+    pub contact_loss_j: Vec<f64>,
+    /// Energy lost in friction up to the sample time.
+    #[serde(with = "extended")]
+    pub friction_loss_j: Vec<f64>,
+    /// Energy lost in dampers up to the sample time; empty, and not written, for a mechanism without dampers.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub damping_loss_j: Vec<f64>,
+    /// Work of drives and loads up to the sample time.
+    #[serde(with = "extended")]
+    pub supplied_j: Vec<f64>,
+    /// What does not add up at the sample times.
+    #[serde(with = "extended")]
+    pub residual_j: Vec<f64>,
+}
+
+/// Path of a journal's centre in its bearing: the eccentricity, turned into the frame of the bearing's body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JournalOrbit {
+    /// Name of the joint.
+    pub joint: String,
+    /// Which run this is, in words; empty where there is only one.
+    pub label: String,
+    /// Radial clearance: the circle that the path stays in, but for penetration.
+    #[serde(with = "extended")]
+    pub radial_clearance_m: f64,
+    /// Eccentricity along x of the bearing frame.
+    #[serde(with = "extended")]
+    pub x_m: Vec<f64>,
+    /// Eccentricity along y of the bearing frame.
+    #[serde(with = "extended")]
+    pub y_m: Vec<f64>,
+}
+
+/// The mechanism as a page draws it: shapes in body frames, and poses of one cycle.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Drawing {
+    /// The bodies; `poses` follow this order.
+    pub bodies: Vec<DrawnBody>,
+    /// The joints.
+    pub joints: Vec<DrawnJoint>,
+    /// Poses of the mechanism with clearance over one cycle.
+    pub poses: PoseTable,
+    /// Poses of the ideal mechanism at the same inputs; empty where it is not drawn.
+    pub ideal_poses: PoseTable,
+}
+
+/// One body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnBody {
+    /// Name of the body.
+    pub name: String,
+    /// Whether it is the fixed one.
+    pub is_ground: bool,
+    /// Named points in the frame of the body.
+    pub points: Vec<DrawnPoint>,
+}
+
+/// A named point of a body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnPoint {
+    /// Name without the body's.
+    pub name: String,
+    /// x in the frame of the body.
+    #[serde(with = "extended")]
+    pub x_m: f64,
+    /// y in the frame of the body.
+    #[serde(with = "extended")]
+    pub y_m: f64,
+}
+
+/// Kinds of joint that are drawn differently.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DrawnJointKind {
+    /// Ideal revolute joint.
+    Revolute,
+    /// Revolute joint with clearance.
+    RevoluteWithClearance,
+    /// Prismatic joint.
+    Prismatic,
+    /// A pin in a slot.
+    Slot,
+    /// Rigid connection.
+    Rigid,
+}
+
+/// One joint between two points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnJoint {
+    /// Name of the joint.
+    pub name: String,
+    /// Kind of the joint.
+    pub kind: DrawnJointKind,
+    /// Point of the bearing, or a point of the guide.
+    pub first: PointReference,
+    /// Point of the journal, or of the slider.
+    pub second: PointReference,
+    /// Direction of the guide or slot in the frame of the first point's body; 0 for other kinds.
+    #[serde(with = "extended")]
+    pub guide_angle_rad: f64,
+    /// Radial clearance; 0 for an ideal joint.
+    #[serde(with = "extended")]
+    pub radial_clearance_m: f64,
+}
+
+/// A point by the index of its body in [`Drawing::bodies`] and of itself in [`DrawnBody::points`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PointReference {
+    /// Index of the body.
+    pub body: usize,
+    /// Index of the point in the body.
+    pub point: usize,
+}
+
+/// Poses of all bodies at chosen inputs. `x_m[b][k]` is the origin of body `b` at pose `k`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct PoseTable {
+    /// Angle of the drive at each pose.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: Vec<f64>,
+    /// x of the origin of each body's frame, by body and pose.
+    #[serde(with = "extended")]
+    pub x_m: Vec<Vec<f64>>,
+    /// y of the origin of each body's frame, by body and pose.
+    #[serde(with = "extended")]
+    pub y_m: Vec<Vec<f64>>,
+    /// Angle of each body's frame from the ground's, by body and pose.
+    #[serde(with = "extended")]
+    pub angle_rad: Vec<Vec<f64>>,
+}

@@ -1,0 +1,106 @@
+//! The ideal mechanism beside a run: what every deviation is measured against.
+
+use super::column::{Arms, Reading};
+use super::failure::RunFailure;
+use super::free_motion::FreeMotion;
+use super::motion::Motion;
+use super::settings::Settings;
+use loosepin_mechanics::dynamics::Dynamics;
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
+
+/// The motion of a mechanism with every clearance at zero, to be asked at any time.
+///
+/// Where the drives move every freedom its loops are solved; otherwise it is a dynamic run of its own with the same drives,
+/// forces and initial state.
+pub struct IdealReference<'a> {
+    source: Source<'a>,
+    motion: Motion<'a, f64>,
+    held_s: Option<f64>,
+}
+
+/// Where positions and velocities come from.
+enum Source<'a> {
+    Solved(Box<IdealMotion<'a>>),
+    Integrated(FreeMotion),
+}
+
+impl<'a> IdealReference<'a> {
+    /// From [`Mechanism::without_play`] and [`Sample::without_play`], to be asked up to `end_s`.
+    ///
+    /// # Errors
+    /// The loops cannot close at time zero; the run of a mechanism that its drives do not move alone failed.
+    pub fn new(
+        mechanism: &'a Mechanism,
+        sample: &Sample<f64>,
+        end_s: f64,
+        settings: &Settings,
+    ) -> Result<Self, RunFailure> {
+        let source = if mechanism.is_driven() {
+            Source::Solved(Box::new(IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?))
+        } else {
+            Source::Integrated(FreeMotion::new(mechanism, sample, end_s, settings)?)
+        };
+        Ok(Self { source, motion: Motion::new(mechanism, sample), held_s: None })
+    }
+
+    /// Uses the pieces that the motions of drives have at `time_s`: see [`IdealMotion::hold_pieces`].
+    pub fn hold_pieces(&mut self, time_s: f64) {
+        self.held_s = Some(time_s);
+        if let Source::Solved(ideal) = &mut self.source {
+            ideal.hold_pieces(self.held_s);
+        }
+    }
+
+    /// Positions and velocities at `time_s`, and forces and accelerations where asked for.
+    ///
+    /// # Errors
+    /// The loops cannot close there.
+    pub fn at(&mut self, time_s: f64, with_forces: bool) -> Result<&Dynamics<'a, f64>, SampleError> {
+        let n = self.motion.freedoms();
+        let dynamics = &mut self.motion.dynamics;
+        dynamics.sample_mut().take_pieces_at(self.held_s.unwrap_or(time_s));
+        let states = &self.motion.states;
+        let set = |dynamics: &mut Dynamics<'a, f64>, coordinates: &[f64], rates: &[f64]| {
+            if with_forces {
+                dynamics.evaluate(time_s, &coordinates[..n], &rates[..n], states);
+            } else {
+                dynamics.set_state(time_s, &coordinates[..n], &rates[..n]);
+            }
+        };
+        match &mut self.source {
+            Source::Solved(ideal) => {
+                if ideal.time_s() != time_s {
+                    ideal.move_to(time_s)?;
+                }
+                let (coordinates, rates) = ideal.real_state();
+                set(dynamics, coordinates, rates);
+            }
+            Source::Integrated(motion) => {
+                let state = motion.state(time_s);
+                dynamics.error_integrals_mut().copy_from_slice(&state.error_integrals);
+                for (index, deflection_m) in state.joint_bristles_m.iter().enumerate() {
+                    if dynamics.sample().frictions[index].law.has_bristle() {
+                        dynamics.set_joint_bristle(index, *deflection_m);
+                    }
+                }
+                set(dynamics, &state.coordinates, &state.rates);
+            }
+        }
+        Ok(&self.motion.dynamics)
+    }
+
+    /// Value and first two time derivatives of a position or angle at `time_s`.
+    ///
+    /// # Errors
+    /// The loops cannot close there.
+    pub fn jet(&mut self, reading: &Reading, arms: &Arms, time_s: f64) -> Result<[f64; 3], SampleError> {
+        let Source::Solved(ideal) = &mut self.source else {
+            return Ok(reading.jet(arms, self.at(time_s, true)?));
+        };
+        if ideal.time_s() != time_s {
+            ideal.move_to(time_s)?;
+        }
+        let mechanism = self.motion.dynamics.mechanism();
+        Ok(reading.position_jet(arms, mechanism, ideal.kinematics(), |slot| ideal.acceleration(slot)))
+    }
+}

@@ -1,0 +1,256 @@
+//! Running a sweep on the lanes of all threads.
+
+use super::record::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
+use super::turns::TurnsRecorder;
+use crate::record::Override;
+use crate::{
+    Arms, Column, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Turns, Window, columns,
+    conduct, input, period_turns, section_sizes,
+};
+use loosepin_math::Vectors;
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::model::{QuantityId, SetValues, SettingRange};
+use loosepin_text::diagnostics::{Code, Problem};
+use loosepin_text::units::{DisplayUnits, SiUnit};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use thiserror::Error;
+
+/// What is swept.
+#[derive(Debug, Clone)]
+pub struct SweepPlan {
+    /// The quantity and the ends of its values.
+    pub range: SettingRange,
+    /// Values, equally spaced, ends included; at least two.
+    pub points: usize,
+    /// Turns before those that are looked at.
+    pub transient_turns: u32,
+    /// Turns that are looked at.
+    pub recorded_turns: u32,
+    /// Accuracy.
+    pub settings: Settings,
+    /// What was set on the command line, for the record.
+    pub overrides: Vec<Override>,
+}
+
+impl SweepPlan {
+    /// Value number `index` of [`Self::points`], SI.
+    pub fn value_si(&self, index: usize) -> f64 {
+        let share = index as f64 / (self.points - 1) as f64;
+        self.range.from_si + share * (self.range.to_si - self.range.from_si)
+    }
+}
+
+/// Why a sweep has no result.
+#[derive(Debug, Error)]
+pub enum SweepError {
+    /// The threads could not be started.
+    #[error("the threads could not be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// No run came to its end.
+    #[error("all {runs} runs failed; the first one: {reason}")]
+    AllFailed {
+        /// How many.
+        runs: usize,
+        /// Why the first one did.
+        reason: String,
+    },
+    /// It was interrupted.
+    #[error("interrupted after {finished} of {runs} runs")]
+    Interrupted {
+        /// Runs that were finished.
+        finished: usize,
+        /// All runs.
+        runs: usize,
+    },
+}
+
+impl Problem for SweepError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Threads(_) => Code::NoThreads,
+            Self::AllFailed { .. } => Code::AllRunsFailed,
+            Self::Interrupted { .. } => Code::Interrupted,
+        }
+    }
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::AllFailed { .. } => Some("loosepin simulate with --set shows a single run".to_owned()),
+            Self::Threads(_) | Self::Interrupted { .. } => None,
+        }
+    }
+}
+
+/// Runs `mechanism` for every value of `plan`, the other values as in `set`. The result is the same for any number of threads.
+///
+/// `heard` is told how many runs are finished.
+///
+/// # Errors
+/// See [`SweepError`]; failed runs are no error as long as some succeed.
+pub fn sweep(
+    mechanism: &Mechanism,
+    set: &SetValues,
+    plan: &SweepPlan,
+    threads: usize,
+    heard: &(dyn Fn(usize) + Sync),
+    stop: &AtomicBool,
+) -> Result<SweepRecord, SweepError> {
+    let outputs: Vec<Column> = columns(mechanism).into_iter().filter(|column| column.reading.is_position()).collect();
+    let runs = SweepRuns { mechanism, ideal: mechanism.without_play(), set, plan, outputs: &outputs };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let (taken, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let parts: Vec<Vec<(usize, SweepPoint)>> = pool.install(|| {
+        (0..threads).into_par_iter().with_max_len(1).map(|_| runs.on_a_thread(&taken, &finished, heard, stop)).collect()
+    });
+    let mut points: Vec<(usize, SweepPoint)> = parts.into_iter().flatten().collect();
+    if points.len() < plan.points {
+        return Err(SweepError::Interrupted { finished: points.len(), runs: plan.points });
+    }
+    points.sort_by_key(|(index, _)| *index);
+    let points: Vec<SweepPoint> = points.into_iter().map(|(_, point)| point).collect();
+    if let Some(reason) = points.iter().map(|point| point.failure.clone()).collect::<Option<Vec<String>>>() {
+        return Err(SweepError::AllFailed {
+            runs: points.len(),
+            reason: reason.into_iter().next().unwrap_or_default(),
+        });
+    }
+    let model = &mechanism.model;
+    let quantity = &model.quantities[plan.range.id];
+    let cycle = model.cycle_input(&set.values);
+    Ok(SweepRecord {
+        model: model.name.clone(),
+        version: loosepin_text::VERSION.to_owned(),
+        overrides: plan.overrides.clone(),
+        path: quantity.path.clone(),
+        unit: SiUnit::of_dimension(quantity.dimension),
+        drive: cycle.name,
+        section_angle_rad: cycle.start_rad,
+        transient_turns: plan.transient_turns,
+        recorded_turns: plan.recorded_turns,
+        tolerance_m: plan.settings.tolerance_m,
+        outputs: outputs
+            .into_iter()
+            .map(|column| SweptOutput { name: column.name, words: column.words, unit: column.unit })
+            .collect(),
+        joints: mechanism.plays.iter().map(|joint| model.joints[joint.0].name.clone()).collect(),
+        points,
+        display_units: model.shown_in(DisplayUnits::default()),
+    })
+}
+
+/// What all runs share.
+struct SweepRuns<'a> {
+    mechanism: &'a Mechanism,
+    ideal: Mechanism,
+    set: &'a SetValues,
+    plan: &'a SweepPlan,
+    outputs: &'a [Column],
+}
+
+impl SweepRuns<'_> {
+    fn on_a_thread(
+        &self,
+        taken: &AtomicUsize,
+        finished: &AtomicUsize,
+        heard: &(dyn Fn(usize) + Sync),
+        stop: &AtomicBool,
+    ) -> Vec<(usize, SweepPoint)> {
+        let mut queue = SweepQueue { runs: self, taken, finished, heard, stop, points: Vec::new() };
+        conduct(self.mechanism, &[], &self.plan.settings, Vectors::best(), &mut queue);
+        queue.points
+    }
+
+    fn prepare(&self, index: usize) -> Result<Run<TurnsRecorder<'_>>, RunFailure> {
+        let mut settings: Vec<(QuantityId, f64)> =
+            self.set.settings.iter().map(|setting| (setting.id, setting.value_si)).collect();
+        settings.push((self.plan.range.id, self.plan.value_si(index)));
+        let model = &self.mechanism.model;
+        let values = model.quantities.evaluate(&settings).map_err(|error| RunFailure::Sample(error.into()))?;
+        let sample = Sample::new(self.mechanism, &values)?;
+        let turn_s = input(self.mechanism, &values, model.cycle.span)?.turn_s();
+        let start_s = f64::from(self.plan.transient_turns) * turn_s;
+        let window = Window { start_s, end_s: start_s + f64::from(self.plan.recorded_turns) * turn_s };
+        let turns = Turns { window, turn_s, count: self.plan.recorded_turns as usize };
+        let ideal =
+            IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.plan.settings)?;
+        let arms = Arms::new(self.mechanism, &values);
+        let sizes = section_sizes(self.mechanism, &sample);
+        let flight = FlightClock::new(self.mechanism, start_s);
+        let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, sizes, flight);
+        Ok(Run { sample, arms, window, observer, resume: None })
+    }
+
+    /// What a finished run found.
+    fn point(&self, run: TurnsRecorder<'_>, report: &RunReport) -> Result<SweepPoint, RunFailure> {
+        if let Some(failure) = run.failure {
+            return Err(failure.into());
+        }
+        let window = run.turns().window;
+        let joints = report.plays.iter().enumerate().map(|(index, play)| SweptJoint {
+            impacts_per_turn: (play.contacts - play.floored_contacts) as f64 / f64::from(self.plan.recorded_turns),
+            flight_share: run.flight.share(index, window.end_s),
+            losses_per_turn: run.flight.losses(index) as f64 / f64::from(self.plan.recorded_turns),
+            peak_force_n: play.peak_force_n,
+            largest_penetration_m: play.largest_penetration_m,
+        });
+        let period = period_turns(&run.sections, &run.sizes);
+        Ok(SweepPoint {
+            value_si: self.plan.value_si(run.index),
+            failure: None,
+            period_turns: period.and_then(|turns| u32::try_from(turns).ok()),
+            joints: joints.collect(),
+            sections_si: run.sections_si,
+        })
+    }
+
+    fn failed(&self, index: usize, failure: &RunFailure) -> SweepPoint {
+        SweepPoint {
+            value_si: self.plan.value_si(index),
+            failure: Some(failure.to_string()),
+            period_turns: None,
+            sections_si: Vec::new(),
+            joints: Vec::new(),
+        }
+    }
+}
+
+/// Values that wait, and points that are finished.
+struct SweepQueue<'q> {
+    runs: &'q SweepRuns<'q>,
+    taken: &'q AtomicUsize,
+    finished: &'q AtomicUsize,
+    heard: &'q (dyn Fn(usize) + Sync),
+    stop: &'q AtomicBool,
+    points: Vec<(usize, SweepPoint)>,
+}
+
+impl SweepQueue<'_> {
+    fn push(&mut self, index: usize, outcome: Result<SweepPoint, RunFailure>) {
+        let point = outcome.unwrap_or_else(|failure| self.runs.failed(index, &failure));
+        self.points.push((index, point));
+        (self.heard)(self.finished.fetch_add(1, Ordering::Relaxed) + 1);
+    }
+}
+
+impl<'q> Queue for SweepQueue<'q> {
+    type Observer = TurnsRecorder<'q>;
+
+    fn next(&mut self) -> Option<Run<TurnsRecorder<'q>>> {
+        loop {
+            let index = self.taken.fetch_add(1, Ordering::Relaxed);
+            if index >= self.runs.plan.points || self.stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            match self.runs.prepare(index) {
+                Ok(run) => return Some(run),
+                Err(failure) => self.push(index, Err(failure)),
+            }
+        }
+    }
+
+    fn finished(&mut self, run: TurnsRecorder<'q>, outcome: Result<RunReport, RunFailure>) {
+        let index = run.index;
+        let point = outcome.and_then(|report| self.runs.point(run, &report));
+        self.push(index, point);
+    }
+}

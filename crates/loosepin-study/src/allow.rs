@@ -1,0 +1,414 @@
+//! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
+
+use super::assemble::{Material, requirements};
+use super::conduct::StudyError;
+use super::file::{Allowance, AllowedFit, AllowedInput, Study};
+use super::plans::problem;
+use super::response::StudyResponse;
+use super::result::{
+    AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome,
+    Verdict,
+};
+use super::runner::Runner;
+use loosepin_bounds::{DoubleLoop, SampleTable};
+use loosepin_text::units::SiUnit;
+use loosepin_uncertainty::{EpistemicVariable, Interval, Parameter, RandomVariable, hash};
+
+/// Times that the range is halved: to a 128th of it.
+const HALVINGS: usize = 7;
+/// The least standard deviation that is tried, as a share of the largest.
+const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
+/// Combinations that are run in search of the cheapest, at most.
+const MOST_TRIED: usize = 24;
+/// Separates the random numbers of confirmations.
+const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
+
+/// Studies that may be run at most, for the plan.
+pub(super) fn most_studies(study: &Study) -> usize {
+    let of_one = |one: &Allowance| if one.fits.is_empty() { 2 + HALVINGS } else { one.fits.len() };
+    let searches = 2 * study.allowances.iter().map(of_one).sum::<usize>();
+    let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
+    searches + if has_costs { 2 * MOST_TRIED } else { 0 }
+}
+
+/// Runs of one such study at most: the double loop alone.
+pub(super) fn runs_of_a_study(study: &Study) -> usize {
+    let inner = if study.random.is_empty() { 1 } else { study.sampling.inner };
+    let outer = if study.epistemic.is_empty() { 1 } else { study.sampling.outer };
+    outer * inner
+}
+
+/// What a direct study says.
+struct Answer {
+    outcomes: Vec<RequirementOutcome>,
+    runs: usize,
+}
+
+impl Answer {
+    fn verdict(&self) -> Verdict {
+        let has = |verdict| self.outcomes.iter().any(|outcome| outcome.verdict == verdict);
+        match (has(Verdict::NotMet), has(Verdict::Undecided)) {
+            (true, _) => Verdict::NotMet,
+            (false, true) => Verdict::Undecided,
+            (false, false) => Verdict::Met,
+        }
+    }
+
+    fn check(&self, value_si: f64, fit: Option<&AllowedFit>, is_confirmation: bool) -> AllowanceCheck {
+        let margin = |outcome: &&RequirementOutcome| outcome.probability[0] - outcome.probability_at_least;
+        let nearest = self.outcomes.iter().min_by(|a, b| margin(a).total_cmp(&margin(b)));
+        AllowanceCheck {
+            fit: fit.map(|fit| fit.name.clone()),
+            value_si,
+            is_confirmation,
+            share: nearest.map_or(f64::NAN, |outcome| outcome.probability[0]),
+            required_share: nearest.map_or(f64::NAN, |outcome| outcome.probability_at_least),
+            verdict: self.verdict(),
+        }
+    }
+}
+
+/// The loosest value of each input that may be loosened, one at a time.
+///
+/// The range is halved: values met below, not met above. Every trial is a direct study, and where that is met a second one with other
+/// random numbers, so that no value is met by luck. For the upper end of an interval a larger value can only be worse, since every u of the smaller box
+/// belongs to the larger one; for standard deviations this is taken for granted, and holds at the values that were run.
+///
+/// # Errors
+/// Those of the studies.
+pub(super) fn allowances(runner: &Runner<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
+    let of = |allowance: &Allowance| {
+        if allowance.fits.is_empty() { loosest(runner, allowance) } else { loosest_fit(runner, allowance) }
+    };
+    runner.study.allowances.iter().map(of).collect()
+}
+
+/// The loosest fit of a list: from the loosest one on, until the requirements are met twice, with two sets of random numbers. So the
+/// answer holds without anything being taken for granted, and the next looser one has been run and refused.
+fn loosest_fit(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
+    let mut checks: Vec<AllowanceCheck> = Vec::new();
+    let mut runs = 0;
+    let mut allowed: Option<usize> = None;
+    'fits: for place in (0..allowance.fits.len()).rev() {
+        let fit = &allowance.fits[place];
+        for is_confirmation in [false, true] {
+            let answer = run(runner, &[(allowance, fit.clearance_m[1])], seed(runner.study, is_confirmation))?;
+            runs += answer.runs;
+            checks.push(answer.check(fit.clearance_m[1], Some(fit), is_confirmation));
+            if answer.verdict() != Verdict::Met {
+                continue 'fits;
+            }
+        }
+        allowed = Some(place);
+        break;
+    }
+    let beyond = allowed.map_or(Some(0), |place| Some(place + 1)).and_then(|place| allowance.fits.get(place));
+    let allowed = allowed.map(|place| &allowance.fits[place]);
+    let (what, unit) = described(runner.study, allowance);
+    Ok(AllowanceRecord {
+        path: allowance.path.clone(),
+        what,
+        unit,
+        up_to_si: allowance.up_to_si,
+        allowed_si: allowed.map(|fit| fit.clearance_m[1]),
+        beyond_si: beyond.map(|fit| fit.clearance_m[1]),
+        allowed_fit: allowed.map(|fit| fit.name.clone()),
+        beyond_fit: beyond.map(|fit| fit.name.clone()),
+        checks,
+        runs: runs as u64,
+    })
+}
+
+fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
+    let mut checks: Vec<AllowanceCheck> = Vec::new();
+    let mut runs = 0;
+    let mut is_met = |value: f64| -> Result<bool, StudyError> {
+        for is_confirmation in [false, true] {
+            let answer = run(runner, &[(allowance, value)], seed(runner.study, is_confirmation))?;
+            runs += answer.runs;
+            checks.push(answer.check(value, None, is_confirmation));
+            if answer.verdict() != Verdict::Met {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    };
+    let least = match allowance.input {
+        AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
+        AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
+    };
+    let (allowed, beyond) = if is_met(allowance.up_to_si)? {
+        (Some(allowance.up_to_si), None)
+    } else if is_met(least)? {
+        let (mut low, mut high) = (least, allowance.up_to_si);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if is_met(middle)? {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        (Some(low), Some(high))
+    } else {
+        (None, Some(least))
+    };
+    let (what, unit) = described(runner.study, allowance);
+    Ok(AllowanceRecord {
+        path: allowance.path.clone(),
+        what,
+        unit,
+        up_to_si: allowance.up_to_si,
+        allowed_si: allowed,
+        beyond_si: beyond,
+        allowed_fit: None,
+        beyond_fit: None,
+        checks,
+        runs: runs as u64,
+    })
+}
+
+/// The cheapest combination of offers; nothing where no input has any.
+///
+/// Combinations are run in the order of their cost, each a direct study, until one meets the requirements twice, with two sets of random numbers. One that does not meet them
+/// excludes every combination that is at least as loose in all inputs, since looser is never better. The first one that meets them
+/// is the cheapest; where the studies run out before, none is named.
+///
+/// # Errors
+/// Those of the studies.
+pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>, StudyError> {
+    let offered: Vec<&Allowance> = runner.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
+    if offered.is_empty() {
+        return Ok(None);
+    }
+    let (mut runs, mut studies) = (0, 0);
+    let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
+    let search = cheapest(&costs, MOST_TRIED, |values| {
+        let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
+        for is_confirmation in [false, true] {
+            let answer = run(runner, &set, seed(runner.study, is_confirmation))?;
+            runs += answer.runs;
+            studies += 1;
+            if answer.verdict() != Verdict::Met {
+                return Ok(false);
+            }
+        }
+        Ok::<bool, StudyError>(true)
+    })?;
+    let choices = search.chosen.as_ref().map_or_else(Vec::new, |chosen| {
+        let choice = |(allowance, &place): (&&Allowance, &usize)| {
+            let (what, unit) = described(runner.study, allowance);
+            let [value_si, cost] = allowance.costs[place];
+            AllocatedInput { path: allowance.path.clone(), what, unit, value_si, cost }
+        };
+        offered.iter().zip(chosen).map(choice).collect()
+    });
+    Ok(Some(AllocationRecord {
+        cost: if choices.is_empty() { f64::NAN } else { choices.iter().map(|choice| choice.cost).sum() },
+        stop: search.stop,
+        choices,
+        combinations: search.combinations as u64,
+        studies,
+        excluded: search.excluded as u64,
+        runs: runs as u64,
+    }))
+}
+
+/// What the search for the cheapest combination found.
+struct Cheapest {
+    /// Place of the offer for each input.
+    chosen: Option<Vec<usize>>,
+    stop: AllocationStop,
+    combinations: usize,
+    /// Combinations that were run.
+    tried: usize,
+    excluded: usize,
+}
+
+/// With more combinations than this no search is made.
+const MOST_COMBINATIONS: usize = 100_000;
+
+/// The cheapest combination of `offers` (value and cost, tightest first) for which `is_met`, trying at most `most_tried`.
+fn cheapest<E>(
+    offers: &[&[[f64; 2]]],
+    most_tried: usize,
+    mut is_met: impl FnMut(&[f64]) -> Result<bool, E>,
+) -> Result<Cheapest, E> {
+    let number = offers.iter().fold(1_usize, |product, of_input| product.saturating_mul(of_input.len()));
+    if number > MOST_COMBINATIONS {
+        let stop = AllocationStop::TooManyCombinations;
+        return Ok(Cheapest { chosen: None, stop, combinations: number, tried: 0, excluded: 0 });
+    }
+    let mut combinations: Vec<Vec<usize>> = vec![Vec::new()];
+    for of_input in offers {
+        let extended = combinations
+            .iter()
+            .flat_map(|known| (0..of_input.len()).map(move |place| known.iter().copied().chain([place]).collect()));
+        combinations = extended.collect();
+    }
+    let cost = |places: &[usize]| places.iter().zip(offers).map(|(&place, of)| of[place][1]).sum::<f64>();
+    combinations.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let mut refused: Vec<Vec<usize>> = Vec::new();
+    let stop = AllocationStop::AllExcluded;
+    let mut found = Cheapest { chosen: None, stop, combinations: combinations.len(), tried: 0, excluded: 0 };
+    for places in combinations {
+        let is_looser = |known: &Vec<usize>| places.iter().zip(known).all(|(place, tight)| place >= tight);
+        if refused.iter().any(is_looser) {
+            found.excluded += 1;
+            continue;
+        }
+        if found.tried == most_tried {
+            found.stop = AllocationStop::TriedEnough;
+            break;
+        }
+        found.tried += 1;
+        let values: Vec<f64> = places.iter().zip(offers).map(|(&place, of)| of[place][0]).collect();
+        if is_met(&values)? {
+            found.chosen = Some(places);
+            found.stop = AllocationStop::Found;
+            break;
+        }
+        found.excluded += 1;
+        refused.push(places);
+    }
+    Ok(found)
+}
+
+fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
+    let table = &study.model.quantities;
+    match allowance.input {
+        AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
+        AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => (Loosened::Fit, SiUnit::LENGTH),
+        AllowedInput::StandardDeviation(index) => {
+            let dimension = table[study.random[index].quantity].dimension;
+            (Loosened::StandardDeviation, SiUnit::of_dimension(dimension))
+        }
+    }
+}
+
+/// The seed of a direct study: that of the study itself, so that studies differ by their inputs alone, or another one.
+fn seed(study: &Study, is_confirmation: bool) -> u64 {
+    if is_confirmation { hash(study.seed, CONFIRMATION) } else { study.seed }
+}
+
+/// The requirements of the study with other values of some inputs.
+fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
+    let place = |allowance: &Allowance| {
+        runner.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
+    };
+    let loosened: Vec<(usize, f64)> = set.iter().map(|(allowance, value)| (place(allowance), *value)).collect();
+    let mut study = with_loosened(runner.study, &loosened)?;
+    study.seed = seed;
+    let response = StudyResponse::new(&study)?;
+    let plan = DoubleLoop::try_new(problem(&study, &response))?;
+    let mut table = SampleTable::new(response.row_length());
+    let own =
+        Runner { study: &study, response: &response, list: runner.keeping.begin(), loosened: &loosened, ..*runner };
+    let mut round = plan.next_round(&table)?;
+    while !round.is_empty() {
+        own.run(&round, &mut table)?;
+        round = runner.pool.install(|| plan.next_round(&table))?;
+    }
+    let bounds = runner.pool.install(|| plan.results(&table))?;
+    let material = Material {
+        study: &study,
+        response: &response,
+        table: &table,
+        bounds: &bounds,
+        pairs: &bounds.pairs,
+        rare: &[],
+    };
+    runner.advance(table.len());
+    Ok(Answer { outcomes: requirements(&material), runs: table.len() })
+}
+
+/// `study` with other values of some inputs, by the places of their allowances, and nothing asked but its requirements.
+///
+/// # Errors
+/// An input cannot have that value.
+pub(super) fn with_loosened(study: &Study, set: &[(usize, f64)]) -> Result<Study, StudyError> {
+    let mut loosened = study.clone();
+    loosened.asks.clear();
+    for &(place, value) in set {
+        let unknown = || StudyError::Loosened {
+            path: format!("allowance {place}"),
+            value_si: value,
+            reason: format!("there are {}", study.allowances.len()),
+        };
+        loosen(&mut loosened, study.allowances.get(place).ok_or_else(unknown)?, value)?;
+    }
+    Ok(loosened)
+}
+
+fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), StudyError> {
+    let impossible = |reason: String| StudyError::Loosened { path: allowance.path.clone(), value_si: value, reason };
+    match allowance.input {
+        AllowedInput::UpperEnd(index) => {
+            let interval =
+                Interval::try_new(allowance.least_si, value).map_err(|error| impossible(error.to_string()))?;
+            study.epistemic[index].variable = EpistemicVariable::from(interval);
+        }
+        AllowedInput::FitInterval(index) => {
+            let fit = fit_of(allowance, value).ok_or_else(|| impossible("no such fit".to_owned()))?;
+            let [least, most] = fit.clearance_m;
+            let interval = Interval::try_new(least, most).map_err(|error| impossible(error.to_string()))?;
+            study.epistemic[index].variable = EpistemicVariable::from(interval);
+        }
+        AllowedInput::FitScatter(index) => {
+            let fit = fit_of(allowance, value).ok_or_else(|| impossible("no such fit".to_owned()))?;
+            let scatter = RandomVariable::try_new(fit.scatter.clone());
+            study.random[index].variable = scatter.map_err(|error| impossible(error.to_string()))?;
+        }
+        AllowedInput::StandardDeviation(index) => {
+            let input = &mut study.random[index];
+            let loosened = input.variable.with_parameters([(Parameter::StandardDeviation, value)]);
+            input.variable = loosened.map_err(|error| impossible(error.to_string()))?;
+        }
+    }
+    Ok(())
+}
+
+/// The fit with this greatest clearance.
+fn fit_of(allowance: &Allowance, most_m: f64) -> Option<&AllowedFit> {
+    allowance.fits.iter().find(|fit| fit.clearance_m[1] == most_m)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use super::{AllocationStop, cheapest};
+
+    #[test]
+    fn analytic_the_cheapest_of_all_combinations() {
+        // A budget of variances: the cheapest by trying all 27 of them.
+        let offers: [&[[f64; 2]]; 3] = [
+            &[[0.01, 12.0], [0.02, 7.0], [0.05, 3.0]],
+            &[[0.015, 9.0], [0.03, 4.5], [0.04, 4.0]],
+            &[[0.008, 20.0], [0.02, 6.5], [0.06, 2.5]],
+        ];
+        let fits = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>() <= 0.042_f64.powi(2);
+        let mut best = f64::INFINITY;
+        for a in offers[0] {
+            for b in offers[1] {
+                for c in offers[2] {
+                    if fits(&[a[0], b[0], c[0]]) {
+                        best = best.min(a[1] + b[1] + c[1]);
+                    }
+                }
+            }
+        }
+        let found = cheapest(&offers, 27, |values| Ok::<bool, Infallible>(fits(values))).unwrap();
+        let chosen = found.chosen.unwrap();
+        let cost: f64 = chosen.iter().zip(offers).map(|(&place, of)| of[place][1]).sum();
+        assert_eq!(cost, best);
+        assert!(found.tried < 10 && found.stop == AllocationStop::Found, "{} of 27", found.tried);
+        let starved = cheapest(&offers, 1, |values| Ok::<bool, Infallible>(fits(values))).unwrap();
+        assert_eq!((starved.chosen, starved.stop, starved.tried), (None, AllocationStop::TriedEnough, 1));
+        let refused = cheapest(&offers, 27, |_| Ok::<bool, Infallible>(false)).unwrap();
+        assert_eq!((refused.stop, refused.excluded), (AllocationStop::AllExcluded, 27));
+        let many: Vec<[f64; 2]> = (1..400).map(|place| [f64::from(place), 1.5]).collect();
+        let too_many = cheapest(&[&many, &many], 27, |_| Ok::<bool, Infallible>(true)).unwrap();
+        assert_eq!((too_many.stop, too_many.tried), (AllocationStop::TooManyCombinations, 0));
+    }
+}

@@ -1,0 +1,161 @@
+//! What was uncertain and what was run, in words.
+
+use super::Material;
+use crate::distribution_words::distribution_words;
+use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
+use crate::result::{
+    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
+    OutputDescription,
+};
+use loosepin_mechanics::model::{QuantityId, QuantityTable};
+use loosepin_text::document::listed;
+use loosepin_text::units::{Dimension, SiUnit, format_number};
+use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
+
+/// The uncertain inputs, random ones first, each kind in file order.
+pub fn inputs(study: &Study) -> Vec<InputDescription> {
+    let table = &study.model.quantities;
+    let random = study.random.iter().map(|input| InputDescription {
+        path: input.path.clone(),
+        kind: InputKind::Random,
+        unit: unit(table, input.quantity),
+        words: {
+            let words = distribution_words(input.variable.distribution(), dimension(table, input.quantity));
+            let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
+            words + &origin + &uncertain_words(input, study)
+        },
+    });
+    let epistemic = study.epistemic.iter().map(|input| {
+        let [lower_si, upper_si] = input.variable.ends();
+        let written = |value_si: f64| input.written(&study.model, value_si);
+        let ends = |interval: &Interval| format!("{} .. {}", written(interval.lower()), written(interval.upper()));
+        let (kind, words) = match (&input.variable, input.members_written(&study.model)) {
+            (EpistemicVariable::Evidence(evidence), _) => {
+                let element = |element: &FocalElement| ElementDescription {
+                    lower_si: element.interval.lower(),
+                    upper_si: element.interval.upper(),
+                    mass: element.mass,
+                };
+                let shown: Vec<String> = evidence
+                    .elements()
+                    .iter()
+                    .map(|element| format!("{} with mass {}", ends(&element.interval), format_number(element.mass)))
+                    .collect();
+                let is_scattering = evidence.is_scattering();
+                let how = if is_scattering { "scatters in an unknown way within" } else { "in one of" };
+                let kind =
+                    InputKind::Evidence { elements: evidence.elements().iter().map(element).collect(), is_scattering };
+                (kind, format!("{how} {}", listed(&shown, "and")))
+            }
+            (EpistemicVariable::Fuzzy(fuzzy), _) => {
+                let cut = |(alpha, interval): &(f64, Interval)| CutDescription {
+                    alpha: *alpha,
+                    lower_si: interval.lower(),
+                    upper_si: interval.upper(),
+                };
+                let shown: Vec<String> = fuzzy
+                    .cuts()
+                    .iter()
+                    .map(|(alpha, interval)| format!("{} to the degree {}", ends(interval), format_number(*alpha)))
+                    .collect();
+                let kind = InputKind::Fuzzy { cuts: fuzzy.cuts().iter().map(cut).collect() };
+                (kind, format!("possible are {}", listed(&shown, "and")))
+            }
+            (EpistemicVariable::Periodic(interval), _) => {
+                (InputKind::Periodic { lower_si, upper_si }, format!("any on a circle, {}", ends(interval)))
+            }
+            (EpistemicVariable::SecondOrder(parameter), _) => {
+                let known = distribution_words(parameter.variable().distribution(), input.dimension(&study.model));
+                let range = ends(&parameter.range());
+                (
+                    InputKind::SecondOrder { lower_si, upper_si },
+                    format!("one value, as far as known {known}; looked at {range}"),
+                )
+            }
+            (_, Some(of)) => {
+                let words = format!("one of {}", listed(&of, "and"));
+                (InputKind::Choice { of }, words)
+            }
+            (_, None) => (
+                InputKind::Interval { lower_si, upper_si },
+                format!("somewhere between {} and {}", written(lower_si), written(upper_si)),
+            ),
+        };
+        InputDescription { path: input.path.clone(), kind, unit: input.unit(&study.model), words }
+    });
+    random.chain(epistemic).collect()
+}
+
+/// The correlations of random inputs, in file order.
+pub fn correlations(study: &Study) -> Vec<CorrelationDescription> {
+    let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
+    stated
+        .map(|each| {
+            let of = [each.first, each.second].map(|input| study.random[input].path.clone()).to_vec();
+            match each.measure {
+                CorrelationMeasure::Rank => CorrelationDescription { of, rank: each.value, linear: None },
+                CorrelationMeasure::Linear => {
+                    CorrelationDescription { of, rank: rank_of_normal(each.normal), linear: Some(each.value) }
+                }
+            }
+        })
+        .collect()
+}
+
+/// Which parameters are uncertain; the words before have them in the middle.
+fn uncertain_words(input: &RandomInput, study: &Study) -> String {
+    let words = |uncertain: &UncertainParameter| {
+        let known = &study.epistemic[uncertain.epistemic];
+        let known_words = match known.members_written(&study.model) {
+            None if known.variable.is_second_order() => "with a distribution".to_owned(),
+            Some(of) => format!("any of {}", listed(&of, "and")),
+            None => {
+                let [lower, upper] = known.variable.ends().map(|end| known.written(&study.model, end));
+                format!("between {lower} and {upper}")
+            }
+        };
+        format!("; its {} unknown, {known_words}", uncertain.parameter.words())
+    };
+    input.parameters.iter().map(words).collect()
+}
+
+fn dimension(table: &QuantityTable, id: QuantityId) -> Dimension {
+    table[id].dimension
+}
+
+/// The SI unit of a quantity, `1` for a pure number.
+pub fn unit(table: &QuantityTable, id: QuantityId) -> SiUnit {
+    SiUnit::of_dimension(table[id].dimension)
+}
+
+/// What every run ran through.
+pub fn cycle(material: &Material<'_>) -> CycleDescription {
+    let study = material.study;
+    let input = study.model.input(study.cycle.span, &material.response.nominal);
+    let settings = material.response.settings();
+    CycleDescription {
+        drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
+        drive: input.name,
+        transient_turns: study.cycle.transient_turns,
+        recorded_turns: study.cycle.recorded_turns,
+        tolerance_m: settings.tolerance_m,
+        method: settings.method.name.to_owned(),
+    }
+}
+
+/// The outputs that were asked about.
+pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
+    let shared = &material.response.shared;
+    shared
+        .plan
+        .outputs
+        .iter()
+        .zip(&shared.is_used)
+        .filter(|(_, is_used)| **is_used)
+        .map(|(output, _)| OutputDescription {
+            name: output.name.clone(),
+            words: output.words.clone(),
+            unit: output.unit.clone(),
+        })
+        .collect()
+}

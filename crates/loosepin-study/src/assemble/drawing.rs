@@ -1,0 +1,88 @@
+//! The mechanism with nominal dimensions, drawn and moving, and the paths of its journals.
+
+use super::{Material, recorded_offset_rad};
+use crate::file::{EpistemicInput, EpistemicSubject};
+use loosepin_simulate::record::{Drawing, JournalOrbit};
+use loosepin_simulate::{Plan, simulate, skeleton};
+
+/// Poses of the moving picture.
+const POSES: usize = 180;
+/// Samples of an orbit over the recorded turns.
+const ORBIT_SAMPLES: usize = 720;
+
+/// What is drawn from runs with nominal dimensions.
+pub struct Pictures {
+    /// The mechanism, epistemic inputs in the middle.
+    pub drawing: Drawing,
+    /// Journal paths at the ends and the middle of each clearance interval, and for each member of a list of clearances or laws.
+    pub orbits: Vec<JournalOrbit>,
+    /// The row of the run with nominal dimensions and the epistemic inputs in the middle.
+    pub nominal_row: Vec<f64>,
+}
+
+/// Runs the nominal mechanism for the pictures. A picture whose run fails is left out: no finished study is lost for it.
+pub fn pictures(material: &Material<'_>) -> Pictures {
+    let (study, response) = (material.study, material.response);
+    let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
+    let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
+    let mut nominal_row = vec![f64::NAN; response.row_length()];
+    if response.run(&nominal, &middle, &mut nominal_row).is_err() {
+        nominal_row.fill(f64::NAN);
+    }
+
+    let mut cycle = study.cycle.clone();
+    cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
+    let plan =
+        Plan { cycle, settings: *response.settings(), with_states: false, lyapunov_turns: None, overrides: Vec::new() };
+    let run_at = |epistemic: &[f64]| {
+        let values = response.values(&nominal, epistemic).ok()?;
+        simulate(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
+    };
+    let mut orbits: Vec<JournalOrbit> = Vec::new();
+    let mut add = |label: String, mut found: Vec<JournalOrbit>| {
+        for orbit in &mut found {
+            orbit.label.clone_from(&label);
+        }
+        orbits.append(&mut found);
+    };
+    let mut drawing = skeleton(response.mechanism(), &response.nominal);
+    if let Some(central) = run_at(&middle) {
+        drawing = central.record.drawing.clone();
+        thin(&mut drawing, recorded_offset_rad(study, response));
+        let has_lists = study.epistemic.iter().any(|input| input.interval().is_none());
+        let label = if has_lists {
+            "unknown values in the middle of their intervals, of lists the first"
+        } else {
+            "unknown values in the middle of their intervals"
+        };
+        add(label.to_owned(), central.record.orbits);
+    }
+    let is_shown = |input: &EpistemicInput| {
+        let is_play = |id| study.model.play_from(id).next().is_some();
+        input.quantity().is_some_and(is_play) || matches!(input.subject, EpistemicSubject::Law { .. })
+    };
+    for (index, input) in study.epistemic.iter().enumerate().filter(|(_, input)| is_shown(input)) {
+        for value in input.variable.shown() {
+            let mut epistemic = middle.clone();
+            epistemic[index] = value;
+            if let Some(run) = run_at(&epistemic) {
+                add(format!("{} = {}", input.path, input.written(&study.model, value)), run.record.orbits);
+            }
+        }
+    }
+    Pictures { drawing, orbits, nominal_row }
+}
+
+/// Keeps about as many poses as a moving picture needs, at angles of the recorded turns.
+fn thin(drawing: &mut Drawing, offset_rad: f64) {
+    for poses in [&mut drawing.poses, &mut drawing.ideal_poses] {
+        let count = poses.drive_angle_rad.len();
+        let stride = count.div_ceil(POSES).max(1);
+        let keep = |list: &mut Vec<f64>| *list = list.iter().copied().step_by(stride).collect();
+        keep(&mut poses.drive_angle_rad);
+        poses.drive_angle_rad.iter_mut().for_each(|angle| *angle -= offset_rad);
+        for lists in [&mut poses.x_m, &mut poses.y_m, &mut poses.angle_rad] {
+            lists.iter_mut().for_each(keep);
+        }
+    }
+}

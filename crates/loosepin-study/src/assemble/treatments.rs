@@ -1,0 +1,85 @@
+//! The three treatments side by side.
+
+use super::{Material, deviation_kind, numerical_error};
+use crate::result::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind};
+use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
+
+/// Those of the direct runs.
+pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
+    let points = [material.bounds.outer_points.as_slice(); 3];
+    material.bounds.comparisons.iter().map(|comparison| treatment_record(material, comparison, points)).collect()
+}
+
+/// The three treatments by surrogates, in the order of the compared columns.
+pub fn learned_treatments(
+    material: &Material<'_>,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> Vec<TreatmentComparison> {
+    let of_column = |column: &usize| {
+        let mut groups = found.groups.iter().filter_map(|group| group.treatments.as_ref());
+        let (points, learned) = groups.find_map(|of| {
+            let own = of.comparisons.iter().find(|learned| learned.comparison.column == *column)?;
+            Some((of.outer_points.each_ref().map(Vec::as_slice), own))
+        })?;
+        let comparison = &learned.comparison;
+        let mut record = treatment_record(material, comparison, points);
+        let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
+        for ((record, band), unknown) in record.bands.iter_mut().zip(bands).zip(learned.coverage_surrogate) {
+            record.coverage_error += unknown;
+            record.ends = Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
+                widened_si: material.possible(*column, end.widened),
+                error: numerical_error(end),
+            }));
+        }
+        Some(record)
+    };
+    plan.problem().compared_columns.iter().filter_map(of_column).collect()
+}
+
+fn treatment_record(
+    material: &Material<'_>,
+    comparison: &loosepin_bounds::TreatmentComparison,
+    outer_points: [&[Vec<f64>]; 3],
+) -> TreatmentComparison {
+    let column = comparison.column;
+    let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
+    TreatmentComparison {
+        output: material.name_of(column),
+        of: deviation_kind(material.plan().columns[column].deviation),
+        at: material.point_of(column, false),
+        unit: material.unit_of(column),
+        promised_coverage: comparison.probability,
+        bands: bands
+            .into_iter()
+            .zip(outer_points)
+            .map(|(band, points)| treatment_band(material, column, band, points))
+            .collect(),
+    }
+}
+
+fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_points: &[Vec<f64>]) -> TreatmentBand {
+    let treatment = match band.treatment {
+        loosepin_bounds::Treatment::ProbabilityOnly => TreatmentKind::ProbabilityOnly,
+        loosepin_bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
+        loosepin_bounds::Treatment::Mixed => TreatmentKind::Mixed,
+    };
+    TreatmentBand {
+        treatment,
+        lower_si: material.possible(column, band.lower.value),
+        upper_si: band.upper.value,
+        coverage_minimum: band.coverage.minimum,
+        coverage_maximum: band.coverage.maximum,
+        coverage_error: band.coverage.minimum_error,
+        coverage_at: band
+            .coverage
+            .points
+            .iter()
+            .map(|point| CoveragePoint {
+                at: material.witness(&outer_points[point.point as usize]),
+                coverage: point.lower,
+            })
+            .collect(),
+        ends: None,
+    }
+}

@@ -1,0 +1,283 @@
+//! A case as it is read: its mechanism, and the numbers that it must meet.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::expected::read_expected;
+use super::problem::CaseProblem;
+use super::reference::Reference;
+use crate::Study;
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::model::{Model, Values};
+use loosepin_simulate::Column;
+use loosepin_simulate::accuracy::{Scatter, ScatterCorrelation};
+use loosepin_text::diagnostics::{Complaints, Place};
+use loosepin_text::document::read_source;
+use loosepin_text::units::ReadableUnit;
+
+/// A mechanism whose answer is known.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Name of its folder.
+    pub name: String,
+    /// The mechanism as written.
+    pub model: Model,
+    /// The mechanism with its nominal values, compiled.
+    pub(super) mechanism: Mechanism,
+    /// The nominal values.
+    pub(super) values: Values,
+    /// Laid out for the mechanism.
+    pub(super) sample: Sample<f64>,
+    /// What scatters, where the case has a study.
+    pub(super) scatter: Vec<Scatter>,
+    /// What scatters together.
+    pub(super) correlations: Vec<ScatterCorrelation>,
+    /// What it must meet, in the order of the file.
+    pub(super) checks: Vec<Check>,
+}
+
+/// One table of `expected.toml`.
+#[derive(Debug, Clone)]
+pub(super) struct Check {
+    /// Its name.
+    pub name: String,
+    /// Where the numbers come from: `analytic`, `published`, `peer` or `pinned`.
+    pub origin: &'static str,
+    /// The formula, the paper or the program.
+    pub source: String,
+    /// Where it stands.
+    pub place: Place,
+    /// What is compared.
+    pub what: What,
+}
+
+/// What a table of `expected.toml` compares.
+#[derive(Debug, Clone)]
+pub(super) enum What {
+    /// Numbers, one by one.
+    Numbers(Numbers),
+    /// Numbers of the first impacts of a joint; the largest difference counts.
+    Impacts(Impacts),
+    /// Histories; the largest difference over all rows counts.
+    History(History),
+}
+
+/// Numbers that are obtained in the same way.
+#[derive(Debug, Clone)]
+pub(super) struct Numbers {
+    /// How they are obtained.
+    pub quantity: Quantity,
+    /// The numbers.
+    pub numbers: Vec<ExpectedNumber>,
+    /// Largest accepted absolute difference, SI.
+    pub tolerance_si: f64,
+    /// The unit in which they are written.
+    pub unit: ReadableUnit,
+}
+
+/// A number that is expected.
+#[derive(Debug, Clone)]
+pub(super) struct ExpectedNumber {
+    /// The number, SI.
+    pub value_si: f64,
+    /// Settings `path=value` of the model under which it holds.
+    pub settings: Vec<String>,
+    /// Where it holds, if not for a whole run.
+    pub at: Option<At>,
+    /// What tells it from the others of its list, as it is written: `at 60 deg`, `with restitution=0.5`.
+    pub words: Option<String>,
+}
+
+/// An instant of a motion, or a state of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum At {
+    /// Angle of the drive that the cycle counts, rad.
+    Angle(f64),
+    /// Time from the start, s.
+    Time(f64),
+    /// Penetration of a contact at rest, m.
+    Penetration(f64),
+}
+
+/// How a number is obtained.
+#[derive(Debug, Clone)]
+pub(super) struct Quantity {
+    /// Which quantity.
+    pub kind: QuantityKind,
+    /// Index of the joint in [`Mechanism::plays`], for quantities of a joint with play.
+    pub play: Option<usize>,
+    /// The output or state, for quantities of one.
+    pub column: Option<Column>,
+    /// What becomes of a course in time.
+    pub reduce: Option<Reduce>,
+    /// Length of the run from its start, s.
+    pub span_s: f64,
+}
+
+/// The quantities that a case can ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum QuantityKind {
+    /// When the first, second, ... impact of a joint begins, s.
+    ContactOnset,
+    /// Its approach speed, m/s.
+    ImpactSpeed,
+    /// The speed at which the parts separate after it, m/s.
+    SeparationSpeed,
+    /// From its onset to the end of contact, s.
+    ImpactDuration,
+    /// Contacts of a joint that begin.
+    Contacts,
+    /// Largest normal force of a joint, N.
+    PeakForce,
+    /// Largest penetration of a joint, m.
+    LargestPenetration,
+    /// K of F = K δⁿ, N/mⁿ.
+    ContactStiffness,
+    /// Normal force of a contact at rest, N.
+    StaticForce,
+    /// Coefficient of restitution that a free impact delivers.
+    DeliveredRestitution,
+    /// An output of the run.
+    Output,
+    /// An output of the mechanism without play.
+    IdealOutput,
+    /// First-order worst case of an output over all eccentricities.
+    WorstCase,
+    /// First-order standard deviation of an output from what scatters in the study.
+    DimensionalStandardDeviation,
+    /// Largest residual of the energy account over the largest energy exchanged.
+    EnergyResidual,
+    /// Largest residual of the loops of ideal joints, m or rad.
+    LoopDrift,
+    /// Energy lost in normal contact, J.
+    ContactLoss,
+    /// Energy lost in friction, J.
+    FrictionLoss,
+    /// Work of the drives, J.
+    DriveWork,
+}
+
+/// What becomes of a course in time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reduce {
+    /// Its smallest value.
+    Minimum,
+    /// Its largest value.
+    Maximum,
+    /// The angle of the drive at its smallest value.
+    AngleOfMinimum,
+    /// The angle of the drive at its largest value.
+    AngleOfMaximum,
+}
+
+/// Numbers of the first impacts of a joint.
+#[derive(Debug, Clone)]
+pub(super) struct Impacts {
+    /// Index of the joint in [`Mechanism::plays`].
+    pub play: usize,
+    /// Which number of an impact.
+    pub of: ImpactNumber,
+    /// The numbers, SI.
+    pub expected_si: Vec<f64>,
+    /// Largest accepted difference, SI.
+    pub tolerance_si: f64,
+    /// Length of the run, s.
+    pub span_s: f64,
+    /// Their unit.
+    pub unit: ReadableUnit,
+}
+
+/// A number of an impact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ImpactNumber {
+    /// When it begins.
+    Onset,
+    /// Approach speed.
+    Speed,
+    /// Largest normal force.
+    PeakForce,
+    /// Speed at which the parts separate.
+    SeparationSpeed,
+    /// From onset to end.
+    Duration,
+}
+
+/// Columns of a file of rows.
+#[derive(Debug, Clone)]
+pub(super) struct History {
+    /// The file.
+    pub reference: Arc<Reference>,
+    /// The columns that count as one number, each with ours.
+    pub columns: Vec<(usize, Ours)>,
+    /// Largest accepted difference, SI.
+    pub tolerance_si: f64,
+    /// Their unit.
+    pub unit: ReadableUnit,
+}
+
+/// A column of our run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ours {
+    /// Index of an output column.
+    Output(usize),
+    /// Index in a row of the states of all bodies.
+    State(usize),
+}
+
+impl Case {
+    /// Reads the case in a folder.
+    ///
+    /// # Errors
+    /// Everything that is wrong with its files, each with its place.
+    pub fn from_folder(folder: &Path) -> Result<Case, Complaints> {
+        let model = Model::from_path(&folder.join("model.toml"))?;
+        let values = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
+        let sample = Sample::new(&mechanism, &values).map_err(|error| error.complaint(&model))?;
+        let study_path = folder.join("study.toml");
+        let study = if study_path.is_file() { Some(Study::from_path(&study_path)?) } else { None };
+        let of_study = |study: &Study| -> Vec<Scatter> {
+            let random = study.random.iter().map(|input| Scatter {
+                quantity: input.quantity,
+                standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
+            });
+            random.collect()
+        };
+        let scatter = study.iter().flat_map(of_study).collect();
+        let correlations = study.iter().flat_map(Study::linear_correlations).collect();
+        let name = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let mut case = Case { name, model, mechanism, values, sample, scatter, correlations, checks: Vec::new() };
+        let source = read_source(&folder.join("expected.toml"))?;
+        case.checks = read_expected(&source, folder, &case)?;
+        Ok(case)
+    }
+
+    /// How many numbers and histories it must meet.
+    pub fn count(&self) -> usize {
+        let count = |check: &Check| if let What::Numbers(numbers) = &check.what { numbers.numbers.len() } else { 1 };
+        self.checks.iter().map(count).sum()
+    }
+
+    /// How many of these are histories.
+    pub fn histories(&self) -> usize {
+        self.checks.iter().filter(|check| matches!(check.what, What::History(_))).count()
+    }
+}
+
+/// Names of the cases in a folder, sorted: its folders with a `model.toml` and an `expected.toml`.
+///
+/// # Errors
+/// The folder cannot be read or holds no case.
+pub fn case_names(folder: &Path) -> Result<Vec<String>, Complaints> {
+    let no_cases = || Complaints::one(&CaseProblem::NoCases { folder: folder.display().to_string() }, None);
+    let entries = fs::read_dir(folder).map_err(|_| no_cases())?;
+    let is_case = |path: &Path| path.join("model.toml").is_file() && path.join("expected.toml").is_file();
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| entry.ok())
+        .filter(|entry| is_case(&entry.path()))
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    if names.is_empty() { Err(no_cases()) } else { Ok(names) }
+}

@@ -1,0 +1,224 @@
+//! The columns of a study's response: every number that one run must deliver.
+
+use super::file::{Ask, Deviation, Reduction, Requirement, Study, Where};
+use loosepin_bounds::{Request, Statistic};
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_simulate::{Column, columns};
+
+/// Probabilities of the ends of the band that curves and treatments show.
+pub const BAND: [f64; 2] = [0.025, 0.975];
+
+/// Both ends of the central band with this share at a single point.
+pub fn pointwise_ends(share: f64) -> [Statistic; 2] {
+    [Statistic::Quantile(0.5 - 0.5 * share), Statistic::Quantile(0.5 + 0.5 * share)]
+}
+
+/// Where in the recorded turns a column is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spot {
+    /// At this many turns of the drive after the start of the recorded part.
+    Pose {
+        /// Turns since the start of the recorded part.
+        turns: f64,
+        /// Angle of the drive as it is shown, rad: the one asked for, or counted from the first recorded turn.
+        angle_rad: f64,
+    },
+    /// The recorded part reduced to one number.
+    Reduced(Reduction),
+}
+
+/// An angle as it stands in the names of columns of runs: to 1e-9 rad.
+pub fn named_angle_rad(angle_rad: f64) -> f64 {
+    (angle_rad * 1e9).round() / 1e9
+}
+
+/// One number that every run delivers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StudyColumn {
+    /// Index in [`ColumnPlan::outputs`].
+    pub output: usize,
+    /// Which deviation.
+    pub deviation: Deviation,
+    /// Where.
+    pub spot: Spot,
+}
+
+/// What an ask became.
+#[derive(Debug, Clone)]
+pub struct PlannedAsk {
+    /// The ask.
+    pub ask: Ask,
+    /// Index in [`ColumnPlan::outputs`]; an ask for a path becomes two planned asks.
+    pub output: usize,
+    /// Its columns, in the order of the poses.
+    pub columns: Vec<usize>,
+}
+
+/// What a requirement became.
+#[derive(Debug, Clone)]
+pub struct PlannedRequirement {
+    /// The requirement.
+    pub requirement: Requirement,
+    /// Its columns: one, or one for each pose.
+    pub columns: Vec<usize>,
+}
+
+/// All columns of a study, and which ask uses which.
+#[derive(Debug, Clone)]
+pub struct ColumnPlan {
+    /// Columns of the model that are used.
+    pub outputs: Vec<Column>,
+    /// The numbers of a run.
+    pub columns: Vec<StudyColumn>,
+    /// The asks.
+    pub asks: Vec<PlannedAsk>,
+    /// The requirements.
+    pub requirements: Vec<PlannedRequirement>,
+    /// Columns of the largest deviations that limit those at poses.
+    pub largest: Vec<usize>,
+}
+
+impl ColumnPlan {
+    /// Lays out what `study` asks for.
+    pub fn new(study: &Study, mechanism: &Mechanism, drive_start_rad: f64, drive_sign: f64) -> Self {
+        let mut plan = Self {
+            outputs: columns(mechanism),
+            columns: Vec::new(),
+            asks: Vec::new(),
+            requirements: Vec::new(),
+            largest: Vec::new(),
+        };
+        let angle =
+            |turns: f64| drive_start_rad + drive_sign * std::f64::consts::TAU * (study.cycle.transient_turns + turns);
+        // People count the recorded turns, not those before them.
+        let whole_turns_rad = drive_sign * std::f64::consts::TAU * study.cycle.transient_turns.floor();
+        let spots = |location: &Where| -> Vec<Spot> {
+            match location {
+                Where::Cycle => {
+                    let rows = (study.cycle.recorded_turns * study.cycle.samples_per_turn as f64).round().max(1.0);
+                    // A whole number of turns ends where it began: the last row would repeat the first.
+                    let is_closed = study.cycle.recorded_turns.fract() == 0.0;
+                    (0..rows as usize + usize::from(!is_closed))
+                        .map(|row| study.cycle.recorded_turns * row as f64 / rows)
+                        .map(|turns| Spot::Pose { turns, angle_rad: angle(turns) - whole_turns_rad })
+                        .collect()
+                }
+                Where::Poses { angles_rad, .. } => angles_rad
+                    .iter()
+                    .map(|asked_rad| {
+                        // The first time that the drive comes by in the recorded part.
+                        let ahead = drive_sign * (asked_rad - angle(0.0)) / std::f64::consts::TAU;
+                        let mut turns = ahead - ahead.floor();
+                        // An angle at the very start comes out as a whole turn by round-off.
+                        if turns > 1.0 - 1e-12 {
+                            turns = 0.0;
+                        }
+                        Spot::Pose { turns, angle_rad: *asked_rad }
+                    })
+                    .collect(),
+                Where::Reduced(reduction) => vec![Spot::Reduced(*reduction)],
+            }
+        };
+        for ask in &study.asks {
+            for output in plan.outputs_of(ask.output) {
+                let columns = plan.add(output, ask.deviation, &spots(&ask.location));
+                plan.asks.push(PlannedAsk { ask: ask.clone(), output, columns });
+            }
+        }
+        // No pose departs further than the largest deviation of the whole recorded part: its bounds narrow those of curves.
+        let whole = [Spot::Reduced(Reduction::MaximumAbsolute)];
+        for k in 0..plan.asks.len() {
+            let (output, deviation) = (plan.asks[k].output, plan.asks[k].ask.deviation);
+            let is_at_poses = !matches!(plan.asks[k].ask.location, Where::Reduced(_));
+            if is_at_poses && deviation != Deviation::Value {
+                let columns = plan.add(output, deviation, &whole);
+                plan.largest.extend(columns);
+            }
+        }
+        for requirement in &study.requirements {
+            for output in plan.outputs_of(requirement.output) {
+                let spots = match &requirement.location {
+                    Where::Cycle => vec![Spot::Reduced(requirement.limit.reduction())],
+                    other => spots(other),
+                };
+                let columns = plan.add(output, requirement.deviation, &spots);
+                plan.requirements.push(PlannedRequirement { requirement: requirement.clone(), columns });
+            }
+        }
+        plan
+    }
+
+    fn outputs_of(&self, model_output: usize) -> Vec<usize> {
+        (0..self.outputs.len()).filter(|&k| self.outputs[k].output == model_output).collect()
+    }
+
+    fn add(&mut self, output: usize, deviation: Deviation, spots: &[Spot]) -> Vec<usize> {
+        spots
+            .iter()
+            .map(|&spot| {
+                let column = StudyColumn { output, deviation, spot };
+                self.columns.iter().position(|known| *known == column).unwrap_or_else(|| {
+                    self.columns.push(column);
+                    self.columns.len() - 1
+                })
+            })
+            .collect()
+    }
+
+    /// Every statistic that is needed: those asked for, those that the charts show, those of the requirements.
+    pub fn requests(&self) -> Vec<Request> {
+        let mut requests: Vec<Request> = Vec::new();
+        let mut push = |column: usize, statistic: Statistic| {
+            let request = Request { column, statistic };
+            if !requests.contains(&request) {
+                requests.push(request);
+            }
+        };
+        for planned in &self.asks {
+            let is_curve = planned.ask.location == Where::Cycle;
+            for &column in &planned.columns {
+                for &statistic in &planned.ask.statistics {
+                    push(column, statistic);
+                }
+                if is_curve {
+                    push(column, Statistic::Mean);
+                }
+                // A band for whole curves has the form of the band for each point.
+                for statistic in planned.ask.simultaneous_bands.iter().flat_map(|&share| pointwise_ends(share)) {
+                    push(column, statistic);
+                }
+                if is_curve || planned.ask.contributors {
+                    push(column, Statistic::Quantile(BAND[0]));
+                    push(column, Statistic::Quantile(BAND[1]));
+                }
+                if !is_curve {
+                    push(column, Statistic::Cdf);
+                }
+            }
+        }
+        for &column in &self.largest {
+            push(column, Statistic::Mean);
+            push(column, Statistic::Quantile(BAND[0]));
+            push(column, Statistic::Quantile(BAND[1]));
+        }
+        for planned in &self.requirements {
+            for &column in &planned.columns {
+                push(column, planned.requirement.limit.broken());
+            }
+        }
+        requests
+    }
+
+    /// Columns for which the three treatments are shown: the single numbers that were asked for.
+    pub fn compared_columns(&self) -> Vec<usize> {
+        let mut compared: Vec<usize> = Vec::new();
+        for planned in self.asks.iter().filter(|planned| planned.ask.location != Where::Cycle) {
+            for &column in &planned.columns {
+                if !compared.contains(&column) {
+                    compared.push(column);
+                }
+            }
+        }
+        compared
+    }
+}

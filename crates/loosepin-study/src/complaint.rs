@@ -1,0 +1,217 @@
+//! Errors of a study as complaints.
+
+use super::conduct::StudyError;
+use super::file::Study;
+use super::files::FilesError;
+use super::response::PrepareError;
+use super::saved_surrogates::SavedSurrogateError;
+use loosepin_bounds::{PlanError, SurrogatePlanError};
+use loosepin_surrogate::SurrogateError;
+use loosepin_text::diagnostics::{Code, Complaint, Place, Problem};
+use loosepin_text::document::parse_toml;
+use loosepin_text::units::format_value;
+
+/// The middle of an interval is the value of the model where they differ by less than this share.
+const MIDDLE_TOLERANCE: f64 = 1e-9;
+
+impl Problem for StudyError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Prepare(PrepareError::Mechanism(error)) => error.code(),
+            Self::Prepare(PrepareError::Nominal(failure)) => Problem::code(failure),
+            Self::Prepare(PrepareError::Law(error)) => error.code(),
+            Self::Prepare(
+                PrepareError::UncertainStart { .. }
+                | PrepareError::SpeedThroughZero { .. }
+                | PrepareError::TooManyPoses { .. }
+                | PrepareError::TooManyTurns { .. }
+                | PrepareError::TooManyLaws { .. }
+                | PrepareError::PoseNotRecorded { .. },
+            )
+            | Self::Loosened { .. } => Code::AskNotPossible,
+            Self::Plan(_)
+            | Self::Contributors(_)
+            | Self::Surrogate(_)
+            | Self::TimeOfShards
+            | Self::TooManyNumbers { .. }
+            | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
+            Self::Threads(_) => Code::NoThreads,
+            Self::Store(error) => error.code(),
+            Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
+            Self::TooManyFailed(_) => Code::TooManyFailed,
+            Self::Interrupted { .. } => Code::Interrupted,
+            Self::RoundOpen(_) => Code::RoundOpen,
+            Self::NotMade { .. } => Code::RunsNotMade,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Prepare(PrepareError::Mechanism(error)) => error.hint(),
+            Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => failure.hint(),
+            Self::Prepare(PrepareError::Law(error)) => error.hint(),
+            Self::Prepare(PrepareError::UncertainStart { .. }) => {
+                Some("make the angle of a link uncertain instead, for example by the position of a point".to_owned())
+            }
+            Self::Prepare(PrepareError::SpeedThroughZero { .. }) => {
+                Some("keep the whole range on one side of zero".to_owned())
+            }
+            Self::Prepare(PrepareError::TooManyPoses { .. }) => {
+                Some("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve".to_owned())
+            }
+            Self::Prepare(PrepareError::TooManyTurns { .. }) => {
+                Some("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model".to_owned())
+            }
+            Self::Prepare(PrepareError::TooManyLaws { .. }) => Some("shorten the lists of laws".to_owned()),
+            Self::Prepare(PrepareError::PoseNotRecorded { .. }) => {
+                Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
+            }
+            Self::BudgetTooSmall { least, .. } => Some(format!(
+                "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
+            )),
+            Self::TooManyNumbers { .. } => Some(
+                "smaller outer and inner under [sampling] need fewer runs; poses need fewer numbers than curves"
+                    .to_owned(),
+            ),
+            Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
+            Self::Store(error) => error.hint(),
+            Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
+            Self::TooManyFailed(failed) => {
+                let again =
+                    failed.commonest.as_ref().map(|reason| format!("`{}` repeats one; ", reason.example.command));
+                Some(format!(
+                    "{}--resume --most-failed SHARE goes on with the runs that are kept",
+                    again.unwrap_or_default()
+                ))
+            }
+            Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
+            Self::NotMade { .. } => Some("what was made is kept: the same command with --resume goes on".to_owned()),
+            Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
+        }
+    }
+}
+
+impl StudyError {
+    /// The complaint about the study, or about its model, at what it is about.
+    pub fn complaint(&self, study: &Study) -> Complaint {
+        match self {
+            Self::Prepare(PrepareError::Mechanism(error)) => error.complaint(&study.model),
+            Self::Prepare(PrepareError::Nominal(_)) if let Some((place, words)) = middle_of(study) => {
+                let hint = Some(format!("that is {words}, which the study says and not the model"));
+                Complaint { hint, ..Complaint::error(self, Some(place)) }
+            }
+            Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => {
+                // The words are those of the study, the place is that of the model.
+                Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
+            }
+            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::TooManyNumbers { .. } => {
+                let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
+                let within = match self {
+                    Self::Plan(PlanError::Problem(problem)) => problem.key(),
+                    Self::Surrogate(SurrogatePlanError::TooFewTraining { .. }) => Some("training_runs"),
+                    Self::Surrogate(SurrogatePlanError::Confirming { .. }) => Some("confirming_runs"),
+                    _ => None,
+                };
+                let mut complaint = Complaint::error(self, Some(place_within(key, within, study)));
+                // These errors bring their way out with them.
+                if let Some((message, hint)) = complaint.message.clone().split_once("\nhint: ") {
+                    complaint.message = message.to_owned();
+                    complaint.hint = Some(hint.to_owned());
+                }
+                complaint
+            }
+            Self::Prepare(PrepareError::TooManyTurns { key, .. }) => {
+                Complaint::error(self, Some(place_within("cycle", Some(key), study)))
+            }
+            Self::Prepare(PrepareError::TooManyPoses { .. }) => {
+                Complaint::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))
+            }
+            Self::Prepare(PrepareError::UncertainStart { path } | PrepareError::SpeedThroughZero { path }) => {
+                let table = if study.random.iter().any(|input| input.path == *path) { "random" } else { "epistemic" };
+                Complaint::error(self, Some(place_within(table, Some(path), study)))
+            }
+            Self::Prepare(
+                PrepareError::Law(_) | PrepareError::TooManyLaws { .. } | PrepareError::PoseNotRecorded { .. },
+            )
+            | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
+            Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {
+                let hint = format!(
+                    "a budget of {least} runs suffices for a first answer; fewer training_runs and confirming_runs under \
+                     [surrogate] need fewer"
+                );
+                Complaint { hint: Some(hint), ..Complaint::error(self, study.budget_place().cloned()) }
+            }
+            Self::BudgetTooSmall { .. } | Self::TimeOfShards => Complaint::error(self, study.budget_place().cloned()),
+            Self::Threads(_)
+            | Self::Store(_)
+            | Self::Table(_)
+            | Self::RoundOpen(_)
+            | Self::NotMade { .. }
+            | Self::TooManyFailed(_)
+            | Self::Interrupted { .. } => Complaint::error(self, None),
+        }
+    }
+}
+
+/// The value behind a key of a table, or the header of the table; the top of the file where all of it is left out.
+fn place_within(table: &str, key: Option<&str>, study: &Study) -> Place {
+    let toml = parse_toml(study.source()).ok();
+    let found = toml.as_ref().and_then(|toml| toml.get_ref().get_key_value(table));
+    let inside = found.and_then(|(_, value)| value.get_ref().as_table()?.get(key?));
+    let span = inside.map(|value| value.span()).or_else(|| found.map(|(key, _)| key.span()));
+    Place::new(study.source(), span.unwrap_or_default())
+}
+
+/// The first epistemic quantity whose middle is not what the model has: where it stands, and its value in words.
+fn middle_of(study: &Study) -> Option<(Place, String)> {
+    let nominal = study.model.quantities.nominal();
+    study.epistemic.iter().find_map(|input| {
+        let quantity = input.quantity()?;
+        let middle = input.variable.at(0.5);
+        if (middle - nominal[quantity]).abs() <= MIDDLE_TOLERANCE * nominal[quantity].abs() {
+            return None;
+        }
+        let value = format_value(middle, study.model.quantities[quantity].dimension);
+        Some((place_within("epistemic", Some(&input.path), study), format!("'{}' at {value}", input.path)))
+    })
+}
+
+impl Problem for FilesError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Results(error) => error.code(),
+            Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => Code::NoResults,
+            Self::Json { .. }
+            | Self::Csv { .. }
+            | Self::UnequalColumns { .. }
+            | Self::RepeatedColumn { .. }
+            | Self::Parquet { .. }
+            | Self::Arrow { .. } => Code::ResultNotStorable,
+        }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => {
+                Some("run the study again, or use the version that wrote it".to_owned())
+            }
+            Self::Results(error) => error.hint(),
+            Self::Json { .. }
+            | Self::Csv { .. }
+            | Self::UnequalColumns { .. }
+            | Self::RepeatedColumn { .. }
+            | Self::Parquet { .. }
+            | Self::Arrow { .. } => None,
+        }
+    }
+}
+
+impl Problem for SavedSurrogateError {
+    fn code(&self) -> Code {
+        match self {
+            Self::Surrogate(SurrogateError::NotNetworks { .. }) => Code::SurrogateNotExported,
+            _ => Code::NoSurrogateAnswer,
+        }
+    }
+}

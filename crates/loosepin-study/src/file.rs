@@ -1,0 +1,361 @@
+//! From the text of a study file to a study, with all its complaints at once.
+
+mod accuracy;
+mod allow;
+mod ask;
+mod asked_before;
+mod check;
+mod correlation;
+mod description;
+mod evidence;
+mod fit;
+mod input;
+mod keys;
+mod parameter;
+mod parameter_keys;
+mod problem;
+mod random;
+mod random_problem;
+mod reweighting;
+mod surrogate;
+mod tolerance;
+mod words;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use accuracy::WrittenAccuracies;
+pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
+use ask::KnownPose;
+use asked_before::KnownQuestion;
+pub use description::{
+    Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
+    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study,
+    StudySurrogate, UncertainParameter, Where,
+};
+use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
+use parameter::Parameters;
+pub use problem::StudyProblem;
+pub use random_problem::RandomProblem;
+use reweighting::WrittenReweighting;
+use words::READINGS;
+pub(super) use words::statistic_name;
+
+use loosepin_bounds::Reading;
+use loosepin_mechanics::model::{Cycle, Model};
+use loosepin_simulate::accuracy::ScatterCorrelation;
+use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
+use loosepin_text::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
+use loosepin_text::units::{Dimension, Rule};
+use loosepin_uncertainty::CorrelationSeries;
+
+/// Percentiles of statistics that are themselves random, where the file does not say.
+const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
+/// The seed, where the file does not say.
+const SEED: u64 = 1;
+
+/// The JSON Schema of a study file, for editors.
+pub fn study_schema() -> serde_json::Value {
+    json_schema("loosepin study", &STUDY_KEYS)
+}
+
+impl Study {
+    /// Reads a study file and the model file that it names, whose path is taken from the folder of the study file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with either file, each with its place.
+    pub fn from_path(path: &Path) -> Result<Study, Complaints> {
+        Study::from_source(&read_source(path)?, path)
+    }
+
+    /// Reads a study from text as if it stood in the file `name`: the model that it names is opened, its path taken from the
+    /// folder of `name`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text or the model file, each with its place.
+    pub fn from_text_at(name: &str, text: &str) -> Result<Study, Complaints> {
+        Study::from_source(&Source::new(name, text), Path::new(name))
+    }
+
+    fn from_source(source: &Arc<Source>, path: &Path) -> Result<Study, Complaints> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        read(source, |written| {
+            let model_path = folder.join(written);
+            Ok((Model::from_path(&model_path)?, model_path))
+        })
+    }
+
+    /// Reads a study of `model` from text that is reported as `name`. The model that the text names is not opened.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, each with its place.
+    pub fn from_text(name: &str, text: &str, model: Model) -> Result<Study, Complaints> {
+        read(&Source::new(name, text), |written| Ok((model, PathBuf::from(written))))
+    }
+
+    /// Reads a study of `model`, which stands at `model_path`, from a text with its name and, where [`Source::with_files`] gave
+    /// them, the tables that it may name: no other file is opened then, and the model that the text names is not opened either.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, each with its place.
+    pub fn of_model(source: &Arc<Source>, model: Model, model_path: &Path) -> Result<Study, Complaints> {
+        read(source, |_| Ok((model, model_path.to_owned())))
+    }
+
+    /// The file that the study was read from.
+    pub fn source(&self) -> &Arc<Source> {
+        &self.source
+    }
+
+    /// Where the budget is written: in the file or on the command line.
+    pub fn budget_place(&self) -> Option<&Place> {
+        self.budget_place.as_ref()
+    }
+
+    /// Linear correlations of the values of random inputs, for what is computed to first order.
+    pub fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
+        let stated = self.correlation.iter().flat_map(|correlation| &correlation.stated);
+        stated
+            .map(|each| {
+                let [first, second] = [each.first, each.second].map(|input| &self.random[input]);
+                let linear = match each.measure {
+                    CorrelationMeasure::Linear => each.value,
+                    CorrelationMeasure::Rank => {
+                        CorrelationSeries::new(&first.variable, &second.variable).linear(each.normal)
+                    }
+                };
+                ScatterCorrelation { first: first.quantity, second: second.quantity, linear }
+            })
+            .collect()
+    }
+
+    /// The CSV files that were read with it: inputs like the file itself.
+    pub fn tables(&self) -> &[Arc<Source>] {
+        &self.tables
+    }
+}
+
+fn read(
+    source: &Arc<Source>,
+    open_model: impl FnOnce(&str) -> Result<(Model, PathBuf), Complaints>,
+) -> Result<Study, Complaints> {
+    let toml = parse_toml(source)?;
+    let mut reader = Reader::new(source);
+    let root = reader.root(toml.get_ref(), &STUDY_KEYS);
+    let name = root.get("name").and_then(|entry| reader.text(&entry)).unwrap_or_default().to_owned();
+    let opened = root.get("model").and_then(|entry| {
+        let written = reader.text(&entry)?;
+        match open_model(written) {
+            Ok(opened) => Some(opened),
+            Err(complaints) => {
+                adopt(&mut reader, complaints, entry.span);
+                None
+            }
+        }
+    });
+    // Without the model no path, dimension or output of the study can be checked.
+    let Some((model, model_path)) = opened else { return Err(reader.complaints) };
+    let mut file = StudyReader {
+        reader,
+        model,
+        random: Vec::new(),
+        epistemic: Vec::new(),
+        readings: vec![Reading::FixedButUnknown],
+        tables: Vec::new(),
+        parameters: Parameters::default(),
+        poses: Vec::new(),
+        questions: Vec::new(),
+    };
+    let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
+    let cycle = file.cycle(&root);
+    let (mut sampling, written_accuracies, written_budget, reweighting) = file.sampling(&root);
+    if let Some(entry) = root.get("random") {
+        file.read_random(&entry);
+    }
+    if let Some(entry) = root.get("epistemic") {
+        file.read_epistemic(&entry);
+    }
+    let correlation = file.read_correlations(&root);
+    file.read_reading(&root);
+    let percentiles = file.percentiles(&root);
+    let (asks, of_asks) = file.read_asks(&root);
+    let mut accuracy = file.targets(written_accuracies, &asks, None);
+    accuracy.extend(of_asks);
+    let requirements = file.read_requirements(&root);
+    let allowances = file.read_allowances(&root, &requirements);
+    let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
+    sampling.is_reweighted = file.is_reweighted(reweighting, correlation.is_some(), &asks, surrogate.as_ref());
+    file.check_whole(&root);
+    if file.reader.complaints.has_errors() {
+        return Err(file.reader.complaints);
+    }
+    let (budget, budget_place) = written_budget.unzip();
+    let mut warnings: Vec<Complaint> = file.model.warnings.clone();
+    warnings.extend(file.reader.complaints.sorted().into_iter().cloned());
+    Ok(Study {
+        name,
+        model: file.model,
+        model_path,
+        seed,
+        cycle,
+        sampling,
+        surrogate,
+        readings: file.readings,
+        percentiles,
+        random: file.random,
+        correlation,
+        epistemic: file.epistemic,
+        asks,
+        requirements,
+        allowances,
+        accuracy,
+        budget,
+        budget_place,
+        warnings,
+        source: file.reader.source,
+        tables: file.tables,
+    })
+}
+
+/// Takes over the complaints about the model file; one that has no place, since the file could not be read, is placed
+/// where the study names it.
+fn adopt(reader: &mut Reader, complaints: Complaints, span: Span) {
+    for complaint in complaints.sorted() {
+        let place = complaint.place.clone().unwrap_or_else(|| Place::new(&reader.source, span));
+        reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
+    }
+}
+
+/// A study in the making.
+pub(super) struct StudyReader {
+    pub reader: Reader,
+    pub model: Model,
+    pub random: Vec<RandomInput>,
+    pub epistemic: Vec<EpistemicInput>,
+    /// The one that answers first; never empty.
+    pub readings: Vec<Reading>,
+    pub tables: Vec<Arc<Source>>,
+    /// Of the distribution that is being read.
+    pub parameters: Parameters,
+    /// Angles at which single numbers are asked for or required.
+    pub poses: Vec<KnownPose>,
+    /// What is asked so far.
+    pub questions: Vec<KnownQuestion>,
+}
+
+impl StudyReader {
+    fn cycle(&mut self, root: &Table<'_>) -> Cycle {
+        let mut cycle = self.model.cycle.clone();
+        let Some(table) = root.get("cycle").and_then(|entry| self.reader.table(&entry, &STUDY_CYCLE_KEYS)) else {
+            return cycle;
+        };
+        cycle.transient_turns = self.reader.number(&table, "transient_turns").unwrap_or(cycle.transient_turns);
+        cycle.recorded_turns = self.reader.number(&table, "recorded_turns").unwrap_or(cycle.recorded_turns);
+        cycle.samples_per_turn =
+            self.reader.count(&table, "samples_per_turn").map_or(cycle.samples_per_turn, |count| count as usize);
+        cycle
+    }
+
+    /// How intervals are read, one or several side by side; questions depend on it.
+    fn read_reading(&mut self, root: &Table<'_>) {
+        let Some(written) = root.get("reading") else { return };
+        if written.is_text() {
+            self.readings =
+                self.reader.choice(&written, &READINGS).map_or_else(|| self.readings.clone(), |own| vec![own]);
+            return;
+        }
+        let Some(entries) = self.reader.list(&written) else { return };
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
+            return;
+        }
+        let mut found = Vec::new();
+        for entry in &entries {
+            let Some(reading) = self.reader.choice(entry, &READINGS) else { continue };
+            if found.contains(&reading) {
+                let value = READINGS.iter().find(|known| known.1 == reading).map_or("", |known| known.0);
+                let (entry_words, value) = (written.path.describe(), format!("\"{value}\""));
+                self.complain(&StudyProblem::MemberTwice { entry: entry_words, value }, entry);
+            }
+            found.push(reading);
+        }
+        if !found.is_empty() {
+            self.readings = found;
+        }
+    }
+
+    /// Percentiles of statistics that are themselves random.
+    fn percentiles(&mut self, root: &Table<'_>) -> Vec<f64> {
+        let Some(written) = root.get("percentiles") else { return PERCENTILES.to_vec() };
+        let Some(entries) = self.reader.list(&written) else { return Vec::new() };
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
+        }
+        let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
+        // Where an input is wrong it may be the one with a distribution.
+        if !self.reader.complaints.has_errors() && !self.epistemic.iter().any(is_second_order) {
+            let problem = StudyProblem::PercentilesOfNothing { entry: written.path.describe() };
+            let place = self.reader.place(written.at_key().span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+        let mut percentiles: Vec<f64> = Vec::new();
+        for entry in &entries {
+            let Some(percentile) = self.reader.measured(entry, Dimension::NUMBER, Rule::Probability) else { continue };
+            if percentiles.contains(&percentile) {
+                self.member_twice(&written, percentile, Dimension::NUMBER, entry);
+            }
+            percentiles.push(percentile);
+        }
+        percentiles
+    }
+
+    /// How many runs; how near the bounds are to be, and what that may cost.
+    fn sampling(
+        &mut self,
+        root: &Table<'_>,
+    ) -> (Sampling, WrittenAccuracies, Option<(Budget, Place)>, Option<WrittenReweighting>) {
+        let mut sampling = Sampling::default();
+        let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
+            return (sampling, WrittenAccuracies::default(), None, None);
+        };
+        for (key, count) in
+            [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
+        {
+            *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
+        }
+        if let Some(entry) = table.get("tolerance") {
+            sampling.tolerance_m =
+                self.reader.measured(&entry, Dimension::LENGTH, Rule::Positive).unwrap_or(sampling.tolerance_m);
+        }
+        sampling.most_failed = self.reader.number(&table, "most_failed").unwrap_or(sampling.most_failed);
+        let accuracies = self.accuracies(&table);
+        let budget = self.budget(&table);
+        (sampling, accuracies, budget, self.written_reweighting(&table))
+    }
+
+    /// Complains about an entry.
+    fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
+        self.reader.complain(problem, entry.span);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sampling;
+    use super::keys::SAMPLING_KEYS;
+
+    #[test]
+    fn the_schema_tells_what_is_left_out() {
+        let Sampling { outer, inner, replicates, tolerance_m, most_failed, is_reweighted: _ } = Sampling::default();
+        let told = |key: &str| SAMPLING_KEYS.find(key).map(|known| known.doc).unwrap_or("");
+        for (key, usual) in [
+            ("outer", outer.to_string()),
+            ("inner", inner.to_string()),
+            ("replicates", replicates.to_string()),
+            ("tolerance", format!("{tolerance_m:e} m")),
+            ("most_failed", most_failed.to_string()),
+        ] {
+            assert!(told(key).ends_with(&format!("; {usual} if left out")), "{key}: {}", told(key));
+        }
+    }
+}

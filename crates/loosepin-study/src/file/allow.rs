@@ -1,0 +1,133 @@
+//! What may be loosened: the unknowns of the inverse question.
+
+use super::StudyReader;
+use super::description::{Allowance, AllowedInput, Requirement};
+use super::keys::ALLOW_KEYS;
+use super::problem::StudyProblem;
+use loosepin_mechanics::model::QuantityId;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule, format_value};
+use loosepin_uncertainty::{Distribution, EpistemicVariable, Parameter};
+
+impl StudyReader {
+    /// Reads what may be loosened.
+    pub fn read_allowances(&mut self, root: &Table<'_>, requirements: &[Requirement]) -> Vec<Allowance> {
+        let Some(entry) = root.get("allow") else { return Vec::new() };
+        let allowances = self.reader.any_keys(&entry).iter().filter_map(|entry| self.allowance(entry)).collect();
+        if requirements.is_empty() && root.get("require").is_none() {
+            self.complain(&StudyProblem::NothingRequired, &entry.at_key());
+        }
+        allowances
+    }
+
+    fn allowance(&mut self, entry: &Entry<'_>) -> Option<Allowance> {
+        let path = entry.name.to_owned();
+        let table = self.reader.table(entry, &ALLOW_KEYS)?;
+        if table.has("fit") {
+            return self.fit_allowance(path, entry, &table);
+        }
+        let Some((input, least, dimension)) = self.allowed_input(&path) else {
+            self.complain(&StudyProblem::AllowedInput { path }, &entry.at_key());
+            return None;
+        };
+        if let Some(diameter) = table.get("diameter") {
+            let problem = StudyProblem::BesideFits { entry: diameter.path.describe(), has_fits: false };
+            self.complain(&problem, &diameter.at_key());
+            return None;
+        }
+        let written = table.get("up_to")?;
+        let up_to = self.reader.measured(&written, dimension, Rule::Finite)?;
+        if !(up_to > least) {
+            self.above(&written, up_to, least, dimension);
+            return None;
+        }
+        if let AllowedInput::UpperEnd(index) = input
+            && let Some(quantity) = self.epistemic[index].quantity()
+            && !self.check_end(quantity, &path, up_to, &written, false)
+        {
+            return None;
+        }
+        let mut costs: Vec<[f64; 2]> = Vec::new();
+        if let Some(list) = table.get("cost") {
+            for offer in self.reader.list(&list)? {
+                let pair = self.reader.pair(&offer)?;
+                let value = self.reader.measured(&pair[0], dimension, Rule::Finite)?;
+                let cost = self.reader.measured(&pair[1], Dimension::NUMBER, Rule::NonNegative)?;
+                if !(value > least) {
+                    self.above(&pair[0], value, least, dimension);
+                    return None;
+                }
+                costs.push([value, cost]);
+            }
+            costs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            // What is tighter costs more, or nobody would choose what is looser.
+            if costs.is_empty() || costs.windows(2).any(|pair| pair[0][0] == pair[1][0] || pair[0][1] <= pair[1][1]) {
+                self.complain(&StudyProblem::Costs { entry: list.path.describe() }, &list);
+                return None;
+            }
+        }
+        if let Some([offer, _]) = costs.iter().rev().find(|[offer, _]| *offer > up_to)
+            && let Some(list) = table.get("cost")
+        {
+            let [offer, up_to] = [*offer, up_to].map(|value| format_value(value, dimension));
+            self.complain(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, &list);
+            return None;
+        }
+        Some(Allowance { path, input, least_si: least, up_to_si: up_to, fits: Vec::new(), costs })
+    }
+
+    /// The loosest of several fits.
+    fn fit_allowance(&mut self, path: String, entry: &Entry<'_>, table: &Table<'_>) -> Option<Allowance> {
+        let Some((input, quantity)) = self.fitted_input(&path) else {
+            self.complain(&StudyProblem::FittedInput { path }, &entry.at_key());
+            return None;
+        };
+        if let Some(cost) = table.get("cost") {
+            self.complain(&StudyProblem::BesideFits { entry: cost.path.describe(), has_fits: true }, &cost.at_key());
+            return None;
+        }
+        let fits = self.allowed_fits(table, &table.get("fit")?, quantity, &path)?;
+        let least = fits.first()?.clearance_m[1];
+        let most = fits.last()?.clearance_m[1];
+        Some(Allowance { path, input, least_si: least, up_to_si: most, fits, costs: Vec::new() })
+    }
+
+    /// The input whose fit is asked for: an interval, or a normal distribution that is known.
+    fn fitted_input(&self, path: &str) -> Option<(AllowedInput, QuantityId)> {
+        if let Some(index) = self.epistemic.iter().position(|input| input.path == path) {
+            let input = &self.epistemic[index];
+            let is_interval = matches!(input.variable, EpistemicVariable::Interval(_));
+            return Some((AllowedInput::FitInterval(index), input.quantity()?)).filter(|_| is_interval);
+        }
+        let index = self.random.iter().position(|input| input.path == path)?;
+        let input = &self.random[index];
+        let is_normal = matches!(input.variable.distribution(), Distribution::Normal { .. });
+        let found = (AllowedInput::FitScatter(index), input.quantity);
+        (is_normal && input.parameters.is_empty()).then_some(found)
+    }
+
+    /// The input that `path` names, the least value of what is loosened, and its dimension.
+    fn allowed_input(&self, path: &str) -> Option<(AllowedInput, f64, Dimension)> {
+        if let Some(index) = self.epistemic.iter().position(|input| input.path == path) {
+            let input = &self.epistemic[index];
+            let dimension = self.model.quantities[input.quantity()?].dimension;
+            // Masses and degrees have no single end that could be moved.
+            let EpistemicVariable::Interval(interval) = &input.variable else { return None };
+            return Some((AllowedInput::UpperEnd(index), interval.lower(), dimension));
+        }
+        let index = self.random.iter().position(|input| input.path == path)?;
+        let input = &self.random[index];
+        let has_deviation = matches!(
+            input.variable.distribution(),
+            Distribution::Normal { .. } | Distribution::Lognormal { .. } | Distribution::TruncatedNormal { .. }
+        );
+        let is_known = input.parameters.iter().all(|own| own.parameter != Parameter::StandardDeviation);
+        let dimension = self.model.quantities[input.quantity].dimension;
+        (has_deviation && is_known).then_some((AllowedInput::StandardDeviation(index), 0.0, dimension))
+    }
+
+    fn above(&mut self, entry: &Entry<'_>, found: f64, least: f64, dimension: Dimension) {
+        let [found, least] = [found, least].map(|value| format_value(value, dimension));
+        self.complain(&StudyProblem::AllowedRange { entry: entry.path.describe(), found, least }, entry);
+    }
+}

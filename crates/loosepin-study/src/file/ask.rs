@@ -1,0 +1,379 @@
+//! Questions and requirements.
+
+use super::StudyReader;
+use super::accuracy::AccuracyTarget;
+use super::description::{Ask, Deviation, Limit, RareMethod, Reduction, Requirement, Where};
+use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
+use super::problem::StudyProblem;
+use super::words::{
+    DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
+    SIMULTANEOUS_BAND, STATISTICS,
+};
+use crate::columns::named_angle_rad;
+use loosepin_bounds::{Reading, Statistic};
+use loosepin_mechanics::model::OutputKind;
+use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule, format_value};
+use loosepin_uncertainty::EpistemicVariable;
+
+/// Words for statistics that are written in another form.
+const FORMS: [(&str, &str); 7] = [
+    ("median", "{ quantile = 0.5 }"),
+    ("quantile", "{ quantile = 0.975 }"),
+    ("probability_above", "{ probability_above = \"0.4 mm\" }"),
+    ("probability_below", "{ probability_below = \"0.4 mm\" }"),
+    ("probability_beyond", "{ probability_beyond = \"0.4 mm\" }"),
+    ("simultaneous_band", "{ simultaneous_band = 0.95 }"),
+    ("std", "\"standard_deviation\""),
+];
+
+/// Keys that say where in the cycle; one is due.
+const PLACES: [&str; 3] = ["at", "poses", "reduce"];
+
+/// An entry of the list of statistics.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Asked {
+    Statistic(Statistic),
+    Contributors,
+    Rare(Statistic, RareMethod),
+    /// A band that a share of whole curves stays in.
+    SimultaneousBand(f64),
+}
+
+/// An angle at which a number is asked for or required.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownPose {
+    of: Option<(usize, Deviation)>,
+    angle_rad: f64,
+}
+
+/// The number of a curve that lies beyond the limit of a probability where any of its values does.
+pub fn furthest(statistic: Statistic) -> Reduction {
+    match statistic {
+        Statistic::ProbabilityAbove(_) => Reduction::Maximum,
+        Statistic::ProbabilityBelow(_) => Reduction::Minimum,
+        _ => Reduction::MaximumAbsolute,
+    }
+}
+
+/// A question about a curve without the small probabilities in it, and these: of leaving the limit anywhere in the cycle, which is what
+/// the furthest value over the cycle does.
+fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
+    if ask.location != Where::Cycle || ask.rare.is_empty() {
+        return (Some(ask), Vec::new());
+    }
+    let rare = std::mem::take(&mut ask.rare);
+    let anywhere = rare.iter().map(|&(statistic, method)| Ask {
+        output: ask.output,
+        deviation: ask.deviation,
+        location: Where::Reduced(furthest(statistic)),
+        statistics: vec![statistic],
+        contributors: false,
+        rare: vec![(statistic, method)],
+        simultaneous_bands: Vec::new(),
+    });
+    let anywhere = anywhere.collect();
+    ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));
+    let is_left = !ask.statistics.is_empty() || ask.contributors || !ask.simultaneous_bands.is_empty();
+    (is_left.then_some(ask), anywhere)
+}
+
+impl StudyReader {
+    /// Reads the questions, and how near their bounds are to be.
+    pub fn read_asks(&mut self, root: &Table<'_>) -> (Vec<Ask>, Vec<AccuracyTarget>) {
+        let entries = self.double_brackets(root, "ask");
+        let (mut asks, mut accuracy) = (Vec::new(), Vec::new());
+        for entry in &entries {
+            let Some(table) = self.reader.table(entry, &ASK_KEYS) else { continue };
+            let written = self.accuracies(&table);
+            if let Some(ask) = self.ask(&table) {
+                let (ask, anywhere) = anywhere_in_the_cycle(ask);
+                let place = asks.len();
+                asks.extend(ask.into_iter().chain(anywhere));
+                accuracy.extend(self.targets(written, &asks, Some(place)));
+            }
+        }
+        (asks, accuracy)
+    }
+
+    /// The tables under `[[key]]`.
+    pub(super) fn double_brackets<'t>(&mut self, root: &Table<'t>, key: &str) -> Vec<Entry<'t>> {
+        let Some(entry) = root.get(key) else { return Vec::new() };
+        if entry.is_table() {
+            self.reader.wrong_type::<()>(&entry, "a list of tables, each under a header in double brackets");
+            return Vec::new();
+        }
+        self.reader.list(&entry).unwrap_or_default()
+    }
+
+    fn ask(&mut self, table: &Table<'_>) -> Option<Ask> {
+        let output = self.output(table);
+        let deviation = self.deviation(table);
+        let location = self.location(table, "at", Some("reduce"), output.zip(deviation));
+        // Without the output the dimension of limits is not known.
+        let output = output?;
+        let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
+        let entries = statistics?;
+        let (deviation, location) = (deviation?, location?);
+        // Of two places one is wrong, and which is not known.
+        if PLACES.into_iter().filter(|key| table.has(key)).count() == 1 {
+            self.check_new(&entries, (output, deviation), &location);
+        }
+        let asked: Vec<Asked> = entries.into_iter().map(|(_, asked)| asked).collect();
+        let contributors = asked.contains(&Asked::Contributors);
+        let rare: Vec<(Statistic, RareMethod)> = asked
+            .iter()
+            .filter_map(|asked| match asked {
+                Asked::Rare(statistic, method) => Some((*statistic, *method)),
+                _ => None,
+            })
+            .collect();
+        let bands: Vec<f64> = asked
+            .iter()
+            .filter_map(|asked| if let Asked::SimultaneousBand(share) = asked { Some(*share) } else { None })
+            .collect();
+        if location != Where::Cycle && !bands.is_empty() {
+            if let Some(entry) = table.get("statistics") {
+                self.complain(&StudyProblem::BandOfPoint { entry: table.path.describe() }, &entry);
+            }
+            return None;
+        }
+        let statistics = asked.into_iter().filter_map(|asked| match asked {
+            Asked::Statistic(statistic) | Asked::Rare(statistic, _) => Some(statistic),
+            Asked::Contributors | Asked::SimultaneousBand(_) => None,
+        });
+        let statistics = statistics.collect();
+        Some(Ask { output, deviation, location, statistics, contributors, rare, simultaneous_bands: bands })
+    }
+
+    /// Reads the requirements.
+    pub fn read_requirements(&mut self, root: &Table<'_>) -> Vec<Requirement> {
+        let entries = self.double_brackets(root, "require");
+        entries
+            .iter()
+            .filter_map(|entry| {
+                let table = self.reader.table(entry, &REQUIRE_KEYS)?;
+                self.requirement(&table)
+            })
+            .collect()
+    }
+
+    fn requirement(&mut self, table: &Table<'_>) -> Option<Requirement> {
+        let output = self.output(table);
+        let deviation = self.deviation(table);
+        let location = self.location(table, "over", None, output.zip(deviation));
+        let probability_at_least = self.reader.number(table, "probability_at_least");
+        let output = output?;
+        let limit = LIMITS.into_iter().find_map(|key| {
+            let entry = table.get(key)?;
+            let dimension = self.model.outputs[output].kind.dimension();
+            let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
+            match key {
+                "below" => Some(Limit::Below(limit)),
+                "above" => Some(Limit::Above(limit)),
+                _ => self.limit(&entry, limit, dimension, Rule::Positive).map(Limit::Within),
+            }
+        });
+        let probability_at_least = probability_at_least?;
+        // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
+        if probability_at_least == 1.0
+            && !self.random.is_empty()
+            && let Some(entry) = table.get("probability_at_least")
+        {
+            let problem = StudyProblem::CertaintyOfSamples { entry: entry.path.describe() };
+            let place = Place::new(&self.reader.source, entry.span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+        Some(Requirement { output, deviation: deviation?, limit: limit?, location: location?, probability_at_least })
+    }
+
+    fn output(&mut self, table: &Table<'_>) -> Option<usize> {
+        let entry = table.get("output")?;
+        let name = self.reader.text(&entry)?.to_owned();
+        let outputs = &self.model.outputs;
+        let Some(index) = outputs.iter().position(|output| output.name == name) else {
+            let known = outputs.iter().map(|output| format!("'{}'", output.name)).collect();
+            let nearest = nearest_name(&name, outputs.iter().map(|output| output.name.as_str())).map(str::to_owned);
+            let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
+            self.complain(&problem, &entry);
+            return None;
+        };
+        if matches!(outputs[index].kind, OutputKind::Path(_)) {
+            self.complain(&StudyProblem::PathOutput { entry: table.path.describe(), name }, &entry);
+            return None;
+        }
+        Some(index)
+    }
+
+    fn deviation(&mut self, table: &Table<'_>) -> Option<Deviation> {
+        let entry = table.get("of")?;
+        let deviation = self.reader.choice(&entry, &DEVIATIONS)?;
+        let has_play = self.model.joints.iter().any(|joint| joint.kind.play().is_some());
+        if deviation == Deviation::Clearance && !has_play {
+            self.complain(&StudyProblem::NoPlay { entry: entry.path.describe() }, &entry);
+            return None;
+        }
+        Some(deviation)
+    }
+
+    /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it, which is
+    /// `of` an output and a deviation.
+    fn location(
+        &mut self,
+        table: &Table<'_>,
+        everywhere: &str,
+        reduction: Option<&str>,
+        of: Option<(usize, Deviation)>,
+    ) -> Option<Where> {
+        if let Some(entry) = table.get(everywhere) {
+            return self.reader.choice(&entry, &[("cycle", ())]).map(|()| Where::Cycle);
+        }
+        if let Some(entry) = table.get("poses") {
+            return self.poses(&entry, of);
+        }
+        let entry = table.get(reduction?)?;
+        self.reader.choice(&entry, &REDUCTIONS).map(Where::Reduced)
+    }
+
+    fn poses(&mut self, entry: &Entry<'_>, of: Option<(usize, Deviation)>) -> Option<Where> {
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "a table such as { crank = [\"60 deg\"] }");
+        }
+        let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
+        let mut angles_rad = Vec::new();
+        for entry in self.reader.any_keys(entry) {
+            if entry.name != due {
+                let problem = StudyProblem::WrongDrive {
+                    entry: entry.path.describe(),
+                    name: entry.name.to_owned(),
+                    due: due.clone(),
+                };
+                self.complain(&problem, &entry.at_key());
+                return None;
+            }
+            for angle in self.reader.list(&entry)? {
+                let Some(angle_rad) = self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite) else { continue };
+                if angles_rad.contains(&angle_rad) {
+                    let pose = format_value(angle_rad, Dimension::ANGLE);
+                    self.complain(&StudyProblem::PoseTwice { entry: angle.path.describe(), pose }, &angle);
+                    continue;
+                }
+                self.check_apart(&angle, KnownPose { of, angle_rad });
+                angles_rad.push(angle_rad);
+            }
+        }
+        if angles_rad.is_empty() {
+            if !self.reader.complaints.has_errors() {
+                self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
+            }
+            return None;
+        }
+        Some(Where::Poses { angles_rad })
+    }
+
+    /// Two angles of which the results could not tell which is which, since both have the same name there.
+    fn check_apart(&mut self, entry: &Entry<'_>, pose: KnownPose) {
+        let is_beside = |known: &&KnownPose| {
+            known.of == pose.of
+                && known.angle_rad != pose.angle_rad
+                && named_angle_rad(known.angle_rad) == named_angle_rad(pose.angle_rad)
+        };
+        if let Some(beside) = self.poses.iter().find(is_beside).filter(|_| pose.of.is_some()) {
+            let problem = StudyProblem::PosesTooNear {
+                entry: entry.path.describe(),
+                pose: format_value(pose.angle_rad, Dimension::ANGLE),
+                apart: format!("{:.1e} rad", (pose.angle_rad - beside.angle_rad).abs()),
+            };
+            self.complain(&problem, entry);
+        }
+        self.poses.push(pose);
+    }
+
+    fn statistics<'t>(&mut self, table: &Table<'t>, dimension: Dimension) -> Option<Vec<(Entry<'t>, Asked)>> {
+        let entry = table.get("statistics")?;
+        let entries = self.reader.list(&entry)?;
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, &entry);
+            return None;
+        }
+        let asked: Vec<Option<Asked>> = entries.iter().map(|entry| self.statistic(entry, dimension)).collect();
+        entries.into_iter().zip(asked).map(|(entry, asked)| Some((entry, asked?))).collect()
+    }
+
+    fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {
+        if entry.is_text() {
+            let text = self.reader.text(entry)?;
+            if let Some((_, form)) = FORMS.into_iter().find(|(word, _)| *word == text) {
+                let problem = StudyProblem::StatisticForm { entry: entry.path.describe(), word: text.to_owned(), form };
+                self.complain(&problem, entry);
+                return None;
+            }
+            let statistic = self.reader.choice(entry, &PLAIN_STATISTICS)?;
+            return Some(statistic.map_or(Asked::Contributors, Asked::Statistic));
+        }
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "the name of a statistic or a table such as { quantile = 0.975 }");
+        }
+        let table = self.reader.table(entry, &STATISTIC_KEYS)?;
+        let key = STATISTICS.into_iter().find(|key| table.has(key))?;
+        let method = self.method(&table, key)?;
+        if let Some(percent) = table.get(key).filter(|entry| entry.is_text() && !key.starts_with("probability")) {
+            let found = self.reader.text(&percent)?.to_owned();
+            self.complain(&StudyProblem::Percent { entry: percent.path.describe(), found }, &percent);
+            return None;
+        }
+        if key == QUANTILE {
+            return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
+        }
+        if key == SIMULTANEOUS_BAND {
+            return self.reader.number(&table, key).map(Asked::SimultaneousBand);
+        }
+        let entry = table.get(key)?;
+        let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
+        let statistic = match key {
+            PROBABILITY_ABOVE => Some(Statistic::ProbabilityAbove(limit)),
+            PROBABILITY_BELOW => Some(Statistic::ProbabilityBelow(limit)),
+            _ => self.limit(&entry, limit, dimension, Rule::NonNegative).map(Statistic::ProbabilityBeyond),
+        };
+        statistic.map(|statistic| match method {
+            None => Asked::Statistic(statistic),
+            Some(method) => Asked::Rare(statistic, method),
+        })
+    }
+
+    /// How a probability is estimated; inside, nothing where it is only counted.
+    fn method(&mut self, table: &Table<'_>, key: &str) -> Option<Option<RareMethod>> {
+        let Some(entry) = table.get("method") else { return Some(None) };
+        if key == QUANTILE || key == SIMULTANEOUS_BAND {
+            let of = if key == QUANTILE { "a quantile" } else { "a simultaneous band" };
+            self.complain(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, &entry);
+            return None;
+        }
+        let method = self.reader.choice(&entry, &METHODS)?;
+        if method.is_some() && self.random.is_empty() {
+            self.complain(&StudyProblem::NothingRandom { entry: table.path.describe() }, &entry);
+            return None;
+        }
+        let has_masses = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
+        let of = match self.readings[0] {
+            Reading::RandomSet => Some("reading = \"random-set\""),
+            _ => has_masses.then_some("masses of evidence"),
+        };
+        if let (Some(_), Some(of)) = (method, of) {
+            self.complain(&StudyProblem::RareOfSets { entry: table.path.describe(), of }, &entry);
+            return None;
+        }
+        Some(method)
+    }
+
+    /// A limit of a magnitude.
+    fn limit(&mut self, entry: &Entry<'_>, limit: f64, dimension: Dimension, rule: Rule) -> Option<f64> {
+        if rule.allows(limit) {
+            return Some(limit);
+        }
+        let found = format_value(limit, dimension);
+        self.complain(&StudyProblem::Limit { entry: entry.path.describe(), found, rule: rule.words() }, entry);
+        None
+    }
+}

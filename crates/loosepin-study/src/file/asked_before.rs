@@ -1,0 +1,51 @@
+//! Questions that are asked twice: the results would name two numbers alike.
+
+use super::StudyReader;
+use super::ask::{Asked, furthest};
+use super::description::{Deviation, Where};
+use super::problem::StudyProblem;
+use loosepin_text::document::Entry;
+
+/// One number, or one curve, that is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownQuestion {
+    output: usize,
+    deviation: Deviation,
+    /// With one angle at most.
+    location: Where,
+    asked: Asked,
+}
+
+/// Angle by angle.
+fn places(location: &Where) -> Vec<Where> {
+    match location {
+        Where::Poses { angles_rad } => {
+            angles_rad.iter().map(|&angle_rad| Where::Poses { angles_rad: vec![angle_rad] }).collect()
+        }
+        _ => vec![location.clone()],
+    }
+}
+
+impl StudyReader {
+    /// Complains about what was asked `of` an output and a deviation at the same place before. `statistics` are the entries of the list, and
+    /// what they ask.
+    pub(super) fn check_new(&mut self, statistics: &[(Entry<'_>, Asked)], of: (usize, Deviation), location: &Where) {
+        for (entry, asked) in statistics {
+            // However it is estimated, a probability has one place in the results; of the cycle it is that of a magnitude.
+            let (asked, location) = match (*asked, location) {
+                (Asked::Rare(statistic, _), Where::Cycle) => {
+                    (Asked::Statistic(statistic), Where::Reduced(furthest(statistic)))
+                }
+                (Asked::Rare(statistic, _), location) => (Asked::Statistic(statistic), location.clone()),
+                (asked, location) => (asked, location.clone()),
+            };
+            let of_place = |location| KnownQuestion { output: of.0, deviation: of.1, location, asked };
+            let questions: Vec<KnownQuestion> = places(&location).into_iter().map(of_place).collect();
+            if questions.iter().any(|question| self.questions.contains(question)) {
+                let what = self.reader.source.text()[self.reader.source.clamp(entry.span)].to_owned();
+                self.complain(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);
+            }
+            self.questions.extend(questions);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! Checks of the inputs together with the rules of the model.
+
+use super::StudyReader;
+use super::description::{EpistemicInput, RandomInput};
+use super::problem::StudyProblem;
+use loosepin_bounds::Reading;
+use loosepin_mechanics::model::{QuantityError, QuantityId};
+use loosepin_text::diagnostics::Complaint;
+use loosepin_text::diagnostics::Place;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, format_number, format_value};
+use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
+
+/// Share of a distribution that may be impossible; what is drawn there is a failed run.
+const MOST_IMPOSSIBLE_SHARE: f64 = 0.01;
+/// Quantiles at which the share is measured: it is resolved to a tenth of what is accepted.
+const QUANTILES: usize = 1000;
+/// Probability of what a distribution is taken not to come to: beyond six standard deviations of a normal one.
+const NEARLY_NONE: f64 = 1e-9;
+/// Of numbers that are written in two files.
+const ROUND_OFF: f64 = 1e-9;
+/// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
+const MOST_CORNERS: usize = 1024;
+
+impl StudyReader {
+    /// Checks one end of an interval, or one of a list, against the rules of the model, all other values being those of the
+    /// file; says whether it is possible.
+    pub fn check_end(
+        &mut self,
+        quantity: QuantityId,
+        path: &str,
+        value_si: f64,
+        entry: &Entry<'_>,
+        is_member: bool,
+    ) -> bool {
+        let problem = self.problem_at_end(quantity, path, value_si, is_member);
+        if let Some(problem) = &problem {
+            self.complain(problem, entry);
+        }
+        problem.is_none()
+    }
+
+    fn problem_at_end(&self, quantity: QuantityId, path: &str, value_si: f64, is_member: bool) -> Option<StudyProblem> {
+        let quantities = &self.model.quantities;
+        let end = format_value(value_si, quantities[quantity].dimension);
+        let path = path.to_owned();
+        let values = match quantities.evaluate(&[(quantity, value_si)]) {
+            Ok(values) => values,
+            Err(error) => return Some(StudyProblem::ImpossibleEnd { path, end, error }),
+        };
+        let lost = self.plays_of(quantity).into_iter().find(|&id| values[id] == 0.0)?;
+        let clearance = quantities[lost].path.clone();
+        Some(StudyProblem::ClearanceTouchesZero { path, end, clearance, is_member })
+    }
+
+    /// The clearances of joints that follow from `quantity`: at 0 their joints would have no play.
+    fn plays_of(&self, quantity: QuantityId) -> Vec<QuantityId> {
+        let plays = self.model.joints.iter().filter_map(|joint| Some(joint.kind.play()?.0));
+        plays.filter(|&id| self.model.roots(id).contains(&quantity)).collect()
+    }
+
+    /// Checks what only the whole study shows.
+    pub fn check_whole(&mut self, root: &Table<'_>) {
+        let is_empty = |reader: &mut Self, keys: [&str; 2]| {
+            keys.into_iter().all(|key| {
+                root.get(key).is_none_or(|entry| {
+                    if entry.is_table() { reader.reader.any_keys(&entry).is_empty() } else { entry.is_empty_list() }
+                })
+            })
+        };
+        if is_empty(self, ["random", "epistemic"]) {
+            self.reader.complain(&StudyProblem::NothingUncertain, root.span);
+        }
+        if is_empty(self, ["ask", "require"]) {
+            self.reader.complain(&StudyProblem::NothingAsked, root.span);
+        }
+        self.check_model_values(root);
+        if self.reader.complaints.has_errors() {
+            return;
+        }
+        self.check_second_order(root);
+        let place_of = |key: &str| root.get(key).map(|entry| entry.key_span).unwrap_or_default();
+        if let Err(error) = self.check_corners() {
+            let problem = StudyProblem::ImpossibleTogether { error };
+            self.reader.complain(&problem, place_of("epistemic"));
+            return;
+        }
+        for index in 0..self.random.len() {
+            if let Some(problem) = self.impossible_share(index) {
+                let path = self.random[index].path.clone();
+                let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
+                let place = Place::new(&self.reader.source, span);
+                self.reader.complaints.push(Complaint::error(&problem, Some(place)));
+            }
+        }
+    }
+
+    /// Warns of lengths and angles that are elsewhere in the model. A clearance changes no ideal motion, and what it is in the model plays
+    /// no part.
+    fn check_model_values(&mut self, root: &Table<'_>) {
+        let random = self.random.iter().map(|input| {
+            let corners = |known: &EpistemicVariable| known.ends().to_vec();
+            let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
+            let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
+            ("random", &input.path, input.quantity, all)
+        });
+        let is_between = |input: &&EpistemicInput| !input.variable.is_periodic();
+        let epistemic =
+            self.epistemic.iter().filter(is_between).filter_map(|input| {
+                Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec()))
+            });
+        let nominal = self.model.quantities.nominal();
+        let far = |(table, path, quantity, ends): (&'static str, &String, QuantityId, Vec<f64>)| {
+            let known = &self.model.quantities[quantity];
+            let is_geometric = [Dimension::LENGTH, Dimension::ANGLE].contains(&known.dimension);
+            let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+            let round_off = ROUND_OFF * nominal[quantity].abs();
+            let is_inside = (from - round_off..=to + round_off).contains(&nominal[quantity]);
+            if !is_geometric || is_inside || !self.plays_of(quantity).is_empty() {
+                return None;
+            }
+            let [value, from, to] = [nominal[quantity], from, to].map(|value| format_value(value, known.dimension));
+            Some((table, path.clone(), StudyProblem::FarFromModel { path: path.clone(), value, from, to }))
+        };
+        let found: Vec<(&str, String, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();
+        for (table, path, problem) in found {
+            let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
+            let place = Place::new(&self.reader.source, span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+    }
+
+    /// What is written of the input `path` in `table`.
+    fn entry_of<'t>(&mut self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
+        let entries = self.reader.any_keys(&root.get(table)?);
+        entries.into_iter().find(|entry| entry.name == path)
+    }
+
+    /// A parameter with a distribution has one value for all samples, and no masses go with its probabilities.
+    fn check_second_order(&mut self, root: &Table<'_>) {
+        let is_second_order = |input: &&EpistemicInput| input.variable.is_second_order();
+        let Some(path) = self.epistemic.iter().find(is_second_order).map(|input| input.path.clone()) else { return };
+        let has_evidence = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
+        for (key, beside, is_there) in [
+            (
+                "reading",
+                "this reading of intervals: the parameter has one value",
+                self.readings != [Reading::FixedButUnknown],
+            ),
+            ("epistemic", "masses of evidence", has_evidence),
+        ] {
+            if let Some(entry) = root.get(key).filter(|_| is_there) {
+                self.complain(&StudyProblem::SecondOrderBeside { path: path.clone(), beside }, &entry.at_key());
+            }
+        }
+    }
+
+    /// Evaluates every corner of the box of intervals with every combination of the numbers of lists.
+    fn check_corners(&self) -> Result<(), QuantityError> {
+        let shown: Vec<(QuantityId, Vec<f64>)> =
+            self.epistemic.iter().filter_map(|input| Some((input.quantity()?, input.variable.shown()))).collect();
+        let corners = shown.iter().fold(1_usize, |corners, (_, values)| corners.saturating_mul(values.len()));
+        if corners > MOST_CORNERS {
+            return Ok(());
+        }
+        let mut values = self.model.quantities.nominal();
+        for corner in 0..corners {
+            let mut rest = corner;
+            let set: Vec<(QuantityId, f64)> = shown
+                .iter()
+                .map(|(quantity, values)| {
+                    let value = values[rest % values.len()];
+                    rest /= values.len();
+                    (*quantity, value)
+                })
+                .collect();
+            self.model.quantities.evaluate_into(&set, &mut values)?;
+        }
+        Ok(())
+    }
+
+    /// The share of a random input that is impossible, where it is too large at a corner of its uncertain parameters; the intervals stand at their lower ends,
+    /// middles and upper ends in turn, the lists at members from the first to the last.
+    fn impossible_share(&self, index: usize) -> Option<StudyProblem> {
+        let input = &self.random[index];
+        let corners = |known: &EpistemicVariable| known.ends().to_vec();
+        let variables = input.variables(&self.epistemic, corners);
+        variables.iter().find_map(|variable| self.impossible_share_of(input, variable))
+    }
+
+    /// Says that too many of the values `drawn` leave a joint without play, all other values being those of the file.
+    fn share_without_play(&self, input: &RandomInput, drawn: &[f64]) -> Option<StudyProblem> {
+        let quantities = &self.model.quantities;
+        let plays = self.plays_of(input.quantity);
+        let lost = |value_si: f64| {
+            let values = quantities.evaluate(&[(input.quantity, value_si)]).ok()?;
+            plays.iter().copied().find(|&id| values[id] == 0.0)
+        };
+        let all: Vec<(f64, QuantityId)> = if plays.is_empty() {
+            Vec::new()
+        } else {
+            drawn.iter().filter_map(|&value_si| Some((value_si, lost(value_si)?))).collect()
+        };
+        let is_too_much = all.len() as f64 > MOST_IMPOSSIBLE_SHARE * drawn.len() as f64;
+        let &(value_si, clearance) = all.first().filter(|_| is_too_much)?;
+        Some(StudyProblem::ClearanceTouchesZero {
+            path: input.path.clone(),
+            end: format_value(value_si, quantities[input.quantity].dimension),
+            clearance: quantities[clearance].path.clone(),
+            is_member: true,
+        })
+    }
+
+    fn impossible_share_of(&self, input: &RandomInput, variable: &RandomVariable) -> Option<StudyProblem> {
+        let quantities = &self.model.quantities;
+        let mut values = quantities.nominal();
+        let probability = |quantile: usize| (quantile as f64 + 0.5) / QUANTILES as f64;
+        let drawn: Vec<f64> = (0..QUANTILES).map(|quantile| variable.quantile(probability(quantile))).collect();
+        let stands_alone = quantities.stands_alone(input.quantity);
+        if let Some(problem) = self.share_without_play(input, &drawn) {
+            return Some(problem);
+        }
+        for fraction in [0.0, 0.5, 1.0] {
+            let epistemic = self.epistemic.iter();
+            let mut set: Vec<(QuantityId, f64)> =
+                epistemic.filter_map(|input| Some((input.quantity()?, input.variable.at(fraction)))).collect();
+            set.push((input.quantity, f64::NAN));
+            let mut possible = |value_si: f64| {
+                if let Some(last) = set.last_mut() {
+                    last.1 = value_si;
+                }
+                quantities.evaluate_into(&set, &mut values)
+            };
+            // Where the other values are possible with one of these, and nothing depends on it, its own rule is all there is.
+            let is_own_rule = stands_alone && drawn.iter().any(|&value_si| possible(value_si).is_ok());
+            let mut impossible = 0;
+            let mut first = None;
+            for &value_si in &drawn {
+                let tried = if is_own_rule { quantities[input.quantity].check(value_si) } else { possible(value_si) };
+                if let Err(error) = tried {
+                    impossible += 1;
+                    first.get_or_insert(error);
+                }
+            }
+            let share = f64::from(impossible) / QUANTILES as f64;
+            if share > MOST_IMPOSSIBLE_SHARE {
+                return first.map(|error| StudyProblem::ImpossibleShare {
+                    path: input.path.clone(),
+                    share_percent: format_number(100.0 * share),
+                    most_percent: 100.0 * MOST_IMPOSSIBLE_SHARE,
+                    error,
+                });
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,495 @@
+//! What a study file says, checked and in SI.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use super::accuracy::{AccuracyTarget, Budget};
+use loosepin_bounds::{Reading, Statistic};
+use loosepin_mechanics::contact::NormalDescription;
+use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
+use loosepin_surrogate::Choice;
+use loosepin_text::diagnostics::{Complaint, Place, Source};
+use loosepin_text::units::{Dimension, SiUnit, format_value};
+use loosepin_uncertainty::{
+    Distribution, EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable,
+};
+
+/// A study: what is uncertain in a model, and what is asked.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// Name of the study.
+    pub name: String,
+    /// The model with its nominal values.
+    pub model: Model,
+    /// Where the model was read from.
+    pub model_path: PathBuf,
+    /// Seed of the random numbers; the same seed gives the same results.
+    pub seed: u64,
+    /// What is run and recorded: that of the model with the numbers that the study overrides.
+    pub cycle: Cycle,
+    /// How many runs, and how accurate.
+    pub sampling: Sampling,
+    /// The surrogate whose bounds stand beside the direct ones; nothing where none is asked for.
+    pub surrogate: Option<StudySurrogate>,
+    /// How an interval is read: first the reading of everything that has one, then those whose bounds stand beside; never empty.
+    pub readings: Vec<Reading>,
+    /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself.
+    pub percentiles: Vec<f64>,
+    /// Random inputs in file order.
+    pub random: Vec<RandomInput>,
+    /// How the random inputs go together; nothing where they are independent.
+    pub correlation: Option<Correlation>,
+    /// Epistemic inputs in file order.
+    pub epistemic: Vec<EpistemicInput>,
+    /// What is asked, in file order.
+    pub asks: Vec<Ask>,
+    /// What is required, in file order.
+    pub requirements: Vec<Requirement>,
+    /// What may be loosened as far as the requirements allow, in file order.
+    pub allowances: Vec<Allowance>,
+    /// How near the bounds are to be; empty where the samples are as stated.
+    pub accuracy: Vec<AccuracyTarget>,
+    /// Where the study ends although its bounds are not yet as near.
+    pub budget: Option<Budget>,
+    /// Where the budget is written.
+    pub(super) budget_place: Option<Place>,
+    /// What is allowed in model and study and yet looks like an oversight.
+    pub warnings: Vec<Complaint>,
+    pub(super) source: Arc<Source>,
+    pub(super) tables: Vec<Arc<Source>>,
+}
+
+impl Study {
+    /// Parameters of distributions that are epistemic inputs.
+    pub fn epistemic_parameters(&self) -> Vec<EpistemicParameter> {
+        RandomInput::epistemic_parameters(&self.random)
+    }
+}
+
+impl RandomInput {
+    /// Parameters of the distributions of `random` that are epistemic inputs.
+    pub fn epistemic_parameters(random: &[Self]) -> Vec<EpistemicParameter> {
+        let of_input = |(random, input): (usize, &RandomInput)| {
+            let own = input.parameters.clone().into_iter();
+            own.map(move |UncertainParameter { parameter, epistemic }| EpistemicParameter {
+                random,
+                parameter,
+                epistemic,
+            })
+        };
+        random.iter().enumerate().flat_map(of_input).collect()
+    }
+
+    /// The largest standard deviation of its distributions, uncertain parameters at the ends.
+    pub fn largest_standard_deviation(&self, epistemic: &[EpistemicInput]) -> f64 {
+        let deviations = self.variables(epistemic, |known| known.ends().to_vec()).into_iter();
+        deviations.map(|variable| variable.standard_deviation()).fold(0.0, f64::max)
+    }
+
+    /// Its distribution with every combination of the values that `shown` gives for an uncertain parameter.
+    pub fn variables(
+        &self,
+        epistemic: &[EpistemicInput],
+        shown: impl Fn(&EpistemicVariable) -> Vec<f64>,
+    ) -> Vec<RandomVariable> {
+        let values: Vec<(Parameter, Vec<f64>)> = self
+            .parameters
+            .iter()
+            .map(|uncertain| (uncertain.parameter, shown(&epistemic[uncertain.epistemic].variable)))
+            .collect();
+        let combinations = values.iter().fold(1, |product, (_, values)| product * values.len());
+        (0..combinations)
+            .filter_map(|combination| {
+                let mut rest = combination;
+                let parameters = values.iter().map(|(parameter, values)| {
+                    let value = values[rest % values.len()];
+                    rest /= values.len();
+                    (*parameter, value)
+                });
+                self.variable.with_parameters(parameters).ok()
+            })
+            .collect()
+    }
+}
+
+/// How many runs, and how accurate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Points in the box of the epistemic inputs.
+    pub outer: usize,
+    /// Samples of the random inputs at each of them.
+    pub inner: usize,
+    /// Independent randomisations of the inner samples, for the sampling error.
+    pub replicates: usize,
+    /// Accuracy of positions in a run, m.
+    pub tolerance_m: f64,
+    /// The share of the runs of the double loop that may fail, in (0, 1]; where more do, the study ends after their round
+    /// (default: 0.1). Results do not depend on it.
+    pub most_failed: f64,
+    /// Whether runs at few values of the epistemic inputs are weighted for all others (default: where that is possible and nothing that is
+    /// asked needs a model of the response over these).
+    pub is_reweighted: bool,
+}
+
+/// What holds where the file does not say.
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1, is_reweighted: false }
+    }
+}
+
+/// A surrogate, and the runs that it is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StudySurrogate {
+    /// Which kind (default: automatic).
+    pub choice: Choice,
+    /// Runs to learn from, for each combination of the members of lists (default: 25 for each uncertain input, at least 100).
+    pub training_runs: usize,
+    /// Direct runs at each witness (default: 16 in each replicate).
+    pub confirming_runs: usize,
+    /// Whether the direct double loop is not run at all, so that the bounds are those of the surrogate (default: it is run).
+    pub is_alone: bool,
+}
+
+/// A quantity that scatters with a known distribution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RandomInput {
+    /// Path in the model.
+    pub path: String,
+    /// The quantity.
+    pub quantity: QuantityId,
+    /// Its distribution, SI, uncertain parameters in the middle.
+    pub variable: RandomVariable,
+    /// Where the distribution comes from, in words, where it is not stated itself: a tolerance, a fit, a sample.
+    pub origin: Option<String>,
+    /// Those of its parameters that are epistemic inputs.
+    pub parameters: Vec<UncertainParameter>,
+}
+
+/// A parameter of a distribution that is an epistemic input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UncertainParameter {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// Position among the epistemic inputs.
+    pub epistemic: usize,
+}
+
+/// How random inputs go together: a Gaussian copula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Correlation {
+    /// The correlations in file order.
+    pub stated: Vec<StatedCorrelation>,
+    /// All of them.
+    pub copula: GaussianCopula,
+}
+
+/// A correlation of two random inputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedCorrelation {
+    /// One input, by its place in [`Study::random`].
+    pub first: usize,
+    /// The other one.
+    pub second: usize,
+    /// What the value measures.
+    pub measure: CorrelationMeasure,
+    /// The value as stated.
+    pub value: f64,
+    /// The correlation of the normal variables behind the inputs.
+    pub normal: f64,
+}
+
+/// What a correlation measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CorrelationMeasure {
+    /// Ranks (Spearman).
+    Rank,
+    /// The values themselves (Pearson).
+    Linear,
+}
+
+/// What is known only to lie in an interval, or to be one of a list.
+#[derive(Debug, Clone)]
+pub struct EpistemicInput {
+    /// Path in the model.
+    pub path: String,
+    /// What it is.
+    pub subject: EpistemicSubject,
+    /// What is known of it: SI, laws by their place in the list.
+    pub variable: EpistemicVariable,
+}
+
+/// What an epistemic input stands for.
+#[derive(Debug, Clone)]
+pub enum EpistemicSubject {
+    /// A number of the model.
+    Quantity(QuantityId),
+    /// A parameter of the distribution of a random input.
+    Parameter {
+        /// Position of the random input.
+        random: usize,
+        /// The parameter.
+        parameter: Parameter,
+        /// What it measures.
+        dimension: Dimension,
+    },
+    /// The normal force law of a contact.
+    Law {
+        /// The contact.
+        contact: ContactId,
+        /// The laws, in file order; a sample has the place of one of them as its value.
+        laws: Vec<NormalDescription>,
+    },
+}
+
+impl EpistemicInput {
+    /// The quantity, where it is one.
+    pub fn quantity(&self) -> Option<QuantityId> {
+        match self.subject {
+            EpistemicSubject::Quantity(quantity) => Some(quantity),
+            EpistemicSubject::Parameter { .. } | EpistemicSubject::Law { .. } => None,
+        }
+    }
+
+    /// What its values measure; a pure number for a law.
+    pub fn dimension(&self, model: &Model) -> Dimension {
+        match self.subject {
+            EpistemicSubject::Quantity(quantity) => model.quantities[quantity].dimension,
+            EpistemicSubject::Parameter { dimension, .. } => dimension,
+            EpistemicSubject::Law { .. } => Dimension::NUMBER,
+        }
+    }
+
+    /// The interval that holds all possible values; nothing where it is one of a list.
+    pub fn interval(&self) -> Option<Interval> {
+        self.variable.range()
+    }
+
+    /// The law that `value` stands for, where the input is a law.
+    pub fn law(&self, value: f64) -> Option<NormalDescription> {
+        match &self.subject {
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
+            EpistemicSubject::Law { laws, .. } => laws.get(value as usize).copied(),
+        }
+    }
+
+    /// The unit of its values; that of a pure number for a law.
+    pub fn unit(&self, model: &Model) -> SiUnit {
+        SiUnit::of_dimension(self.dimension(model))
+    }
+
+    /// `value` as it is written: with its unit, or the name of a law.
+    pub fn written(&self, model: &Model, value: f64) -> String {
+        match self.law(value) {
+            Some(law) => law.name().to_owned(),
+            None => format_value(value, self.dimension(model)),
+        }
+    }
+
+    /// Its values one by one as they are written, where it is one of a list.
+    pub fn members_written(&self, model: &Model) -> Option<Vec<String>> {
+        match &self.variable {
+            EpistemicVariable::OneOf(members) => {
+                Some(members.values().iter().map(|&value| self.written(model, value)).collect())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Which deviation of an output (method, section 1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Deviation {
+    /// The output itself.
+    Value,
+    /// Sampled dimensions without clearance, minus nominal dimensions without clearance.
+    Dimensional,
+    /// Sampled dimensions with clearance, minus sampled dimensions without.
+    Clearance,
+    /// Sampled dimensions with clearance, minus nominal dimensions without.
+    Total,
+}
+
+/// How a curve over the recorded turns becomes one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Reduction {
+    /// The largest value, located between the samples.
+    Maximum,
+    /// The smallest value, located between the samples.
+    Minimum,
+    /// The largest magnitude, located between the samples.
+    MaximumAbsolute,
+    /// The root of the mean square.
+    #[serde(rename = "rms")]
+    RootMeanSquare,
+    /// The mean over time.
+    Mean,
+    /// Maximum minus minimum.
+    Range,
+}
+
+impl Reduction {
+    /// Every reduction, in the order in which study files name them.
+    pub const ALL: [Self; 6] =
+        [Self::Maximum, Self::Minimum, Self::MaximumAbsolute, Self::RootMeanSquare, Self::Mean, Self::Range];
+
+    /// The word used in study files and in results.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Maximum => "maximum",
+            Self::Minimum => "minimum",
+            Self::MaximumAbsolute => "maximum_absolute",
+            Self::RootMeanSquare => "rms",
+            Self::Mean => "mean",
+            Self::Range => "range",
+        }
+    }
+
+    /// Whether no curve gives a negative number.
+    pub const fn is_never_negative(self) -> bool {
+        matches!(self, Self::MaximumAbsolute | Self::RootMeanSquare | Self::Range)
+    }
+}
+
+/// Where in the cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Where {
+    /// Everywhere: the curve over the cycle.
+    Cycle,
+    /// At angles of the cycle's input.
+    Poses {
+        /// The angles, rad, in file order.
+        angles_rad: Vec<f64>,
+    },
+    /// One number of the whole curve.
+    Reduced(Reduction),
+}
+
+/// A question.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ask {
+    /// Index in [`Model::outputs`].
+    pub output: usize,
+    /// Which deviation of it.
+    pub deviation: Deviation,
+    /// Where in the cycle.
+    pub location: Where,
+    /// Which statistics; limits in the SI unit of the output. At least one, or contributors, or a band.
+    pub statistics: Vec<Statistic>,
+    /// Whether it is asked what contributes to the answer.
+    pub contributors: bool,
+    /// Probabilities among the statistics that are not only counted.
+    pub rare: Vec<(Statistic, RareMethod)>,
+    /// Shares of mechanisms for which a band is wanted that they stay in for the whole cycle.
+    pub simultaneous_bands: Vec<f64>,
+}
+
+/// How a small probability is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RareMethod {
+    /// By sampling around design points; by subset simulation where these cannot be relied on.
+    Importance,
+    /// By subset simulation.
+    Subset,
+    /// As by importance, where the double loop counts too few.
+    Automatic,
+}
+
+/// What a requirement allows, in the SI unit of the output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// A magnitude of at most this, > 0.
+    Within(f64),
+    /// A value of at most this.
+    Below(f64),
+    /// A value of at least this.
+    Above(f64),
+}
+
+impl Limit {
+    /// The probability of breaking it.
+    pub fn broken(self) -> Statistic {
+        match self {
+            Self::Within(limit) => Statistic::ProbabilityBeyond(limit),
+            Self::Below(limit) => Statistic::ProbabilityAbove(limit),
+            Self::Above(limit) => Statistic::ProbabilityBelow(limit),
+        }
+    }
+
+    /// The number of a whole curve that breaks it where any point of the curve does.
+    pub fn reduction(self) -> Reduction {
+        match self {
+            Self::Within(_) => Reduction::MaximumAbsolute,
+            Self::Below(_) => Reduction::Maximum,
+            Self::Above(_) => Reduction::Minimum,
+        }
+    }
+
+    /// The least and the largest value allowed.
+    pub fn ends(self) -> [f64; 2] {
+        match self {
+            Self::Within(limit) => [-limit, limit],
+            Self::Below(limit) => [f64::NEG_INFINITY, limit],
+            Self::Above(limit) => [limit, f64::INFINITY],
+        }
+    }
+}
+
+/// A requirement: P(the limit is kept) >= probability for every value of the epistemic inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Requirement {
+    /// Index in [`Model::outputs`].
+    pub output: usize,
+    /// Which deviation of it.
+    pub deviation: Deviation,
+    /// What is allowed.
+    pub limit: Limit,
+    /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
+    pub location: Where,
+    /// The least probability, in (0, 1].
+    pub probability_at_least: f64,
+}
+
+/// What may be loosened as far as the requirements allow.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Allowance {
+    /// Path of the input.
+    pub path: String,
+    /// What of it is loosened.
+    pub input: AllowedInput,
+    /// The least value, SI: the lower end of the interval, or 0.
+    pub least_si: f64,
+    /// The largest value that is asked about, SI: of fits the greatest clearance of the loosest.
+    pub up_to_si: f64,
+    /// Fits that are asked about, the tightest first; empty where something else is loosened.
+    pub fits: Vec<AllowedFit>,
+    /// Values that are offered, tightest first, each with its cost; empty where it is not priced.
+    pub costs: Vec<[f64; 2]>,
+}
+
+/// A fit that is asked about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AllowedFit {
+    /// As it is written, `H7/g6`.
+    pub name: String,
+    /// Least and greatest radial clearance, m.
+    pub clearance_m: [f64; 2],
+    /// The radial clearance as a random variable, as `fit` under `[random]` takes it.
+    pub scatter: Distribution,
+}
+
+/// What of an input is loosened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AllowedInput {
+    /// Both ends of the interval of this epistemic input, the radial clearance of a fit.
+    FitInterval(usize),
+    /// The distribution of this random input, the radial clearance of a fit.
+    FitScatter(usize),
+    /// The upper end of the interval of this epistemic input.
+    UpperEnd(usize),
+    /// The standard deviation of this random input.
+    StandardDeviation(usize),
+}

@@ -1,0 +1,256 @@
+//! Epistemic inputs made of several intervals: evidence, fuzzy numbers, boxes from quantiles or a mean.
+
+use super::StudyReader;
+use super::keys::{CUT_KEYS, ELEMENT_KEYS, FUZZY_KEYS};
+use super::problem::StudyProblem;
+use loosepin_mechanics::model::QuantityId;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule, format_number, format_value};
+use loosepin_uncertainty::{
+    EpistemicVariable, Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS,
+};
+
+/// Numbers with their places.
+type Placed<'t> = Vec<(f64, Entry<'t>)>;
+
+impl StudyReader {
+    /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
+    pub fn structured(&mut self, table: &Table<'_>, quantity: QuantityId, path: &str) -> Option<EpistemicVariable> {
+        let support = table.get("support");
+        if let Some(written) = table.get("quantiles") {
+            let support = self.support(table, &written, quantity, path)?;
+            return self.box_of_quantiles(&written, support, quantity).map(EpistemicVariable::from);
+        }
+        if let Some(written) = table.get("mean") {
+            let support = self.support(table, &written, quantity, path)?;
+            let dimension = self.model.quantities[quantity].dimension;
+            let mean = self.reader.measured(&written, dimension, Rule::Finite)?;
+            return self.evidence_of(Evidence::from_mean(mean, support), &written, dimension).map(Into::into);
+        }
+        if let Some(support) = support {
+            self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
+            return None;
+        }
+        if let Some(written) = table.get("evidence") {
+            return self.evidence(&written, quantity, path).map(EpistemicVariable::from);
+        }
+        table.get("fuzzy").and_then(|written| self.fuzzy(&written, quantity, path)).map(EpistemicVariable::from)
+    }
+
+    /// The ends between which a quantity must lie.
+    fn support(
+        &mut self,
+        table: &Table<'_>,
+        written: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<Interval> {
+        match table.get("support") {
+            Some(support) => self.interval(&support, quantity, path),
+            None => {
+                self.complain(&StudyProblem::NoSupport { entry: written.path.describe() }, &written.at_key());
+                None
+            }
+        }
+    }
+
+    fn evidence(&mut self, written: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Evidence> {
+        let entries = self.reader.list(written)?;
+        let mut elements: Vec<Option<FocalElement>> = Vec::new();
+        for entry in &entries {
+            let Some(table) = self.reader.table(entry, &ELEMENT_KEYS) else {
+                elements.push(None);
+                continue;
+            };
+            let mass = self.reader.number(&table, "mass");
+            let interval = table.get("interval").and_then(|ends| self.interval(&ends, quantity, path));
+            elements.push(mass.zip(interval).map(|(mass, interval)| FocalElement { interval, mass }));
+        }
+        let elements = elements.into_iter().collect::<Option<Vec<FocalElement>>>()?;
+        let dimension = self.model.quantities[quantity].dimension;
+        let found = Evidence::try_new(elements);
+        let culprit = match found {
+            Err(EvidenceError::Mass { element, .. }) => entries.get(element - 1),
+            _ => None,
+        };
+        self.evidence_of(found, culprit.unwrap_or(written), dimension)
+    }
+
+    fn box_of_quantiles(&mut self, written: &Entry<'_>, support: Interval, quantity: QuantityId) -> Option<Evidence> {
+        let dimension = self.model.quantities[quantity].dimension;
+        let entries = self.reader.list(written)?;
+        if entries.is_empty() {
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, written);
+            return None;
+        }
+        let mut quantiles = Vec::new();
+        for entry in &entries {
+            let pair = self.reader.pair(entry)?;
+            let probability = self.reader.measured(&pair[0], Dimension::NUMBER, Rule::Probability)?;
+            quantiles.push((probability, self.reader.measured(&pair[1], dimension, Rule::Finite)?));
+        }
+        let found = Evidence::from_quantiles(&quantiles, support);
+        let is_culprit = |&(probability, value): &(f64, f64)| match found {
+            Err(EvidenceError::NotIncreasing { second_probability, second, .. }) => {
+                (probability, value) == (second_probability, second)
+            }
+            Err(EvidenceError::OutsideSupport { value: outside, .. }) => value == outside,
+            Err(EvidenceError::Probability { probability: impossible }) => probability == impossible,
+            _ => false,
+        };
+        // Of two that are the same the later one is too much.
+        let culprit = quantiles.iter().rposition(is_culprit).and_then(|place| entries.get(place));
+        self.evidence_of(found, culprit.unwrap_or(written), dimension)
+    }
+
+    fn evidence_of(
+        &mut self,
+        evidence: Result<Evidence, EvidenceError>,
+        written: &Entry<'_>,
+        dimension: Dimension,
+    ) -> Option<Evidence> {
+        evidence
+            .map_err(|error| {
+                let entry = written.path.describe();
+                self.complain(&StudyProblem::Structure { entry, words: evidence_words(&error, dimension) }, written);
+            })
+            .ok()
+    }
+
+    fn fuzzy<'t>(&mut self, written: &Entry<'t>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
+        let dimension = self.model.quantities[quantity].dimension;
+        let table = self.reader.table(written, &FUZZY_KEYS)?;
+        // Degrees and corners with their places, for complaints.
+        let (mut at_degrees, mut at_corners): (Placed<'t>, Placed<'t>) = (Vec::new(), Vec::new());
+        let mut shape = written.clone();
+        let degrees = match table.get("degrees") {
+            Some(entry) => {
+                let degrees = self.degrees(&entry)?;
+                at_degrees = degrees.iter().copied().zip(self.reader.list(&entry)?).collect();
+                degrees
+            }
+            None => USUAL_CUTS.to_vec(),
+        };
+        let found = if let Some(entry) = table.get("cuts") {
+            if let Some(degrees) = table.get("degrees") {
+                self.complain(&StudyProblem::DegreesTwice { entry: degrees.path.describe() }, &degrees.at_key());
+                return None;
+            }
+            let cuts = self.cuts(&entry, quantity, path)?;
+            at_degrees = cuts.iter().map(|(alpha, _)| *alpha).zip(self.reader.list(&entry)?).collect();
+            shape = entry;
+            FuzzyNumber::try_new(cuts)
+        } else if let Some(entry) = table.get("triangular") {
+            let [a, b, c] = self.corners(&entry, quantity, path)?;
+            at_corners = [a, b, c].into_iter().zip(self.reader.list(&entry)?).collect();
+            FuzzyNumber::trapezoidal([a, b, b, c], &degrees)
+        } else {
+            let entry = table.get("trapezoidal")?;
+            let corners = self.corners(&entry, quantity, path)?;
+            at_corners = corners.into_iter().zip(self.reader.list(&entry)?).collect();
+            FuzzyNumber::trapezoidal(corners, &degrees)
+        };
+        found
+            .map_err(|error| {
+                // Of two that are the same the later one is too much.
+                let among = |places: &[(f64, Entry<'t>)], value: f64| {
+                    places.iter().rev().find(|(own, _)| *own == value).map(|(_, entry)| entry.clone())
+                };
+                let culprit = match error {
+                    FuzzyError::Corners { second, .. } => among(&at_corners, second),
+                    FuzzyError::Degree { alpha }
+                    | FuzzyError::NoSupport { alpha }
+                    | FuzzyError::NotNested { alpha, .. }
+                    | FuzzyError::DegreesNotIncreasing { second: alpha, .. } => among(&at_degrees, alpha),
+                    FuzzyError::Empty => None,
+                };
+                let words = fuzzy_words(&error, dimension);
+                let problem = StudyProblem::Structure { entry: written.path.describe(), words };
+                self.complain(&problem, &culprit.unwrap_or(shape));
+            })
+            .ok()
+    }
+
+    fn degrees(&mut self, entry: &Entry<'_>) -> Option<Vec<f64>> {
+        let entries = self.reader.list(entry)?;
+        entries.iter().map(|entry| self.reader.measured(entry, Dimension::NUMBER, Rule::Finite)).collect()
+    }
+
+    /// Corners of a membership function, the outer ones possible for the model.
+    fn corners<const COUNT: usize>(
+        &mut self,
+        entry: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<[f64; COUNT]> {
+        let dimension = self.model.quantities[quantity].dimension;
+        let entries = self.reader.list(entry)?;
+        let found = entries.len();
+        let Ok(entries) = <[Entry<'_>; COUNT]>::try_from(entries) else {
+            let problem = StudyProblem::Corners { entry: entry.path.describe(), found, due: COUNT };
+            self.complain(&problem, entry);
+            return None;
+        };
+        let mut corners = [0.0; COUNT];
+        for (corner, entry) in corners.iter_mut().zip(&entries) {
+            *corner = self.reader.measured(entry, dimension, Rule::Finite)?;
+        }
+        let lower = self.check_end(quantity, path, corners[0], &entries[0], false);
+        let upper = self.check_end(quantity, path, corners[COUNT - 1], &entries[COUNT - 1], false);
+        (lower && upper).then_some(corners)
+    }
+
+    fn cuts(&mut self, entry: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Vec<(f64, Interval)>> {
+        let entries = self.reader.list(entry)?;
+        let mut cuts = Vec::new();
+        for entry in &entries {
+            let table = self.reader.table(entry, &CUT_KEYS)?;
+            let alpha = self.reader.number(&table, "alpha");
+            let interval = table.get("interval").and_then(|ends| self.interval(&ends, quantity, path));
+            cuts.push((alpha?, interval?));
+        }
+        Some(cuts)
+    }
+}
+
+/// The text of an error, values with their unit.
+fn evidence_words(error: &EvidenceError, dimension: Dimension) -> String {
+    let text = |value_si: f64| format_value(value_si, dimension);
+    match *error {
+        EvidenceError::Sum { sum } => format!("the masses sum to {}; must be 1, within 1e-6", format_number(sum)),
+        EvidenceError::NotIncreasing { first_probability, first, second_probability, second } => format!(
+            "the quantile {} at {} stands after {} at {}; probabilities and quantiles must increase",
+            text(second),
+            format_number(second_probability),
+            text(first),
+            format_number(first_probability)
+        ),
+        EvidenceError::OutsideSupport { what, value, lower, upper } => format!(
+            "the {what} {}; must lie between the ends {} and {} of the support",
+            text(value),
+            text(lower),
+            text(upper)
+        ),
+        _ => error.to_string(),
+    }
+}
+
+/// The text of an error, values with their unit.
+fn fuzzy_words(error: &FuzzyError, dimension: Dimension) -> String {
+    let text = |value_si: f64| format_value(value_si, dimension);
+    match *error {
+        FuzzyError::Corners { first, second } => {
+            format!("corner {} after {}; corners must not decrease", text(second), text(first))
+        }
+        FuzzyError::NotNested { alpha, lower, upper, outer_alpha, outer_lower, outer_upper } => format!(
+            "the cut at {} from {} to {} is not within the cut at {} from {} to {}; cuts must be nested",
+            format_number(alpha),
+            text(lower),
+            text(upper),
+            format_number(outer_alpha),
+            text(outer_lower),
+            text(outer_upper)
+        ),
+        _ => error.to_string(),
+    }
+}

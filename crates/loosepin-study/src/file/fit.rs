@@ -1,0 +1,193 @@
+//! The clearance of a fit: an interval, or a distribution.
+
+use super::StudyReader;
+use super::description::AllowedFit;
+use super::random::Stated;
+use super::random_problem::RandomProblem;
+use crate::iso_286::{Fit, FitError, FitLimits};
+use loosepin_mechanics::model::{Joint, JointKind, QuantityId};
+use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule, format_value};
+use loosepin_uncertainty::{Distribution, Interval};
+
+/// The limits of hole and shaft lie this many standard deviations from the middles of their tolerances.
+const DEVIATIONS_TO_LIMIT: f64 = 3.0;
+
+/// A diameter that differs from that of the bearing by more than this share belongs to something else.
+const OTHER_DIAMETER: f64 = 0.02;
+
+impl StudyReader {
+    /// The radial clearance of a fit as a distribution: hole and shaft normal about the middles of their tolerances, the limits 3
+    /// standard deviations away, c = (hole - shaft)/2.
+    pub(super) fn fit_scatter(
+        &mut self,
+        table: &Table<'_>,
+        entry: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<Stated> {
+        let (limits, words) = self.fit_limits(table, entry, quantity, path)?;
+        let distribution = scatter(&limits);
+        let origin = format!("{words}, limits of hole and shaft taken as 3 standard deviations from centred means");
+        Some(Stated { distribution, origin, mean: None })
+    }
+
+    /// Fits that are asked about, the tightest first: by the greatest clearance, of equal ones by the least.
+    pub(super) fn allowed_fits(
+        &mut self,
+        table: &Table<'_>,
+        entry: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<Vec<AllowedFit>> {
+        let place = self.fit_place(table, entry, quantity, path)?;
+        let entries = self.reader.list(entry)?;
+        if entries.len() < 2 {
+            let problem = RandomProblem::SingleFit { entry: entry.path.describe(), found: entries.len() };
+            self.reader.complain(&problem, entry.span);
+            return None;
+        }
+        let mut fits: Vec<AllowedFit> = Vec::new();
+        let mut is_whole = true;
+        for written in &entries {
+            let Some((limits, _)) = self.fit_at(written, &place) else {
+                is_whole = false;
+                continue;
+            };
+            let name = self.reader.text(written)?.to_owned();
+            let clearance_m = limits.radial_clearance_m();
+            if let Some(known) = fits.iter().find(|known| known.clearance_m == clearance_m) {
+                let problem = RandomProblem::SameFit { fit: name, other: known.name.clone() };
+                self.reader.complain(&problem, written.span);
+                is_whole = false;
+                continue;
+            }
+            fits.push(AllowedFit { name, clearance_m, scatter: scatter(&limits) });
+        }
+        fits.sort_by(|a, b| {
+            let [first, second] = [a, b].map(|fit| fit.clearance_m);
+            first[1].total_cmp(&second[1]).then(first[0].total_cmp(&second[0]))
+        });
+        is_whole.then_some(fits)
+    }
+
+    /// The radial clearance of a fit as an interval, with the fit in words.
+    pub(super) fn fit_interval(
+        &mut self,
+        table: &Table<'_>,
+        entry: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<Interval> {
+        let (limits, _) = self.fit_limits(table, entry, quantity, path)?;
+        let [least, most] = limits.radial_clearance_m();
+        Interval::try_new(least, most).ok()
+    }
+
+    fn fit_limits(
+        &mut self,
+        table: &Table<'_>,
+        entry: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<(FitLimits, String)> {
+        let place = self.fit_place(table, entry, quantity, path);
+        let text = self.reader.text(entry)?;
+        if let Err(error) = Fit::parse(text) {
+            self.reader.complain(&RandomProblem::Fit { entry: entry.path.describe(), error }, entry.span);
+            return None;
+        }
+        let place = place?;
+        let found = self.fit_at(entry, &place)?;
+        place.is_play.then_some(found)
+    }
+
+    /// What fits of `quantity` belong to: a joint with play, at a diameter.
+    fn fit_place<'t>(
+        &mut self,
+        table: &Table<'t>,
+        entry: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<FitPlace<'t>> {
+        let concerned: Vec<&Joint> = self.model.play_from(quantity).map(|(joint, _)| joint).collect();
+        let is_play = !concerned.is_empty() && self.model.quantities[quantity].dimension == Dimension::LENGTH;
+        if !is_play {
+            self.reader.complain(&RandomProblem::FitElsewhere { path: path.to_owned() }, entry.key_span);
+        }
+        let has_diameter = self.reader.demand(table, "diameter");
+        let diameter_entry = table.get("diameter").filter(|_| has_diameter)?;
+        let diameter_m = self.reader.measured(&diameter_entry, Dimension::LENGTH, Rule::Positive)?;
+        for joint in concerned {
+            let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
+            let bearing_m = 2.0 * self.model.quantities.nominal()[clearance.bearing_radius_m];
+            if (bearing_m - diameter_m).abs() > OTHER_DIAMETER * bearing_m {
+                let [diameter, bearing] =
+                    [diameter_m, bearing_m].map(|value_m| format_value(value_m, Dimension::LENGTH));
+                let problem = RandomProblem::OtherDiameter {
+                    entry: diameter_entry.path.describe(),
+                    diameter,
+                    joint: joint.name.clone(),
+                    bearing,
+                };
+                let place = Place::new(&self.reader.source, diameter_entry.span);
+                self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            }
+        }
+        Some(FitPlace { diameter_m, entry: diameter_entry, is_play })
+    }
+
+    /// The limits of the fit that is written, and the fit in words.
+    fn fit_at(&mut self, entry: &Entry<'_>, place: &FitPlace<'_>) -> Option<(FitLimits, String)> {
+        let text = self.reader.text(entry)?;
+        let words = entry.path.describe();
+        let fit = match Fit::parse(text) {
+            Ok(fit) => fit,
+            Err(error) => {
+                self.reader.complain(&RandomProblem::Fit { entry: words, error }, entry.span);
+                return None;
+            }
+        };
+        let limits = match fit.limits(place.diameter_m) {
+            Ok(limits) => limits,
+            Err(error) => {
+                let of_size = matches!(error, FitError::Size { .. });
+                let (entry, span) =
+                    if of_size { (place.entry.path.describe(), place.entry.span) } else { (words, entry.span) };
+                self.reader.complain(&RandomProblem::Fit { entry, error }, span);
+                return None;
+            }
+        };
+        let length = |value_m: f64| format_value(value_m, Dimension::LENGTH);
+        let [least, most] = limits.radial_clearance_m();
+        let diameter = length(place.diameter_m);
+        if !(least > 0.0) {
+            let (fit, least, most) = (text.to_owned(), length(least), length(most));
+            let problem = RandomProblem::Interference { entry: words, fit, diameter, least, most };
+            self.reader.complain(&problem, entry.span);
+            return None;
+        }
+        Some((limits, format!("fit {text} at {diameter}")))
+    }
+}
+
+/// Where fits are given.
+struct FitPlace<'t> {
+    diameter_m: f64,
+    entry: Entry<'t>,
+    /// Whether it is the play of a joint.
+    is_play: bool,
+}
+
+/// The radial clearance c = (hole - shaft)/2, hole and shaft normal about the middles of their tolerances, the limits 3 standard
+/// deviations away.
+fn scatter(limits: &FitLimits) -> Distribution {
+    let middle = |[lower, upper]: [f64; 2]| 0.5 * (lower + upper);
+    let deviation = |[lower, upper]: [f64; 2]| (upper - lower) / (2.0 * DEVIATIONS_TO_LIMIT);
+    let (hole, shaft) = (deviation(limits.hole_m), deviation(limits.shaft_m));
+    Distribution::Normal {
+        mean: 0.5 * (middle(limits.hole_m) - middle(limits.shaft_m)),
+        standard_deviation: 0.5 * (hole * hole + shaft * shaft).sqrt(),
+    }
+}

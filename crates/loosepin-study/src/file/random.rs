@@ -1,0 +1,352 @@
+//! Random inputs, however their distribution is stated: by a family, a sample, a tolerance or a fit.
+
+use super::StudyReader;
+use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
+use super::keys::{DISCRETE_KEYS, EXPONENTIAL_KEYS, FITTED, GAMMA_KEYS, GUMBEL_KEYS, TRUNCATED_KEYS, WEIBULL_KEYS};
+use super::problem::StudyProblem;
+use super::random_problem::{RandomProblem, short_number};
+use super::tolerance::parse_tolerance;
+use loosepin_mechanics::model::QuantityId;
+use loosepin_simulate::measured::SampleColumn;
+use loosepin_text::diagnostics::{Complaint, Complaints};
+use loosepin_text::document::{Entry, Table, read_beside};
+use loosepin_text::units::{Dimension, Rule, format_number, format_value};
+use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
+
+/// Shapes of gamma and Weibull distributions that are accepted: beyond, they are one value or next to two.
+const SHAPES: std::ops::RangeInclusive<f64> = 0.05..=1e6;
+
+/// Keys that say more about another one.
+const BELONGS_TO: [(&str, &str); 5] =
+    [("column", "samples"), ("fitted", "samples"), ("cp", "tolerance"), ("cpk", "tolerance"), ("diameter", "fit")];
+
+/// The limits of a drawing lie this many standard deviations from the mean, times Cp.
+const DEVIATIONS_TO_LIMIT: f64 = 3.0;
+
+/// A distribution that was not stated as such.
+pub(super) struct Stated {
+    pub distribution: Distribution,
+    /// Where it comes from, in words.
+    pub origin: String,
+    /// What is known of its mean, where that is off centre by an unknown amount.
+    pub mean: Option<Interval>,
+}
+
+impl StudyReader {
+    /// Reads the table of a random input: its distribution, those of its parameters that are uncertain, and in words where it
+    /// comes from, where it was not stated as it is.
+    pub(super) fn random_input(
+        &mut self,
+        entry: &Entry<'_>,
+        table: &Table<'_>,
+        quantity: QuantityId,
+    ) -> Option<(RandomVariable, Vec<UncertainParameter>, Option<String>)> {
+        let (path, dimension) = (entry.name, self.model.quantities[quantity].dimension);
+        self.refuse_stray(table, &BELONGS_TO);
+        let stated = if let Some(entry) = table.get("samples") {
+            self.samples(table, &entry, dimension)
+        } else if let Some(entry) = table.get("tolerance") {
+            self.tolerance(table, &entry, dimension)
+        } else if let Some(entry) = table.get("fit") {
+            self.fit_scatter(table, &entry, quantity, path)
+        } else {
+            let (variable, parameters) = self.uncertain_distribution(entry, table, path, dimension)?;
+            return Some((variable, parameters, None));
+        };
+        let Stated { distribution, origin, mean } = stated?;
+        let distribution = self.cut(table, distribution, dimension)?;
+        let checked = RandomVariable::try_new(distribution).and_then(|variable| {
+            let ends = mean.iter().flat_map(|mean| [mean.lower(), mean.upper()]);
+            ends.map(|end| variable.with_parameters([(Parameter::Mean, end)])).collect::<Result<Vec<_>, _>>()?;
+            Ok(variable)
+        });
+        let variable = match checked {
+            Ok(variable) => variable,
+            Err(error) => {
+                let entry_words = entry.path.describe();
+                self.complain(&StudyProblem::Distribution { entry: entry_words, error, dimension }, entry);
+                return None;
+            }
+        };
+        let mut parameters = Vec::new();
+        if let Some(mean) = mean {
+            let parameter = Parameter::Mean;
+            parameters.push(UncertainParameter { parameter, epistemic: self.epistemic.len() });
+            let subject = EpistemicSubject::Parameter { random: self.random.len(), parameter, dimension };
+            let path = format!("{path} {}", parameter.words());
+            self.epistemic.push(EpistemicInput { path, subject, variable: mean.into() });
+        }
+        Some((variable, parameters, Some(origin)))
+    }
+
+    /// Complains about keys that say more about another one that is not there.
+    pub(super) fn refuse_stray(&mut self, table: &Table<'_>, belongs_to: &[(&'static str, &'static str)]) {
+        for &(key, to) in belongs_to {
+            if let Some(entry) = table.get(key).filter(|_| !table.has(to)) {
+                self.reader.complain(&RandomProblem::StrayKey { entry: entry.path.describe(), to }, entry.key_span);
+            }
+        }
+    }
+
+    /// The families whose quantiles are closed forms or lists.
+    pub(super) fn further_family(
+        &mut self,
+        family: &str,
+        entry: &Entry<'_>,
+        dimension: Dimension,
+    ) -> Option<Distribution> {
+        let keys = match family {
+            "weibull" => &WEIBULL_KEYS,
+            "gamma" => &GAMMA_KEYS,
+            "gumbel" => &GUMBEL_KEYS,
+            "exponential" => &EXPONENTIAL_KEYS,
+            _ => &DISCRETE_KEYS,
+        };
+        let table = self.reader.table(entry, keys)?;
+        match family {
+            "weibull" | "gamma" => {
+                let shape = self.number_within(&table, "shape", SHAPES);
+                let scale = self.parameter(&table, "scale", dimension);
+                let lower = self.value_or_zero(&table, "lower", dimension)?;
+                let (shape, scale) = (shape?, scale?);
+                self.positive(&table, "scale", scale, dimension).then_some(if family == "gamma" {
+                    Distribution::Gamma { shape, scale, lower }
+                } else {
+                    Distribution::Weibull { shape, scale, lower }
+                })
+            }
+            "gumbel" => {
+                let mode = self.parameter(&table, "mode", dimension);
+                let scale = self.parameter(&table, "scale", dimension)?;
+                let mode = mode?;
+                self.positive(&table, "scale", scale, dimension).then_some(Distribution::Gumbel { mode, scale })
+            }
+            "exponential" => {
+                let mean = self.parameter(&table, "mean", dimension);
+                let lower = self.value_or_zero(&table, "lower", dimension)?;
+                let mean = mean?;
+                if mean > lower {
+                    return Some(Distribution::Exponential { mean, lower });
+                }
+                let rule = format!("above the lower end {}", format_value(lower, dimension));
+                self.refuse(&table, "mean", mean, dimension, rule);
+                None
+            }
+            _ => self.discrete(&table, dimension),
+        }
+    }
+
+    fn discrete(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
+        let (written, shares) = (table.get("values")?, table.get("probabilities")?);
+        let entries = self.reader.list(&written);
+        let share_entries = self.reader.list(&shares);
+        let (entries, share_entries) = (entries?, share_entries?);
+        let values: Vec<Option<f64>> =
+            entries.iter().map(|entry| self.reader.measured(entry, dimension, Rule::Finite)).collect();
+        let number = Dimension::NUMBER;
+        let probabilities: Vec<Option<f64>> =
+            share_entries.iter().map(|entry| self.reader.measured(entry, number, Rule::RequiredProbability)).collect();
+        let values: Vec<f64> = values.into_iter().collect::<Option<_>>()?;
+        let probabilities: Vec<f64> = probabilities.into_iter().collect::<Option<_>>()?;
+        let mut is_right = self.has_choice(&written, &entries);
+        for (index, entry) in entries.iter().enumerate() {
+            if values[..index].contains(&values[index]) {
+                self.member_twice(&written, values[index], dimension, entry);
+                is_right = false;
+            }
+        }
+        let (entry, sum) = (shares.path.describe(), probabilities.iter().sum::<f64>());
+        if probabilities.len() != values.len() {
+            let due = format!("one for each of the {} values is due", values.len());
+            let found = format!("{} entries", probabilities.len());
+            self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
+            is_right = false;
+        } else if !((sum - 1.0).abs() <= 1e-9) {
+            let (found, due) = (format!("the sum {}", format_number(sum)), "the sum must be 1".to_owned());
+            self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
+            is_right = false;
+        }
+        is_right.then_some(Distribution::Discrete { values, probabilities })
+    }
+
+    /// The distribution within `truncated = { lower, upper }`, where that is written.
+    pub(super) fn cut(
+        &mut self,
+        table: &Table<'_>,
+        distribution: Distribution,
+        dimension: Dimension,
+    ) -> Option<Distribution> {
+        let Some(entry) = table.get("truncated") else { return Some(distribution) };
+        let table = self.reader.table(&entry, &TRUNCATED_KEYS)?;
+        if !table.has("lower") && !table.has("upper") {
+            self.reader.complain(&RandomProblem::NoCut { entry: entry.path.describe() }, entry.span);
+            return None;
+        }
+        let mut end = |key: &str, open: f64| match table.get(key) {
+            Some(written) => self.reader.measured(&written, dimension, Rule::Finite),
+            None => Some(open),
+        };
+        let (lower, upper) = (end("lower", f64::NEG_INFINITY), end("upper", f64::INFINITY));
+        let (lower, upper) = (lower?, upper?);
+        if lower < upper {
+            return Some(Distribution::Truncated { of: Box::new(distribution), lower, upper });
+        }
+        let rule = format!("below the upper end {}", format_value(upper, dimension));
+        self.refuse(&table, "lower", lower, dimension, rule);
+        None
+    }
+
+    /// Reads a sample, as it is or with a family fitted to it.
+    fn samples(&mut self, table: &Table<'_>, entry: &Entry<'_>, dimension: Dimension) -> Option<Stated> {
+        let families: Vec<(&'static str, FittedFamily)> = FittedFamily::ALL.to_vec();
+        debug_assert!(families.iter().map(|family| family.0).eq(FITTED));
+        let fitted = table.get("fitted").map(|entry| (self.reader.choice(&entry, &families), entry));
+        let column = table.get("column").map(|entry| self.reader.text(&entry));
+        let file = self.reader.text(entry)?;
+        let column = match column {
+            Some(column) => Some(column?),
+            None => None,
+        };
+        let read = read_beside(&self.reader.source, file);
+        let column = match read.and_then(|source| SampleColumn::from_source(source, column)) {
+            Ok(column) => column,
+            Err(complaints) => {
+                self.adopt(&complaints, entry);
+                return None;
+            }
+        };
+        self.tables.push(column.source.clone());
+        if column.dimension != dimension {
+            let (words, found, due) = (entry.path.describe(), column.dimension, dimension);
+            let problem = RandomProblem::SampleDimension { entry: words, column: column.name, found, due };
+            self.reader.complain(&problem, entry.span);
+            return None;
+        }
+        let mut values = column.values_si;
+        values.sort_by(f64::total_cmp);
+        let count = values.len();
+        let origin = |how: &str| format!("{how} of '{}' in {file}", column.name);
+        let Some((family, written)) = fitted else {
+            let distribution = Distribution::Empirical { values: values.into() };
+            return Some(Stated { distribution, origin: origin("values"), mean: None });
+        };
+        let (family, words) = (family?, written.path.describe());
+        let name = FittedFamily::ALL.iter().find(|known| known.1 == family).map_or("", |known| known.0);
+        match family.fit(&values) {
+            Ok(fit) => {
+                self.judge(&fit.goodness, name, &column.name, &written);
+                let Goodness { kolmogorov_smirnov, anderson_darling, .. } = fit.goodness;
+                let how = format!(
+                    "fitted ({}; Kolmogorov-Smirnov distance {}, Anderson-Darling {}) to {count} values",
+                    fit.method,
+                    short_number(kolmogorov_smirnov),
+                    short_number(anderson_darling)
+                );
+                Some(Stated { distribution: fit.distribution, origin: origin(&how), mean: None })
+            }
+            Err(error) => {
+                let column = column.name.clone();
+                let problem = RandomProblem::NoFit { entry: words, family: name, column, error, dimension };
+                self.reader.complain(&problem, written.span);
+                None
+            }
+        }
+    }
+
+    /// Warns where a fit is poor.
+    fn judge(&mut self, goodness: &Goodness, family: &'static str, column: &str, entry: &Entry<'_>) {
+        if goodness.is_rejected == Some(true) {
+            let problem = RandomProblem::PoorFit {
+                entry: entry.path.describe(),
+                family,
+                column: column.to_owned(),
+                distance: short_number(goodness.anderson_darling),
+            };
+            let place = self.reader.place(entry.span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+    }
+
+    /// Takes over the complaints about a table; what has no place of its own stands where the table is named.
+    fn adopt(&mut self, complaints: &Complaints, entry: &Entry<'_>) {
+        for complaint in complaints.sorted() {
+            let place = complaint.place.clone().unwrap_or_else(|| self.reader.place(entry.span));
+            self.reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
+        }
+    }
+
+    /// Reads a value with its tolerance: normal about the middle of the limits, which lie 3 Cp standard deviations away.
+    fn tolerance(&mut self, table: &Table<'_>, entry: &Entry<'_>, dimension: Dimension) -> Option<Stated> {
+        let [cp, cpk] = ["cp", "cpk"].map(|key| table.get(key).map(|entry| (self.capability(table, key), entry)));
+        let text = self.reader.text(entry)?;
+        let Some(tolerance) = parse_tolerance(text) else {
+            let problem = RandomProblem::NoTolerance { entry: entry.path.describe(), text: text.to_owned() };
+            self.reader.complain(&problem, entry.span);
+            return None;
+        };
+        if !self.reader.measures(entry, tolerance.limits[0].dimension, dimension) {
+            return None;
+        }
+        let [lower, upper] = tolerance.limits.map(|limit| limit.value_si);
+        if !(lower < upper) {
+            let [lower, upper] = [lower, upper].map(|limit| format_value(limit, dimension));
+            self.reader.complain(&RandomProblem::NoRoom { entry: entry.path.describe(), lower, upper }, entry.span);
+            return None;
+        }
+        let [cp_value, cpk_value] = [&cp, &cpk].map(|read| read.as_ref().and_then(|(value, _)| *value));
+        let (capability, words) = match (cp, cpk) {
+            (None, None) => (1.0, "limits taken as 3 standard deviations from a centred mean".to_owned()),
+            (Some((cp, _)), None) => {
+                let cp = cp?;
+                (cp, format!("Cp {}, taken as centred since no Cpk is given", format_number(cp)))
+            }
+            (None, Some((cpk, _))) => {
+                let cpk = cpk?;
+                (cpk, format!("Cpk {}, taken as centred", format_number(cpk)))
+            }
+            (Some((cp, _)), Some((cpk, written))) => {
+                let (cp, cpk) = (cp?, cpk?);
+                let words = written.path.describe();
+                if cpk > cp {
+                    let [cp, cpk] = [cp, cpk].map(format_number);
+                    let problem = RandomProblem::CapabilitiesExchanged { entry: words, cpk, cp };
+                    self.reader.complain(&problem, written.span);
+                    return None;
+                }
+                let words = if cpk < cp {
+                    "the mean off centre by an unknown amount, to either side".to_owned()
+                } else {
+                    "centred".to_owned()
+                };
+                (cp, format!("Cp {}, Cpk {}, {words}", format_number(cp), format_number(cpk)))
+            }
+        };
+        let standard_deviation = (upper - lower) / (2.0 * DEVIATIONS_TO_LIMIT * capability);
+        let middle = 0.5 * (lower + upper);
+        // Cpk is what is left of Cp on the side to which the mean is off centre.
+        let shift = match (cp_value, cpk_value) {
+            (Some(cp), Some(cpk)) => (cp - cpk) * DEVIATIONS_TO_LIMIT * standard_deviation,
+            _ => 0.0,
+        };
+        let mean = if shift > 0.0 { Interval::try_new(middle - shift, middle + shift).ok() } else { None };
+        let distribution = Distribution::Normal { mean: middle, standard_deviation };
+        Some(Stated { distribution, origin: format!("{text}, {words}"), mean })
+    }
+
+    /// A Cp or Cpk.
+    fn capability(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
+        let value = self.reader.number(table, key)?;
+        if value > 0.0 {
+            return Some(value);
+        }
+        let entry = table.get(key)?;
+        let problem = RandomProblem::Capability { entry: entry.path.describe(), found: format_number(value) };
+        self.reader.complain(&problem, entry.span);
+        None
+    }
+
+    /// A number that may be left out where it is 0.
+    fn value_or_zero(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
+        if table.has(key) { self.parameter(table, key, dimension) } else { Some(0.0) }
+    }
+}

@@ -1,0 +1,82 @@
+//! The surrogate of a study: which kind, and from how many runs.
+
+use super::StudyReader;
+use super::description::{Ask, EpistemicInput, StudySurrogate};
+use super::keys::SURROGATE_KEYS;
+use super::problem::StudyProblem;
+use super::words::{DIRECT_RUNS, SURROGATES};
+use loosepin_surrogate::Choice;
+use loosepin_text::document::Table;
+
+/// Training runs for each uncertain input, and at least, where the file does not say.
+const TRAINING_PER_INPUT: usize = 25;
+const LEAST_TRAINING: usize = 100;
+/// Direct runs at a witness in each replicate, where the file does not say.
+const CONFIRMING_PER_REPLICATE: usize = 16;
+
+impl StudyReader {
+    /// Reads what stands behind `surrogate`: a kind, or a table.
+    pub fn read_surrogate(
+        &mut self,
+        root: &Table<'_>,
+        (replicates, inner): (usize, usize),
+        asks: &[Ask],
+    ) -> Option<StudySurrogate> {
+        let entry = root.get("surrogate")?;
+        let inputs = self.random.len() + self.epistemic.len();
+        let mut surrogate = StudySurrogate {
+            choice: Choice::Auto,
+            training_runs: (TRAINING_PER_INPUT * inputs).max(LEAST_TRAINING),
+            confirming_runs: (CONFIRMING_PER_REPLICATE * replicates).min(inner),
+            is_alone: false,
+        };
+        if entry.is_text() {
+            surrogate.choice = self.reader.choice(&entry, &SURROGATES)??;
+            return Some(surrogate);
+        }
+        let table = self.reader.table(&entry, &SURROGATE_KEYS)?;
+        if let Some(kind) = table.get("kind") {
+            let Some(choice) = self.reader.choice(&kind, &SURROGATES)? else {
+                self.check_nothing_to_confirm(&table);
+                return None;
+            };
+            surrogate.choice = choice;
+        }
+        for (key, count) in
+            [("training_runs", &mut surrogate.training_runs), ("confirming_runs", &mut surrogate.confirming_runs)]
+        {
+            *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
+        }
+        if let Some(entry) = table.get("direct") {
+            surrogate.is_alone = self.reader.choice(&entry, &DIRECT_RUNS)?;
+            if surrogate.is_alone {
+                for of in self.direct_questions(asks) {
+                    self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, &entry);
+                }
+            }
+        }
+        Some(surrogate)
+    }
+
+    /// Without a surrogate the double loop is all there is.
+    fn check_nothing_to_confirm(&mut self, table: &Table<'_>) {
+        let Some(entry) = table.get("direct") else { return };
+        if self.reader.choice(&entry, &DIRECT_RUNS) == Some(true) {
+            self.complain(&StudyProblem::NothingToConfirm { entry: entry.path.describe() }, &entry);
+        }
+    }
+
+    /// What is asked that the runs of the double loop alone answer.
+    fn direct_questions(&self, asks: &[Ask]) -> Vec<&'static str> {
+        let is_asked = |of: fn(&Ask) -> bool| asks.iter().any(of);
+        let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
+        let questions = [
+            ("contributors", is_asked(|ask| ask.contributors)),
+            ("small probabilities by a method", is_asked(|ask| !ask.rare.is_empty())),
+            ("simultaneous bands", is_asked(|ask| !ask.simultaneous_bands.is_empty())),
+            ("bounds by a second reading of intervals", self.readings.len() > 1),
+            ("percentiles over a parameter with a distribution", self.epistemic.iter().any(is_second_order)),
+        ];
+        questions.into_iter().filter_map(|(of, is_there)| is_there.then_some(of)).collect()
+    }
+}

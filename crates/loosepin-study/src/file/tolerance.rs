@@ -1,0 +1,132 @@
+//! A value with its tolerance, as on a drawing: `50 ± 0.05 mm`, `50 +0.02 -0.01 mm`.
+
+use loosepin_text::units::{Measured, parse_quantity};
+
+/// The limits that a drawing allows, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    /// Lower and upper limit, in the order in which they were written.
+    pub limits: [Measured; 2],
+}
+
+/// Reads a value with its tolerance; nothing where the text is none. A part without a unit has that of the last part with one.
+pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
+    let text = text.replace('−', "-").replace("+/-", "±").replace("+-", "±");
+    let parts: Vec<(bool, &str)> = if let Some((nominal, half)) = text.split_once('±') {
+        let half = half.trim();
+        if half.starts_with(['+', '-']) {
+            return None;
+        }
+        vec![(false, nominal), (true, half), (false, half)]
+    } else {
+        let [nominal, first, second] = signed_parts(&text)?;
+        vec![(false, nominal), (false, first), (false, second)]
+    };
+    let split: Vec<(bool, &str, &str)> = parts
+        .into_iter()
+        .map(|(negate, part)| number_and_unit(part).map(|(n, u)| (negate, n, u)))
+        .collect::<Option<_>>()?;
+    let common = split.iter().rev().map(|part| part.2).find(|unit| !unit.is_empty()).unwrap_or("");
+    let mut measured = split.into_iter().map(|(negate, number, unit)| {
+        let unit = if unit.is_empty() { common } else { unit };
+        let part = parse_quantity(&format!("{number} {unit}")).ok()?;
+        Some(Measured { value_si: if negate { -part.value_si } else { part.value_si }, ..part })
+    });
+    let (nominal, first, second) = (measured.next()??, measured.next()??, measured.next()??);
+    if first.dimension != nominal.dimension || second.dimension != nominal.dimension {
+        return None;
+    }
+    let limit = |deviation: Measured| Measured { value_si: nominal.value_si + deviation.value_si, ..nominal };
+    let mut limits = [limit(first), limit(second)];
+    // A drawing writes the upper deviation first, or above the other one.
+    if limits[0].value_si > limits[1].value_si && !text.contains('±') {
+        limits.swap(0, 1);
+    }
+    Some(Tolerance { limits })
+}
+
+/// `50 +0.02 -0.01 mm`: the nominal value and two deviations with their signs.
+fn signed_parts(text: &str) -> Option<[&str; 3]> {
+    let mut starts = Vec::new();
+    let mut before = ' ';
+    for (place, letter) in text.char_indices() {
+        if matches!(letter, '+' | '-') && (before.is_whitespace() || before == '/') && !text[..place].trim().is_empty()
+        {
+            starts.push(place);
+        }
+        before = letter;
+    }
+    let [first, second] = starts[..] else { return None };
+    let clean = |part: &'_ str| part.trim().trim_end_matches('/').trim().len();
+    let part = |from: usize, to: usize| {
+        let part = text[from..to].trim_start();
+        &part[..clean(part)]
+    };
+    Some([part(0, first), part(first, second), part(second, text.len())])
+}
+
+/// A number and the unit behind it.
+fn number_and_unit(part: &str) -> Option<(&str, &str)> {
+    let part = part.trim();
+    let unsigned = part.strip_prefix('+').unwrap_or(part).trim_start();
+    let mut ends = unsigned.char_indices().map(|(place, letter)| place + letter.len_utf8());
+    let end = ends.rfind(|&end| unsigned[..end].parse::<f64>().is_ok_and(f64::is_finite))?;
+    Some((&unsigned[..end], unsigned[end..].trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse_tolerance;
+    use loosepin_text::units::Dimension;
+
+    /// Lower and upper limit, µm.
+    fn limits_um(text: &str) -> Option<[f64; 2]> {
+        let tolerance = parse_tolerance(text)?;
+        assert!(tolerance.limits.iter().all(|limit| limit.dimension == Dimension::LENGTH), "{text}");
+        Some(tolerance.limits.map(|limit| (limit.value_si * 1e9).round() / 1e3))
+    }
+
+    #[test]
+    fn analytic_limits_of_what_drawings_say() {
+        for text in
+            ["50 ± 0.05 mm", "50±0.05mm", "50 mm ± 50 µm", "50 +/- 0.05 mm", "50 +- 0.05 mm", "50 +0.05 -0.05 mm"]
+        {
+            assert_eq!(limits_um(text), Some([49_950.0, 50_050.0]), "{text}");
+        }
+        for text in [
+            "20 +0.021 -0.007 mm",
+            "20 mm +0.021 -0.007",
+            "20 -0.007 +0.021 mm",
+            "20 +0.021/-0.007 mm",
+            "20 mm +21 µm / -7 µm",
+            "20 −0.007 +0.021 mm",
+        ] {
+            assert_eq!(limits_um(text), Some([19_993.0, 20_021.0]), "{text}");
+        }
+        assert_eq!(limits_um("20 -0.007 -0.020 mm"), Some([19_980.0, 19_993.0]));
+        assert_eq!(limits_um("-3 ± 0.5 mm"), Some([-3_500.0, -2_500.0]));
+        assert_eq!(limits_um("0 +0.1 +0 mm"), Some([0.0, 100.0]));
+        assert_eq!(
+            parse_tolerance("0.9 ± 0.02").map(|tolerance| tolerance.limits[0].dimension),
+            Some(Dimension::NUMBER)
+        );
+    }
+
+    #[test]
+    fn what_is_no_tolerance_is_none() {
+        for text in [
+            "",
+            "50 mm",
+            "± 0.05 mm",
+            "50 ± mm",
+            "50 ± -0.05 mm",
+            "50 mm ± 1 deg",
+            "50 +0.02 mm",
+            "5 ± 0.1 ± 0.2 mm",
+            "a ± b mm",
+            "50 ± 1 xyz",
+        ] {
+            assert_eq!(parse_tolerance(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The files that a study leaves behind. `docs/files.md` describes them; everything but `timing.json` repeats byte for
+//! byte.
+
+mod bounds_table;
+mod json;
+mod runs_table;
+mod timing;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use thiserror::Error;
+
+pub use bounds_table::{BOUNDS_COLUMNS, bounds_csv};
+pub use json::{read_json, to_json};
+pub use runs_table::{read_runs_parquet, runs_parquet};
+pub use timing::Timing;
+
+use super::result::{FORMAT, StudyResult};
+use super::runs::RunsTable;
+use super::saved_surrogates::SavedSurrogates;
+pub use loosepin_store::results::SUMMARY_FILE;
+use loosepin_store::results::{ResultsError, write_whole};
+
+/// Name of the file with one bound a row.
+pub const BOUNDS_FILE: &str = "bounds.csv";
+/// Name of the file with one run a row.
+pub const RUNS_FILE: &str = "runs.parquet";
+/// Name of the file with what was learned.
+pub const SURROGATES_FILE: &str = "surrogates.json";
+/// Name of the file with everything that does not repeat.
+pub const TIMING_FILE: &str = "timing.json";
+
+/// Why a result file could not be written or read.
+#[derive(Debug, Error)]
+pub enum FilesError {
+    /// The file system refused.
+    #[error(transparent)]
+    Results(#[from] ResultsError),
+    /// The text is not what this version writes.
+    #[error("{what} cannot be read: {source}")]
+    Layout {
+        /// What was read, for example `summary.json`.
+        what: String,
+        /// What does not fit, with line and column.
+        source: serde_json::Error,
+    },
+    /// Another version of the layout.
+    #[error("{} has format {found}; this version reads format {known}", path.display())]
+    OtherFormat {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        found: u32,
+        /// The one that is known.
+        known: u32,
+    },
+    /// A value has no form in JSON.
+    #[error("the result cannot be written as JSON: {source}")]
+    Json {
+        /// What does not fit.
+        source: serde_json::Error,
+    },
+    /// A row could not be written as CSV.
+    #[error("the bounds cannot be written as CSV: {source}")]
+    Csv {
+        /// What does not fit.
+        source: csv::Error,
+    },
+    /// The columns of the runs differ in length.
+    #[error("column '{name}' of the runs has {rows} rows; must be {expected}, as in column '{first}'")]
+    UnequalColumns {
+        /// The column.
+        name: String,
+        /// Its rows.
+        rows: usize,
+        /// Rows of the first column.
+        expected: usize,
+        /// Name of the first column.
+        first: String,
+    },
+    /// Two columns of the runs have the same name.
+    #[error("column '{name}' of the runs stands twice; names must differ")]
+    RepeatedColumn {
+        /// The name.
+        name: String,
+    },
+    /// A stored column has a type that this version does not write.
+    #[error("column '{name}' of the runs holds {stored}; must be Float64, UInt64 or Utf8")]
+    ForeignColumn {
+        /// The column.
+        name: String,
+        /// Its type.
+        stored: String,
+    },
+    /// The Parquet library refused.
+    #[error("the runs cannot be stored as Parquet: {source}")]
+    Parquet {
+        /// What it said.
+        source: parquet::errors::ParquetError,
+    },
+    /// The Arrow library refused.
+    #[error("the runs cannot be laid out as columns: {source}")]
+    Arrow {
+        /// What it said.
+        source: arrow::error::ArrowError,
+    },
+}
+
+/// Writes `summary.json`, `bounds.csv`, `runs.parquet` and `timing.json` into a folder that exists. Each file appears
+/// whole or not at all, `summary.json` last, so that its presence means a finished study.
+///
+/// # Errors
+/// What cannot be laid out, and what the file system refuses.
+pub fn write_study(folder: &Path, result: &StudyResult, runs: &RunsTable, timing: &Timing) -> Result<(), FilesError> {
+    let summary = to_json(result)?;
+    write_whole(&folder.join(BOUNDS_FILE), &bounds_csv(result)?)?;
+    write_whole(&folder.join(RUNS_FILE), &runs_parquet(runs)?)?;
+    write_whole(&folder.join(TIMING_FILE), to_json(timing)?.as_bytes())?;
+    Ok(write_whole(&folder.join(SUMMARY_FILE), summary.as_bytes())?)
+}
+
+/// The text of `surrogates.json`.
+///
+/// # Errors
+/// What cannot be laid out.
+pub fn surrogates_json(surrogates: &SavedSurrogates) -> Result<String, FilesError> {
+    surrogates.to_json().map_err(|source| FilesError::Json { source })
+}
+
+/// What every format of `summary.json` has.
+#[derive(Deserialize)]
+struct Header {
+    format: u32,
+}
+
+/// Reads the `summary.json` of a folder.
+///
+/// # Errors
+/// A file that is not there, or that another version wrote.
+pub fn read_summary(folder: &Path) -> Result<StudyResult, FilesError> {
+    let path = folder.join(SUMMARY_FILE);
+    let text = fs::read_to_string(&path).map_err(|source| ResultsError::Read { path: path.clone(), source })?;
+    // Looked at before the rest, which another format may not have.
+    let Header { format } = read_json(&text, SUMMARY_FILE)?;
+    if format != FORMAT {
+        return Err(FilesError::OtherFormat { path, found: format, known: FORMAT });
+    }
+    read_json(&text, SUMMARY_FILE)
+}

@@ -1,0 +1,89 @@
+//! A file whose kind is not known beforehand.
+
+use std::path::Path;
+
+use thiserror::Error;
+
+use loosepin_mechanics::model::Model;
+use loosepin_text::diagnostics::{Code, Complaint, Complaints, Place, Problem};
+use loosepin_text::document::{parse_toml, read_source};
+
+use super::Study;
+
+/// What a file turned out to be.
+#[derive(Debug, Clone)]
+pub enum InputFile {
+    /// A mechanism with its nominal values.
+    Model(Box<Model>),
+    /// What is uncertain in a model, and what is asked.
+    Study(Box<Study>),
+}
+
+/// Keys at the top of study files that model files do not have.
+const STUDY_MARKS: [&str; 6] = ["model", "random", "epistemic", "ask", "require", "sampling"];
+
+impl InputFile {
+    /// Reads a file as a study if it has keys of one at its top and no body, and as a model otherwise.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, each with its place; a file that says nothing.
+    pub fn from_path(path: &Path) -> Result<InputFile, Complaints> {
+        let is_study = {
+            let source = read_source(path)?;
+            let toml = parse_toml(&source)?;
+            if toml.get_ref().is_empty() {
+                let mut complaints = Complaints::new();
+                complaints.push(Complaint::error(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
+                return Err(complaints);
+            }
+            let has = |key: &str| toml.get_ref().contains_key(key);
+            STUDY_MARKS.iter().any(|key| has(key)) && !has("body")
+        };
+        if is_study {
+            Study::from_path(path).map(|study| InputFile::Study(Box::new(study)))
+        } else {
+            Model::from_path(path).map(|model| InputFile::Model(Box::new(model)))
+        }
+    }
+
+    /// The model, or that of the study.
+    pub fn model(&self) -> &Model {
+        match self {
+            InputFile::Model(model) => model,
+            InputFile::Study(study) => &study.model,
+        }
+    }
+}
+
+/// A file of the wrong kind.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum InputFileProblem {
+    /// A study where a model is due.
+    #[error("this is a study; a model is due")]
+    StudyForModel {
+        /// The model that the study names.
+        model: String,
+    },
+    /// Nothing in it.
+    #[error("the file says nothing: neither a model nor a study")]
+    Empty,
+    /// A model where a study is due.
+    #[error("this is a model; a study is due")]
+    ModelForStudy,
+}
+
+impl Problem for InputFileProblem {
+    fn code(&self) -> Code {
+        Code::WrongKindOfFile
+    }
+
+    fn hint(&self) -> Option<String> {
+        Some(match self {
+            Self::StudyForModel { model } => format!("its model is {model}"),
+            Self::Empty => "`loosepin new slider-crank` writes both, to start from".to_owned(),
+            Self::ModelForStudy => {
+                "a study names its model by the key `model`; for a single run use `loosepin simulate`".to_owned()
+            }
+        })
+    }
+}

@@ -1,0 +1,168 @@
+//! The runs of a study on the lanes of a thread: from inputs to rows.
+
+use super::ideal_curve::IdealCurve;
+use super::recorder::{Recorder, References};
+use super::response::{StudyResponse, window};
+use loosepin_math::Vectors;
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_simulate::{Arms, IdealReference, Observer, Queue, Run, RunFailure, RunReport, Step, conduct};
+
+impl StudyResponse {
+    /// One run, alone.
+    ///
+    /// # Errors
+    /// The one reason why the run failed.
+    pub fn run(&self, random: &[f64], epistemic: &[f64], row: &mut [f64]) -> Result<(), RunFailure> {
+        let mut inputs = Some((random, epistemic));
+        let mut outcome = None;
+        let next = || inputs.take().map(|(x, u)| (0, x, u));
+        self.run_all(self.variant(epistemic), Vectors::None, next, |_, finished| outcome = Some(finished));
+        let finished = outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))?;
+        row.copy_from_slice(&finished);
+        Ok(())
+    }
+
+    /// Runs on the lanes of this thread until `next` gives no more inputs, all of them of the mechanism `variant`; `finished` gets the rows, or the one reason why
+    /// a run failed, under the index that came with the inputs. A row has the same bits whatever the lanes.
+    pub fn run_all<'i>(
+        &self,
+        variant: usize,
+        vectors: Vectors,
+        next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
+        finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
+    ) {
+        let mechanism = &self.mechanisms[variant];
+        let mut queue = StudyQueue { response: self, mechanism, next, finished };
+        conduct(mechanism, &self.shared.readings, &self.settings, vectors, &mut queue);
+    }
+
+    /// Everything that a run needs.
+    fn prepare(
+        &self,
+        mechanism: &Mechanism,
+        index: usize,
+        random: &[f64],
+        epistemic: &[f64],
+    ) -> Result<Run<StudyRun<'_>>, RunFailure> {
+        let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
+        let sample = Sample::new(mechanism, &values)?;
+        let input = mechanism.model.input(self.span, &values);
+        let window = window(&input, self.transient_turns, self.recorded_turns)?;
+        let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
+        let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.settings)?;
+        let arms = Arms::new(mechanism, &values);
+        let curve = if self.shared.needs_own_ideal {
+            Some(IdealCurve::new(
+                &mut own,
+                &self.shared.plan.outputs,
+                &self.shared.is_used,
+                &arms,
+                window.start_s,
+                window.end_s - window.start_s,
+                self.recorded_turns,
+            )?)
+        } else {
+            None
+        };
+        let nominal = if self.needs_nominal_reference {
+            let end_s = self.nominal_window.end_s;
+            Some(IdealReference::new(&self.ideal, &self.nominal_ideal, end_s, &self.settings)?)
+        } else {
+            None
+        };
+        let references = References { own, curve, nominal, nominal_window: self.nominal_window };
+        let recorder = Recorder::new(&self.shared, arms.clone(), references, &window, turn_s);
+        let contacts = sample
+            .plays
+            .iter()
+            .zip(&self.restitutions)
+            .map(|(play, restitution)| ContactNumbers {
+                has_limit: play.largest_valid_impact_speed_m_s.is_finite(),
+                nominal_restitution: restitution.map_or(f64::NAN, |id| values[id]),
+                delivered_restitution: play.delivered_restitution.unwrap_or(f64::NAN),
+                clearance_m: play.clearance_m,
+            })
+            .collect();
+        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts }, resume: None })
+    }
+
+    /// The row of a finished run.
+    fn row(&self, mut run: StudyRun<'_>, report: &RunReport) -> Result<Vec<f64>, RunFailure> {
+        run.recorder.finish();
+        if let Some(failure) = run.recorder.failure.take() {
+            return Err(failure.into());
+        }
+        let change = run.recorder.change_over_last_turn(self.mechanism().size_m);
+        let mut row = run.recorder.values;
+        row.reserve_exact(self.extras.count());
+        row.push(report.energy.map_or(f64::NAN, |account| account.relative_residual()));
+        row.push(report.counters.evaluations as f64);
+        row.push(report.counters.steps as f64);
+        row.push(change.unwrap_or(f64::NAN));
+        for (play, contact) in report.plays.iter().zip(&run.contacts) {
+            row.extend([
+                play.contacts as f64,
+                play.floored_contacts as f64,
+                if contact.has_limit { play.impacts_beyond_validity as f64 } else { f64::NAN },
+                play.largest_penetration_m,
+                play.peak_force_n,
+                contact.nominal_restitution,
+                contact.delivered_restitution,
+                play.largest_penetration_m / contact.clearance_m,
+            ]);
+        }
+        Ok(row)
+    }
+}
+
+/// What the row of a run tells of a joint with play beside what the run counted.
+struct ContactNumbers {
+    has_limit: bool,
+    nominal_restitution: f64,
+    delivered_restitution: f64,
+    clearance_m: f64,
+}
+
+/// A run of the study on its lane.
+struct StudyRun<'s> {
+    index: usize,
+    recorder: Recorder<'s>,
+    contacts: Vec<ContactNumbers>,
+}
+
+impl Observer for StudyRun<'_> {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        self.recorder.step(step);
+    }
+}
+
+/// Inputs that wait, and rows that are finished.
+struct StudyQueue<'s, N, F> {
+    response: &'s StudyResponse,
+    mechanism: &'s Mechanism,
+    next: N,
+    finished: F,
+}
+
+impl<'s, 'i, N, F> Queue for StudyQueue<'s, N, F>
+where
+    N: FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
+    F: FnMut(usize, Result<Vec<f64>, RunFailure>),
+{
+    type Observer = StudyRun<'s>;
+
+    fn next(&mut self) -> Option<Run<StudyRun<'s>>> {
+        loop {
+            let (index, random, epistemic) = (self.next)()?;
+            match self.response.prepare(self.mechanism, index, random, epistemic) {
+                Ok(run) => return Some(run),
+                Err(failure) => (self.finished)(index, Err(failure)),
+            }
+        }
+    }
+
+    fn finished(&mut self, run: StudyRun<'s>, outcome: Result<RunReport, RunFailure>) {
+        let index = run.index;
+        (self.finished)(index, outcome.and_then(|report| self.response.row(run, &report)));
+    }
+}

@@ -1,0 +1,58 @@
+//! Where mechanisms and uncertainty meet: a study file, its runs, its results.
+
+pub mod cases;
+
+mod accuracy;
+mod allow;
+mod assemble;
+mod columns;
+mod complaint;
+mod conduct;
+mod contributors;
+mod distribution_words;
+mod elsewhere;
+mod export;
+mod file;
+pub mod files;
+mod folder;
+mod further_outputs;
+mod ideal_curve;
+mod input_file;
+mod inputs;
+mod iso_286;
+mod keep;
+mod lanes;
+mod part;
+mod plans;
+mod rare;
+mod recorder;
+mod response;
+pub mod result;
+mod runner;
+pub mod runs;
+mod saved_surrogates;
+mod simultaneous;
+mod surrogate;
+mod texts;
+mod time_a_run;
+mod widest_play;
+
+pub use conduct::{Conducted, Means, Progress, StudyError, TooManyFailed, conduct, conduct_elsewhere, conduct_part};
+pub use distribution_words::distribution_words;
+pub use elsewhere::{AskedRuns, RunMaker, RunRows};
+pub use export::{ExportError, export_networks};
+pub use file::{
+    AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
+    EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
+    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
+};
+pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
+pub use further_outputs::{FurtherOutputs, RecordedOutput};
+pub use input_file::{InputFile, InputFileProblem};
+pub use inputs::{add_model, add_study, study_inputs};
+pub use iso_286::FitError;
+pub use part::{OpenRound, Part, plan_shards};
+pub use plans::plan_runs;
+pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
+pub use texts::{NamedText, StudyTexts};
+pub use time_a_run::time_a_run_s;

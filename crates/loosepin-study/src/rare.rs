@@ -1,0 +1,297 @@
+//! Probabilities too small to be counted in the double loop: where they are largest and smallest over the epistemic inputs, and how
+//! large there.
+
+use super::columns::PlannedAsk;
+use super::conduct::StudyError;
+use super::file::{RareMethod, Where};
+use super::result::RareMethodUsed;
+use super::runner::Runner;
+use loosepin_bounds::{
+    Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
+};
+use loosepin_uncertainty::reliability::{
+    BoxSearch, DesignSearch, ImportanceSampling, IndexExtreme, RARE_CONFIDENCE, RareProbability, SubsetSimulation,
+    importance_sampling, index_range, subset_simulation,
+};
+use loosepin_uncertainty::{hash, normal_cdf};
+
+/// A share of fewer runs than this is counted anew where the method is chosen automatically.
+const LEAST_HITS: f64 = 10.0;
+/// Corners of the box at which the search begins, besides its centre, at most.
+const MOST_CORNERS: usize = 8;
+/// An estimate around design points with a larger coefficient of variation gives way to subset simulation.
+const LARGEST_VARIATION: f64 = 0.25;
+/// Points of a level of the subset simulations that only compare places.
+const COMPARING_LEVEL: usize = 500;
+/// The nearest probability to 1 that has a quantile; the nearest to 0 is the least positive number.
+const LARGEST_PROBABILITY: f64 = 1.0 - f64::EPSILON / 2.0;
+/// Separates the stream of random numbers.
+const RARE: u64 = 0x7261_7265_0000;
+
+/// Runs of the search for design points over the box, for each combination of the members of lists, at most; where they do not
+/// suffice, subset simulation takes its place.
+const MOST_DESIGN_RUNS: usize = 40_000;
+
+/// Runs that a rare probability takes at most: a search for design points that is given up, sampling around them that is not near
+/// enough, then subset simulations at every place that is compared and at both ends.
+pub(super) fn most_rare_runs(plan: &DoubleLoop) -> usize {
+    let comparing = SubsetSimulation { level: COMPARING_LEVEL, seed: 0 }.most_runs();
+    let compared = plan.box_combinations() * (MOST_DESIGN_RUNS + places(plan).len() * comparing);
+    compared + ImportanceSampling::default().most_runs + 2 * SubsetSimulation::default().most_runs()
+}
+
+/// Centre and corners of the box, of many corners some.
+fn places(plan: &DoubleLoop) -> Vec<Vec<f64>> {
+    let places = plan.box_places();
+    let stride = places.len().saturating_sub(1).div_ceil(MOST_CORNERS).max(1);
+    places.into_iter().enumerate().filter(|(k, _)| *k == 0 || (k - 1) % stride == 0).map(|(_, place)| place).collect()
+}
+
+/// The bounds of a rare probability.
+pub(super) struct Rare {
+    /// Column of the response.
+    pub column: usize,
+    /// The statistic.
+    pub statistic: Statistic,
+    /// Its bounds, to stand in place of the counted ones.
+    pub bounds: [Bound; 2],
+    /// Whether the values of the epistemic inputs at both ends are the only ones. Otherwise the search for them is not confirmed
+    /// by points everywhere: the true range is at least as wide.
+    pub is_confirmed: bool,
+    /// How both ends were estimated.
+    pub ends: [RareEnd; 2],
+}
+
+/// One end.
+pub(super) struct RareEnd {
+    pub method: RareMethodUsed,
+    pub estimate: RareProbability,
+    /// Reliability index, where there is one.
+    pub index: Option<f64>,
+}
+
+/// Every probability that is asked for so.
+pub(super) fn requests(asks: &[PlannedAsk]) -> impl Iterator<Item = (usize, Statistic, RareMethod)> {
+    asks.iter().filter(|planned| planned.ask.location != Where::Cycle).flat_map(|planned| {
+        let rare =
+            move |&column: &usize| planned.ask.rare.iter().map(move |&(statistic, method)| (column, statistic, method));
+        planned.columns.iter().flat_map(rare)
+    })
+}
+
+/// Estimates what is asked for so; where the method is automatic, only what the double loop has counted too few of.
+///
+/// # Errors
+/// Those of the runs.
+pub(super) fn rare_probabilities(
+    runner: &Runner<'_>,
+    plan: &DoubleLoop,
+    bounds: &Bounds,
+    table: &mut SampleTable,
+) -> Result<Vec<Rare>, StudyError> {
+    let mut found = Vec::new();
+    let requested: Vec<_> = requests(&runner.response.shared.plan.asks).collect();
+    for (column, statistic, method) in requested {
+        let pair = bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
+        let hits = pair.map_or(0.0, |pair| pair.upper.value * runner.study.sampling.inner as f64);
+        let method = match method {
+            RareMethod::Automatic if hits >= LEAST_HITS => continue,
+            RareMethod::Automatic | RareMethod::Importance => RareMethod::Importance,
+            RareMethod::Subset => RareMethod::Subset,
+        };
+        let seed = hash(hash(runner.study.seed, RARE), column as u64);
+        let mut event = Event { runner, plan, table, column, statistic, combination: 0, round: bounds.rounds };
+        let ends = match method {
+            RareMethod::Subset => None,
+            _ => event.by_design_points(seed)?,
+        };
+        let [lower, upper] = match ends {
+            Some(ends) => ends,
+            None => event.by_subsets(seed)?,
+        };
+        found.push(Rare {
+            column,
+            statistic,
+            bounds: [lower.bound(false), upper.bound(true)],
+            is_confirmed: plan.box_places().len() == 1 && plan.box_combinations() == 1,
+            ends: [lower, upper].map(|end| RareEnd { method: end.method, estimate: end.estimate, index: end.index }),
+        });
+    }
+    Ok(found)
+}
+
+/// One event, run in batches.
+struct Event<'r, 's> {
+    runner: &'r Runner<'s>,
+    plan: &'r DoubleLoop,
+    table: &'r mut SampleTable,
+    column: usize,
+    statistic: Statistic,
+    combination: usize,
+    round: u32,
+}
+
+/// Why a search for design points came to no end.
+enum SearchEnd {
+    /// It took as many runs as it may.
+    Spent,
+    /// The study itself cannot go on.
+    Study(StudyError),
+}
+
+/// An estimate at one value of the epistemic inputs.
+struct End {
+    epistemic: Vec<f64>,
+    method: RareMethodUsed,
+    estimate: RareProbability,
+    index: Option<f64>,
+    /// What the search over the epistemic inputs has not resolved, as a change of the index.
+    unresolved: f64,
+}
+
+impl Event<'_, '_> {
+    /// g at standard normal points for one place of the box: 0 or less where the event is.
+    fn limit_state(&mut self, points: &[Vec<f64>], at: &[f64]) -> Result<Vec<f64>, StudyError> {
+        let epistemic = self.plan.box_values(self.combination, at);
+        let round: Vec<RunInputs> = points
+            .iter()
+            .enumerate()
+            .map(|(index, point)| RunInputs {
+                round: self.round,
+                purpose: Purpose::Rare,
+                point: 0,
+                replicate: 0,
+                index: index as u32,
+                random: self.plan.random_values(&probabilities(point), &epistemic),
+                epistemic: epistemic.clone(),
+            })
+            .collect();
+        let first = self.table.len();
+        self.runner.run(&round, self.table)?;
+        let values = (first..self.table.len()).map(|run| self.table.values(run)[self.column]);
+        Ok(values
+            .map(|value| match self.statistic {
+                Statistic::ProbabilityAbove(limit) => limit - value,
+                Statistic::ProbabilityBelow(limit) => value - limit,
+                Statistic::ProbabilityBeyond(limit) => limit - value.abs(),
+                _ => f64::NAN,
+            })
+            .collect())
+    }
+
+    fn dimensions(&self) -> usize {
+        self.runner.study.random.len()
+    }
+
+    /// Both ends by importance sampling where the index is largest and smallest; nothing where an index cannot be relied on.
+    fn by_design_points(&mut self, seed: u64) -> Result<Option<[End; 2]>, StudyError> {
+        let dimensions = self.dimensions();
+        let search = BoxSearch { design: DesignSearch { seed, ..DesignSearch::default() }, ..BoxSearch::default() };
+        let places = places(self.plan);
+        let closes = self.plan.box_closes();
+        let mut ends: [Option<(usize, IndexExtreme)>; 2] = [None, None];
+        for combination in 0..self.plan.box_combinations() {
+            self.combination = combination;
+            let mut left = MOST_DESIGN_RUNS;
+            let mut limit_state = |points: &[Vec<f64>], at: &[f64]| {
+                left = left.checked_sub(points.len()).ok_or(SearchEnd::Spent)?;
+                self.limit_state(points, at).map_err(SearchEnd::Study)
+            };
+            let range = match index_range(&mut limit_state, dimensions, &places, &closes, &search) {
+                Ok(Some(range)) => range,
+                Ok(None) | Err(SearchEnd::Spent) => return Ok(None),
+                Err(SearchEnd::Study(error)) => return Err(error),
+            };
+            for (end, extreme, sign) in [(0, range.largest, -1.0), (1, range.smallest, 1.0)] {
+                let is_better = ends[end]
+                    .as_ref()
+                    .is_none_or(|(_, best)| sign * extreme.designs[0].index < sign * best.designs[0].index);
+                if is_better {
+                    ends[end] = Some((combination, extreme));
+                }
+            }
+        }
+        let [Some(lower), Some(upper)] = ends else { return Ok(None) };
+        let upper = self.around(upper, seed)?;
+        if !(upper.estimate.coefficient_of_variation() <= LARGEST_VARIATION) {
+            return Ok(None);
+        }
+        let lower = self.around(lower, seed)?;
+        Ok(Some([lower, upper]))
+    }
+
+    fn around(&mut self, (combination, extreme): (usize, IndexExtreme), seed: u64) -> Result<End, StudyError> {
+        self.combination = combination;
+        let dimensions = self.dimensions();
+        let settings = ImportanceSampling { seed, ..ImportanceSampling::default() };
+        let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, &extreme.at);
+        let estimate = importance_sampling(&mut limit_state, dimensions, &extreme.designs, &settings)?;
+        Ok(End {
+            epistemic: self.plan.box_values(combination, &extreme.at),
+            method: RareMethodUsed::Importance,
+            estimate,
+            index: Some(extreme.designs[0].index),
+            unresolved: extreme.unresolved,
+        })
+    }
+
+    /// Both ends by subset simulation, at the places where short ones found most and least.
+    fn by_subsets(&mut self, seed: u64) -> Result<[End; 2], StudyError> {
+        let dimensions = self.dimensions();
+        let mut compared: Vec<(f64, usize, Vec<f64>)> = Vec::new();
+        for combination in 0..self.plan.box_combinations() {
+            self.combination = combination;
+            for place in places(self.plan) {
+                let settings = SubsetSimulation { level: COMPARING_LEVEL, seed };
+                let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, &place);
+                let found = subset_simulation(&mut limit_state, dimensions, &settings)?;
+                compared.push((found.value, combination, place));
+            }
+        }
+        compared.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut ends = Vec::with_capacity(2);
+        for (_, combination, place) in [&compared[0], &compared[compared.len() - 1]] {
+            self.combination = *combination;
+            let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, place);
+            let settings = SubsetSimulation { seed: hash(seed, 1), ..SubsetSimulation::default() };
+            let estimate = subset_simulation(&mut limit_state, dimensions, &settings)?;
+            let epistemic = self.plan.box_values(*combination, place);
+            let method = RareMethodUsed::Subset;
+            ends.push(End { epistemic, method, estimate, index: None, unresolved: 0.0 });
+        }
+        let upper = ends.remove(1);
+        Ok([ends.remove(0), upper])
+    }
+}
+
+impl End {
+    /// This end as a bound.
+    fn bound(&self, is_upper: bool) -> Bound {
+        let value = self.estimate.value;
+        let widened = self.estimate.interval[usize::from(is_upper)];
+        let sampling = (widened - value).abs();
+        let index = self.index.unwrap_or(f64::NAN);
+        let moved = if is_upper { index - self.unresolved } else { index + self.unresolved };
+        let factor = normal_cdf(-moved) / normal_cdf(-index);
+        let optimisation =
+            if self.unresolved > 0.0 && factor.is_finite() { (value * (factor - 1.0)).abs() } else { 0.0 };
+        let further = if is_upper { (widened + optimisation).min(1.0) } else { (widened - optimisation).max(0.0) };
+        Bound {
+            value,
+            widened: further,
+            witness: Some(Witness {
+                purpose: Purpose::Rare,
+                point: 0,
+                epistemic: self.epistemic.clone(),
+                random: Vec::new(),
+            }),
+            error: BoundError { sampling, optimisation: (further - widened).abs(), surrogate: 0.0 },
+            guarantee: Guarantee::Sampled { confidence: RARE_CONFIDENCE },
+        }
+    }
+}
+
+/// Φ of standard normal numbers: a point of the unit cube at which every input has a value.
+fn probabilities(point: &[f64]) -> Vec<f64> {
+    point.iter().map(|&x| normal_cdf(x).clamp(f64::MIN_POSITIVE, LARGEST_PROBABILITY)).collect()
+}

@@ -1,0 +1,495 @@
+//! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
+
+use super::columns::{ColumnPlan, Spot};
+use super::file::{Deviation, EpistemicSubject, Study, Where};
+use super::ideal_curve::IdealCurve;
+use super::recorder::Shared;
+use loosepin_bounds::{Failure, Response};
+use loosepin_mechanics::contact::NormalDescription;
+use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample};
+use loosepin_mechanics::model::{
+    ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
+};
+use loosepin_simulate::{Arms, IdealReference, RunFailure, Settings, Window};
+use loosepin_uncertainty::EpistemicVariable;
+
+/// Poses of a curve, at most: every one has bounds of its own.
+pub const LARGEST_POSES: f64 = 2000.0;
+
+/// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
+const MOST_TURNS: f64 = 10_000.0;
+/// Recorded ones, at most: each has a table of the ideal motion.
+const MOST_RECORDED_TURNS: f64 = 1000.0;
+/// Combinations of contact laws, at most: each is a mechanism of its own.
+const MOST_LAWS: usize = 64;
+
+/// Why a study cannot begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PrepareError {
+    /// The nominal mechanism.
+    #[error(transparent)]
+    Mechanism(#[from] MechanismError),
+    /// A law that a contact cannot have.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The start of the drive is uncertain, so that samples would not be compared at the same input.
+    #[error(
+        "'{path}' is where the drive starts: every sample must start at the same place to be compared with the ideal motion"
+    )]
+    UncertainStart {
+        /// Path of the quantity.
+        path: String,
+    },
+    /// The speed of the drive may change its sign.
+    #[error("'{path}' may be zero or change its direction: the turns of such a drive cannot be counted")]
+    SpeedThroughZero {
+        /// Path of the quantity.
+        path: String,
+    },
+    /// A pose that the recorded part does not reach.
+    #[error("output '{output}' is asked at {angle_deg:.6} deg; the recorded {recorded_turns} turns do not pass there")]
+    PoseNotRecorded {
+        /// The output.
+        output: String,
+        /// The angle asked for, degrees.
+        angle_deg: f64,
+        /// Recorded turns.
+        recorded_turns: f64,
+    },
+    /// More poses than a study can bound.
+    #[error("curves of {poses} poses are asked for; must be at most {LARGEST_POSES}")]
+    TooManyPoses {
+        /// Recorded turns times samples a turn.
+        poses: f64,
+    },
+    /// More turns than a run of a study may have.
+    #[error("{turns} turns are {what}; must be at most {most}")]
+    TooManyTurns {
+        /// Turns of a run.
+        turns: f64,
+        /// What is done with them.
+        what: &'static str,
+        /// How many there may be.
+        most: f64,
+        /// The key under `[cycle]` that says so.
+        key: &'static str,
+    },
+    /// More mechanisms than are made.
+    #[error("{combinations} combinations of contact laws; must be at most {MOST_LAWS}")]
+    TooManyLaws {
+        /// How many there are.
+        combinations: usize,
+    },
+    /// The nominal run.
+    #[error("the nominal mechanism, epistemic inputs in the middle of their intervals: {0}")]
+    Nominal(#[from] RunFailure),
+}
+
+impl From<QuantityError> for PrepareError {
+    fn from(error: QuantityError) -> Self {
+        Self::Mechanism(error.into())
+    }
+}
+
+/// Numbers of a run beside its columns, for the report and `runs.parquet`. They follow the columns in the sample table.
+#[derive(Debug, Clone)]
+pub struct Extras {
+    /// Names of the joints with play.
+    pub joints: Vec<String>,
+}
+
+/// Extras that every run has: energy residual, evaluations, steps, change over the last turn.
+const COMMON_EXTRAS: usize = 4;
+/// Extras of each joint with play: contacts, floored ones, those beyond validity, largest penetration, peak force,
+/// nominal and delivered restitution.
+const EXTRAS_PER_JOINT: usize = 8;
+
+/// The extras of one run, read back from its row.
+#[derive(Debug, Clone)]
+pub struct RunExtras {
+    /// Relative energy residual; not a number where the motion was not integrated.
+    pub energy_residual: f64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: f64,
+    /// Accepted steps.
+    pub steps: f64,
+    /// Largest relative change of a pose over the last turn; not a number where no whole turn was recorded.
+    pub change_over_last_turn: f64,
+    /// One for each joint with play.
+    pub joints: Vec<JointExtras>,
+}
+
+/// The extras of one joint with play.
+#[derive(Debug, Clone, Copy)]
+pub struct JointExtras {
+    /// Contacts that began in the recorded turns.
+    pub contacts: f64,
+    /// Those that began slower than the floor of the law.
+    pub floored: f64,
+    /// Impacts faster than the law is meant for; not a number where its limit is unknown.
+    pub beyond_validity: f64,
+    /// Largest penetration, m.
+    pub largest_penetration_m: f64,
+    /// The same over the radial clearance of the run.
+    pub largest_penetration_share: f64,
+    /// Largest normal force, N.
+    pub peak_force_n: f64,
+    /// Restitution as stated; not a number for a law without one.
+    pub nominal_restitution: f64,
+    /// Restitution that a free impact delivers; not a number where it depends on the masses that meet.
+    pub delivered_restitution: f64,
+}
+
+impl Extras {
+    /// How many numbers follow the columns.
+    pub fn count(&self) -> usize {
+        COMMON_EXTRAS + EXTRAS_PER_JOINT * self.joints.len()
+    }
+
+    /// Reads the extras back from the tail of a row.
+    pub fn read(&self, row: &[f64]) -> RunExtras {
+        let tail = &row[row.len() - self.count()..];
+        let joints = tail[COMMON_EXTRAS..]
+            .chunks_exact(EXTRAS_PER_JOINT)
+            .map(|joint| JointExtras {
+                contacts: joint[0],
+                floored: joint[1],
+                beyond_validity: joint[2],
+                largest_penetration_m: joint[3],
+                peak_force_n: joint[4],
+                nominal_restitution: joint[5],
+                delivered_restitution: joint[6],
+                largest_penetration_share: joint[7],
+            })
+            .collect();
+        RunExtras {
+            energy_residual: tail[0],
+            evaluations: tail[1],
+            steps: tail[2],
+            change_over_last_turn: tail[3],
+            joints,
+        }
+    }
+}
+
+/// A compiled study: one mechanism for each combination of laws (a single one where no law is uncertain), one table of inputs.
+///
+/// A law is no number: all lanes of a batch have the same. So the runs of each combination are batches of their own, with the
+/// same random numbers.
+#[derive(Debug)]
+pub struct StudyResponse {
+    /// The mechanism of each combination of laws, that of the first laws first, the law of the first contact changing fastest;
+    /// compiled at the nominal values with the epistemic inputs in the middle of their intervals and at the first of a list.
+    pub mechanisms: Vec<Mechanism>,
+    /// What a run delivers, and the nominal ideal motion.
+    pub shared: Shared,
+    /// What follows the columns.
+    pub extras: Extras,
+    /// Nominal values with the epistemic inputs in the middle.
+    pub nominal: Values,
+    /// The mechanism with every clearance at zero, and its nominal sample: what deviations are measured against.
+    pub(super) ideal: Mechanism,
+    pub(super) nominal_ideal: Sample<f64>,
+    pub(super) nominal_window: Window,
+    random: Vec<QuantityId>,
+    epistemic: Vec<Epistemic>,
+    pub(super) restitutions: Vec<Option<QuantityId>>,
+    pub(super) transient_turns: f64,
+    pub(super) recorded_turns: f64,
+    pub(super) span: CycleSpan,
+    pub(super) settings: Settings,
+    pub(super) needs_nominal_reference: bool,
+}
+
+/// Where the value of an epistemic input goes.
+#[derive(Debug, Clone, Copy)]
+enum Epistemic {
+    /// To a number of the model.
+    Quantity(QuantityId),
+    /// To the distribution of a random input: the mechanism does not see it.
+    Parameter,
+    /// To the choice of a mechanism: number of laws in the list.
+    Law(usize),
+}
+
+impl StudyResponse {
+    /// Compiles `study`.
+    ///
+    /// # Errors
+    /// The nominal mechanism has no ideal motion over the recorded part.
+    pub fn new(study: &Study) -> Result<Self, PrepareError> {
+        let middle: Vec<(QuantityId, f64)> = study
+            .epistemic
+            .iter()
+            .filter_map(|input| {
+                let value = match input.variable.range() {
+                    Some(range) => 0.5 * (range.lower() + range.upper()),
+                    None => input.variable.middle(),
+                };
+                Some((input.quantity()?, value))
+            })
+            .collect();
+        check_drive(study)?;
+        check_turns(study)?;
+        let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
+        if poses > LARGEST_POSES && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
+            return Err(PrepareError::TooManyPoses { poses });
+        }
+        let nominal = study.model.quantities.evaluate(&middle)?;
+        let models = models_with_laws(study)?;
+        let mechanisms = models.iter().map(|model| Mechanism::new(model, &nominal));
+        let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;
+        let mechanism = &mechanisms[0];
+        let nominal_input = study.model.input(study.cycle.span, &nominal);
+        let plan = ColumnPlan::new(study, mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
+        check_poses(study, &plan)?;
+        let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
+        let ideal = mechanism.without_play();
+        let nominal_ideal = Sample::new(mechanism, &nominal).map_err(RunFailure::from)?.without_play();
+        let mut is_used = vec![false; plan.outputs.len()];
+        for column in &plan.columns {
+            is_used[column.output] = true;
+        }
+        let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
+        let shared = share_nominal(plan, is_used, &ideal, &nominal, &nominal_ideal, &nominal_window, &settings, study)?;
+        let joint_name = |joint: &loosepin_mechanics::model::JointId| study.model.joints[joint.0].name.clone();
+        let restitutions = mechanism
+            .plays
+            .iter()
+            .filter_map(|joint| study.model.joints[joint.0].kind.play())
+            .map(|(_, contact)| study.model.contacts[contact.0].restitution)
+            .collect();
+        let needs_nominal_reference = shared.plan.outputs.iter().any(|output| !output.reading.is_position());
+        Ok(Self {
+            extras: Extras { joints: mechanism.plays.iter().map(joint_name).collect() },
+            ideal,
+            nominal_ideal,
+            nominal_window,
+            random: study.random.iter().map(|input| input.quantity).collect(),
+            epistemic: study
+                .epistemic
+                .iter()
+                .map(|input| match &input.subject {
+                    EpistemicSubject::Quantity(quantity) => Epistemic::Quantity(*quantity),
+                    EpistemicSubject::Parameter { .. } => Epistemic::Parameter,
+                    EpistemicSubject::Law { laws, .. } => Epistemic::Law(laws.len()),
+                })
+                .collect(),
+            restitutions,
+            transient_turns: study.cycle.transient_turns,
+            recorded_turns: study.cycle.recorded_turns,
+            span: study.cycle.span,
+            settings,
+            needs_nominal_reference,
+            mechanisms,
+            shared,
+            nominal,
+        })
+    }
+
+    /// The mechanism with the first law of every list: where the laws do not matter, and where one has to stand for all.
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanisms[0]
+    }
+
+    /// Which of the mechanisms runs with these epistemic inputs.
+    pub fn variant(&self, epistemic: &[f64]) -> usize {
+        let (mut variant, mut weight) = (0, 1);
+        for (input, &value) in self.epistemic.iter().zip(epistemic) {
+            if let Epistemic::Law(laws) = *input {
+                variant += weight * value as usize;
+                weight *= laws;
+            }
+        }
+        variant
+    }
+
+    /// Numbers of a row: columns, then extras.
+    pub fn row_length(&self) -> usize {
+        self.shared.plan.columns.len() + self.extras.count()
+    }
+
+    /// How every run is integrated.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Gives every run up after this many evaluations.
+    pub fn limit_evaluations(&mut self, largest_evaluations: u64) {
+        self.settings.largest_evaluations = largest_evaluations;
+    }
+
+    /// Time at the end of the nominal run, s.
+    pub fn nominal_end_s(&self) -> f64 {
+        self.nominal_window.end_s
+    }
+
+    /// The values of the model for these inputs.
+    ///
+    /// # Errors
+    /// A value breaks its rule.
+    pub fn values(&self, random: &[f64], epistemic: &[f64]) -> Result<Values, QuantityError> {
+        let random = self.random.iter().copied().zip(random.iter().copied());
+        let epistemic = self.epistemic.iter().zip(epistemic).filter_map(|(input, &value)| match *input {
+            Epistemic::Quantity(quantity) => Some((quantity, value)),
+            Epistemic::Parameter | Epistemic::Law(_) => None,
+        });
+        let set: Vec<(QuantityId, f64)> = random.chain(epistemic).collect();
+        self.mechanism().model.quantities.evaluate(&set)
+    }
+}
+
+impl Response for StudyResponse {
+    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        self.run(random, epistemic, columns).map_err(|failure| Failure(failure.number()))
+    }
+}
+
+/// The model with each combination of laws, those of the first contact changing fastest; the model alone where no law is
+/// uncertain.
+fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
+    let lists: Vec<(ContactId, &[NormalDescription])> = study
+        .epistemic
+        .iter()
+        .filter_map(|input| match &input.subject {
+            EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => None,
+            EpistemicSubject::Law { contact, laws } => Some((*contact, &laws[..])),
+        })
+        .collect();
+    let combinations = lists.iter().fold(1_usize, |product, (_, laws)| product.saturating_mul(laws.len()));
+    if combinations > MOST_LAWS {
+        return Err(PrepareError::TooManyLaws { combinations });
+    }
+    let of = |combination: usize| {
+        let mut rest = combination;
+        lists.iter().try_fold(study.model.clone(), |model, (contact, laws)| {
+            let law = laws[rest % laws.len()];
+            rest /= laws.len();
+            model.with_law(*contact, law)
+        })
+    };
+    Ok((0..combinations).map(of).collect::<Result<Vec<Model>, LawError>>()?)
+}
+
+/// A run must end in a person's time.
+fn check_turns(study: &Study) -> Result<(), PrepareError> {
+    let (transient, recorded) = (study.cycle.transient_turns, study.cycle.recorded_turns);
+    for (turns, what, most, key) in [
+        (recorded, "recorded", MOST_RECORDED_TURNS, "recorded_turns"),
+        (transient + recorded, "run", MOST_TURNS, "transient_turns"),
+    ] {
+        if turns > most {
+            return Err(PrepareError::TooManyTurns { turns, what, most, key });
+        }
+    }
+    Ok(())
+}
+
+/// The drive that the cycle counts must start where it always starts, and turn one way.
+fn check_drive(study: &Study) -> Result<(), PrepareError> {
+    let CycleSpan::Turns(drive) = study.cycle.span else { return Ok(()) };
+    let DriveLaw::Constant { speed, start } = study.model.drives[drive.0].law else { return Ok(()) };
+    let random = study.random.iter().map(|input| {
+        let corners = |known: &EpistemicVariable| known.ends().to_vec();
+        let range = input
+            .variables(&study.epistemic, corners)
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[lower, upper], variable| {
+                [lower.min(variable.quantile(1e-9)), upper.max(variable.quantile(1.0 - 1e-9))]
+            });
+        (&input.path, input.quantity, range)
+    });
+    let epistemic =
+        study.epistemic.iter().filter_map(|input| Some((&input.path, input.quantity()?, input.variable.ends())));
+    for (path, quantity, [lower, upper]) in random.chain(epistemic) {
+        let roots = |id: QuantityId| id == quantity || study.model.roots(id).contains(&quantity);
+        if roots(start) {
+            return Err(PrepareError::UncertainStart { path: path.clone() });
+        }
+        if quantity == speed && lower <= 0.0 && upper >= 0.0 {
+            return Err(PrepareError::SpeedThroughZero { path: path.clone() });
+        }
+    }
+    Ok(())
+}
+
+/// By this share of a turn a pose may lie beyond the end of the record: round-off of angles.
+const POSE_ROUND_OFF: f64 = 1e-9;
+
+/// Every pose must be passed while the run is recorded.
+fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
+    let recorded_turns = study.cycle.recorded_turns;
+    for column in &plan.columns {
+        if let Spot::Pose { turns, angle_rad } = column.spot
+            && turns > recorded_turns + POSE_ROUND_OFF
+        {
+            let output = plan.outputs[column.output].name.clone();
+            return Err(PrepareError::PoseNotRecorded { output, angle_deg: angle_rad.to_degrees(), recorded_turns });
+        }
+    }
+    Ok(())
+}
+
+/// The recorded part of a run.
+pub(super) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f64) -> Result<Window, RunFailure> {
+    if !(input.speed_rad_s.abs() > 0.0) {
+        return Err(RunFailure::StandsStill { drive: input.name.clone() });
+    }
+    let turn_s = input.turn_s();
+    let start_s = transient_turns * turn_s;
+    Ok(Window { start_s, end_s: start_s + recorded_turns * turn_s })
+}
+
+#[allow(clippy::too_many_arguments, reason = "all of it is made once, in one place")]
+/// The nominal ideal motion: a table over the recorded part, and its exact values at the poses.
+fn share_nominal(
+    plan: ColumnPlan,
+    is_used: Vec<bool>,
+    ideal: &Mechanism,
+    nominal: &Values,
+    nominal_ideal: &Sample<f64>,
+    nominal_window: &Window,
+    settings: &Settings,
+    study: &Study,
+) -> Result<Shared, RunFailure> {
+    let arms = Arms::new(ideal, nominal);
+    let span_s = nominal_window.end_s - nominal_window.start_s;
+    let turns = study.cycle.recorded_turns;
+    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    let nominal_curve =
+        IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, turns)?;
+    let mut pose_order: Vec<(f64, usize)> = plan
+        .columns
+        .iter()
+        .enumerate()
+        .filter_map(|(index, column)| match column.spot {
+            Spot::Pose { turns, .. } => Some((turns, index)),
+            Spot::Reduced(_) => None,
+        })
+        .collect();
+    pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
+    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    for &(at, index) in &pose_order {
+        let reading = plan.outputs[plan.columns[index].output].reading;
+        let time_s = nominal_window.start_s + at * span_s / turns;
+        let dynamics = reference.at(time_s, true)?;
+        nominal_at_pose[index] = reading.value(&arms, dynamics);
+    }
+    let pose_order = pose_order.into_iter().map(|(_, index)| index).collect();
+    let needs_own_ideal =
+        plan.columns.iter().any(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
+    let mut readings = Vec::new();
+    let places = plan
+        .outputs
+        .iter()
+        .zip(&is_used)
+        .map(|(output, is_used)| {
+            (*is_used && output.reading.is_position()).then(|| {
+                readings.push(output.reading);
+                readings.len() - 1
+            })
+        })
+        .collect();
+    Ok(Shared { plan, is_used, needs_own_ideal, readings, places, nominal_curve, nominal_at_pose, pose_order })
+}

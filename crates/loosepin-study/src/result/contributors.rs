@@ -1,0 +1,93 @@
+//! What contributes to the width of a band: random inputs by Sobol' indices, epistemic ones by pinching.
+
+use serde::{Deserialize, Serialize};
+
+use super::bound::{DeviationKind, ResponsePoint, Witness};
+use loosepin_text::units::{SiUnit, extended};
+
+/// The contributors to one question: a number, or a whole curve (`at` is then [`ResponsePoint::Whole`], and variances and widths
+/// are added over its poses).
+///
+/// The band is that of the mixed treatment, from the least 2.5 % to the largest 97.5 % quantile over the epistemic inputs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Contributors {
+    /// Name of the output.
+    pub output: String,
+    /// Which deviation.
+    pub of: DeviationKind,
+    /// Where in the cycle.
+    pub at: ResponsePoint,
+    /// Unit of the output.
+    pub unit: SiUnit,
+    /// Width of the band; for a curve the mean over its poses.
+    #[serde(with = "extended")]
+    pub band_width_si: f64,
+    /// Error of the width by the model of the quantiles over the epistemic inputs.
+    #[serde(with = "extended")]
+    pub band_width_error_si: f64,
+    /// Values of the epistemic inputs at which indices were computed, the middle first.
+    pub points: Vec<Witness>,
+    /// Pairs of sample points at each of them; those left out, since a run has no value, over all of them.
+    pub pairs: u64,
+    /// Pairs left out over all points.
+    pub left_out: u64,
+    /// Confidence of the errors of indices.
+    #[serde(with = "extended")]
+    pub confidence: f64,
+    /// Random inputs, largest part of the band first.
+    pub random: Vec<RandomContributor>,
+    /// Epistemic inputs, largest part of the band first.
+    pub epistemic: Vec<EpistemicContributor>,
+}
+
+/// A share of the variance, at several values of the epistemic inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ShareRange {
+    /// In the middle of the epistemic inputs.
+    #[serde(with = "extended")]
+    pub centre: f64,
+    /// Half the width of its interval of confidence.
+    #[serde(with = "extended")]
+    pub error: f64,
+    /// The least over the values that were tried, less its error, not below 0.
+    #[serde(with = "extended")]
+    pub lower: f64,
+    /// The largest over the values that were tried, with its error, not above 1.
+    #[serde(with = "extended")]
+    pub upper: f64,
+}
+
+/// A random input, or several that are correlated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RandomContributor {
+    /// Path, or paths of a correlated group.
+    pub paths: Vec<String>,
+    /// First-order index: the share of the variance that is its alone.
+    pub first: ShareRange,
+    /// Total index: the share of the variance that would go with it.
+    pub total: ShareRange,
+    /// The share of the band that would go if it did not scatter, 0 to 1: the scatter taken to shrink with the square root of the
+    /// variance that is left.
+    #[serde(with = "extended")]
+    pub band_share: f64,
+    /// Its share of the variance by the quasi-static answer without play, linear; none where there is no such answer.
+    #[serde(with = "extended")]
+    pub quasi_static_share: Option<f64>,
+}
+
+/// An epistemic input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EpistemicContributor {
+    /// Path.
+    pub path: String,
+    /// The least and the largest share of the band that would go if its value were known, 0 to 1, over the values that it may turn
+    /// out to have.
+    #[serde(with = "extended")]
+    pub band_share: [f64; 2],
+    /// Error of both, by the model of the quantiles.
+    #[serde(with = "extended")]
+    pub error: f64,
+    /// The share of its joint in the quasi-static worst case of all clearances; none for what is no clearance.
+    #[serde(with = "extended")]
+    pub quasi_static_share: Option<f64>,
+}

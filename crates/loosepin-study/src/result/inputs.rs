@@ -1,0 +1,228 @@
+//! What was uncertain, what was run, and what failed.
+
+use serde::{Deserialize, Serialize};
+
+use loosepin_text::units::{SiUnit, extended};
+
+/// One uncertain input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputDescription {
+    /// Path in the model, for example `joint.gudgeon.radial_clearance`.
+    pub path: String,
+    /// Random or epistemic, with its range.
+    pub kind: InputKind,
+    /// Unit of its values.
+    pub unit: SiUnit,
+    /// In words and people's units, for example `normal, mean 50 mm, standard deviation 0.02 mm`.
+    pub words: String,
+}
+
+/// Kinds of uncertain input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum InputKind {
+    /// Scatters from part to part with a known distribution.
+    Random,
+    /// Fixed but unknown, in an interval.
+    Interval {
+        /// Lower end.
+        lower_si: f64,
+        /// Upper end.
+        upper_si: f64,
+    },
+    /// Somewhere in one of several intervals with masses.
+    Evidence {
+        /// The intervals.
+        elements: Vec<ElementDescription>,
+        /// Whether it scatters within them from part to part (a probability box) rather than being fixed.
+        is_scattering: bool,
+    },
+    /// Fixed but unknown, possible to different degrees.
+    Fuzzy {
+        /// The values possible to at least each degree, degrees increasing.
+        cuts: Vec<CutDescription>,
+    },
+    /// Fixed but unknown, anywhere on a circle: one period of an angle or a phase.
+    Periodic {
+        /// Where the period begins.
+        lower_si: f64,
+        /// Where it ends and begins again.
+        upper_si: f64,
+    },
+    /// Fixed but unknown, a parameter of which it is known how probable each value is; the words tell how.
+    SecondOrder {
+        /// Lower end of what is looked at.
+        lower_si: f64,
+        /// Upper end of what is looked at.
+        upper_si: f64,
+    },
+    /// Fixed but unknown, one of a list.
+    Choice {
+        /// The list.
+        of: Vec<String>,
+    },
+}
+
+/// A focal element.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ElementDescription {
+    /// Lower end.
+    pub lower_si: f64,
+    /// Upper end.
+    pub upper_si: f64,
+    /// Its mass, in (0, 1].
+    pub mass: f64,
+}
+
+/// A cut of a fuzzy number.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CutDescription {
+    /// The degree, in [0, 1].
+    pub alpha: f64,
+    /// Lower end.
+    pub lower_si: f64,
+    /// Upper end.
+    pub upper_si: f64,
+}
+
+/// A correlation of two random inputs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CorrelationDescription {
+    /// Paths of the inputs.
+    pub of: Vec<String>,
+    /// Spearman's rank correlation, -1 to 1, of the normal variables behind the inputs, which is that of the inputs where no
+    /// value comes up twice.
+    #[serde(with = "extended")]
+    pub rank: f64,
+    /// Pearson's linear correlation of the values, where it was stated in place of the other one.
+    #[serde(with = "extended", default)]
+    pub linear: Option<f64>,
+}
+
+/// What was run for each sample; part of what every response means.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CycleDescription {
+    /// Name of the drive whose angle is the input.
+    pub drive: String,
+    /// Speed of the drive where it is constant.
+    #[serde(with = "extended")]
+    pub drive_speed_rad_s: Option<f64>,
+    /// Turns that were run and thrown away.
+    #[serde(with = "extended")]
+    pub transient_turns: f64,
+    /// Turns that were recorded.
+    #[serde(with = "extended")]
+    pub recorded_turns: f64,
+    /// Position tolerance of the integration.
+    #[serde(with = "extended")]
+    pub tolerance_m: f64,
+    /// Name of the integration method.
+    pub method: String,
+}
+
+/// One output.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct OutputDescription {
+    /// Name of the output.
+    pub name: String,
+    /// What it is in words, for example `x of slider.pin`.
+    pub words: String,
+    /// Unit of its values.
+    pub unit: SiUnit,
+}
+
+/// How many runs of which kind.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RunCounts {
+    /// All runs.
+    pub runs: u64,
+    /// Those that failed.
+    pub failed: u64,
+    /// The runs by what they were for, purposes without runs left out.
+    pub by_purpose: Vec<PurposeRuns>,
+    /// Values of the epistemic inputs.
+    pub outer: u64,
+    /// Random samples at each of them.
+    pub inner: u64,
+    /// Independently randomised repetitions among the random samples, from which the sampling error comes.
+    pub replicates: u64,
+    /// Rounds of an adaptive study; 1 otherwise.
+    pub rounds: u64,
+}
+
+/// Runs for one purpose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PurposeRuns {
+    /// The purpose.
+    pub purpose: RunPurpose,
+    /// How many.
+    pub runs: u64,
+}
+
+/// What a run is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RunPurpose {
+    /// The direct double loop.
+    Mixed,
+    /// The probability-only treatment.
+    ProbabilityOnly,
+    /// The interval-only treatment.
+    IntervalOnly,
+    /// Shares of the variance.
+    Contributors,
+    /// A small probability.
+    Rare,
+    /// Something for a surrogate to learn from.
+    Training,
+    /// A surrogate held against the response.
+    Confirming,
+}
+
+impl RunPurpose {
+    /// Every purpose, in the order in which runs are told.
+    pub const ALL: [Self; 7] = [
+        Self::Mixed,
+        Self::ProbabilityOnly,
+        Self::IntervalOnly,
+        Self::Contributors,
+        Self::Rare,
+        Self::Training,
+        Self::Confirming,
+    ];
+
+    /// The word used in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Mixed => "mixed",
+            Self::ProbabilityOnly => "probability_only",
+            Self::IntervalOnly => "interval_only",
+            Self::Contributors => "contributors",
+            Self::Rare => "rare",
+            Self::Training => "training",
+            Self::Confirming => "confirming",
+        }
+    }
+}
+
+/// Runs that failed for the same reason.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FailureGroup {
+    /// Short name that does not change, for example `cannot_close`.
+    pub code: String,
+    /// The reason in words.
+    pub words: String,
+    /// How many runs.
+    pub count: u64,
+    /// One of them.
+    pub example: ExampleRun,
+}
+
+/// One run, ready to be made again.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ExampleRun {
+    /// Its index in `runs.parquet`.
+    pub index: u64,
+    /// The command that makes it again.
+    pub command: String,
+}

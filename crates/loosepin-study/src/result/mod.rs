@@ -1,0 +1,178 @@
+//! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
+
+mod accuracy;
+mod allowances;
+mod bound;
+mod contributors;
+mod figures;
+mod inputs;
+mod rare;
+mod reweighting;
+mod surrogate;
+
+use serde::{Deserialize, Serialize};
+
+pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
+pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
+pub use bound::{
+    BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, ResponsePoint, StatisticKind,
+    TreatmentKind, Witness, WitnessValue,
+};
+pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
+pub use figures::{
+    CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
+    SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd,
+};
+pub use inputs::{
+    CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
+    InputDescription, InputKind, OutputDescription, PurposeRuns, RunCounts, RunPurpose,
+};
+
+/// What held-out errors say about a response.
+pub use loosepin_surrogate::Verdict as SurrogateVerdict;
+pub use rare::{RareEnd, RareMethodUsed, RareRecord};
+pub use reweighting::ReweightingRecord;
+pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
+
+pub use super::file::Reduction;
+use loosepin_simulate::record::{Drawing, JournalOrbit};
+use loosepin_text::units::{DisplayUnits, extended};
+
+/// Bounds over what is possible to at least some degree, in the order of [`StudyResult::bounds`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CutBounds {
+    /// The degree, in [0, 1].
+    pub alpha: f64,
+    /// The bounds.
+    pub bounds: Vec<BoundRecord>,
+}
+
+/// A percentile of every statistic that is itself random, in the order of [`StudyResult::bounds`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PercentileBounds {
+    /// With this probability the parameters are such that a statistic does not exceed the percentile, in (0, 1).
+    pub percentile: f64,
+    /// The percentile of each statistic, from the least to the greatest over the other epistemic inputs.
+    pub bounds: Vec<BoundRecord>,
+}
+
+/// The finished study. Keys are written in this order, the bulky ones last.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyResult {
+    /// Version of this layout; rises when a reader must change.
+    pub format: u32,
+    /// Name of the study.
+    pub name: String,
+    /// Name of the model.
+    pub model: String,
+    /// Version of the program, `major.minor.patch`.
+    pub version: String,
+    /// Hash of all inputs, hexadecimal.
+    pub input_hash: String,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// The uncertain inputs, in file order.
+    pub inputs: Vec<InputDescription>,
+    /// Rank correlations between random inputs.
+    pub correlations: Vec<CorrelationDescription>,
+    /// What was run for each sample.
+    pub cycle: CycleDescription,
+    /// The outputs asked for.
+    pub outputs: Vec<OutputDescription>,
+    /// How many runs, and how many of them failed.
+    pub counts: RunCounts,
+    /// How near the bounds were to be and are; absent where neither accuracy nor budget was stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<AccuracyRecord>,
+    /// The failed runs by reason, most frequent first.
+    pub failures: Vec<FailureGroup>,
+    /// Share of the runs whose motion had settled into a period, 0 to 1; absent where it was not examined.
+    #[serde(with = "extended")]
+    pub settled_share: Option<f64>,
+    /// Requirements and whether they are met.
+    pub requirements: Vec<RequirementOutcome>,
+    /// How far inputs may be loosened, one at a time.
+    #[serde(default)]
+    pub allowances: Vec<AllowanceRecord>,
+    /// The cheapest combination of offers; absent where none has a price.
+    #[serde(default)]
+    pub allocation: Option<AllocationRecord>,
+    /// Every bound.
+    pub bounds: Vec<BoundRecord>,
+    /// The same bounds for what is possible to at least each degree, where an input is a fuzzy number.
+    #[serde(default)]
+    pub cuts: Vec<CutBounds>,
+    /// Percentiles of the statistics, where parameters of distributions have distributions themselves.
+    #[serde(default)]
+    pub percentiles: Vec<PercentileBounds>,
+    /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
+    #[serde(default)]
+    pub rare: Vec<RareRecord>,
+    /// How runs were weighted for other distributions; absent where that was not to be done.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reweighting: Option<ReweightingRecord>,
+    /// Bounds by surrogates beside the direct ones; absent where none was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surrogate: Option<SurrogateRecord>,
+    /// What contributes to the answers that were asked so.
+    #[serde(default)]
+    pub contributors: Vec<Contributors>,
+    /// The three treatments side by side.
+    pub treatments: Vec<TreatmentComparison>,
+    /// Energy residuals of the runs: their own check.
+    pub energy: Option<EnergyResiduals>,
+    /// Impacts in each clearance joint.
+    pub impacts: Vec<JointImpacts>,
+    /// Units that pages and tables use.
+    pub display_units: DisplayUnits,
+    /// Deviation curves over the cycle.
+    pub curves: Vec<DeviationCurve>,
+    /// Probability boxes.
+    pub boxes: Vec<ProbabilityBox>,
+    /// Paths of journals in their bearings.
+    pub orbits: Vec<JournalOrbit>,
+    /// The mechanism and its poses.
+    pub drawing: Drawing,
+}
+
+/// The layout that this version of the program writes.
+pub const FORMAT: u32 = 2;
+
+/// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RequirementOutcome {
+    /// Name of the output.
+    pub output: String,
+    /// Which deviation.
+    pub of: DeviationKind,
+    /// Where in the cycle: `whole` means everywhere.
+    pub at: ResponsePoint,
+    /// Least allowed value; minus infinity where there is none.
+    #[serde(with = "extended")]
+    pub lower_si: f64,
+    /// Largest allowed value; infinity where there is none.
+    #[serde(with = "extended")]
+    pub upper_si: f64,
+    /// The least share of mechanisms that must keep the limits.
+    #[serde(with = "extended")]
+    pub probability_at_least: f64,
+    /// Bounds of that share over the epistemic inputs, widened by their numerical error.
+    #[serde(with = "extended")]
+    pub probability: [f64; 2],
+    /// The epistemic inputs at which the share is smallest.
+    pub witness: Witness,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+/// Whether a requirement is met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Met for every value of the epistemic inputs, numerical error included.
+    Met,
+    /// Not met for at least one value, numerical error included.
+    NotMet,
+    /// The numerical error reaches over the limit: more runs decide.
+    Undecided,
+}

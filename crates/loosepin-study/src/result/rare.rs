@@ -1,0 +1,53 @@
+//! Small probabilities: how they were estimated.
+
+use serde::{Deserialize, Serialize};
+
+use super::bound::{DeviationKind, ResponsePoint, StatisticKind};
+use loosepin_text::units::extended;
+
+/// How the bounds of one small probability were estimated; the bounds themselves stand among the others.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RareRecord {
+    /// Name of the output.
+    pub output: String,
+    /// Which deviation.
+    pub of: DeviationKind,
+    /// Where in the cycle.
+    pub at: ResponsePoint,
+    /// The probability.
+    pub statistic: StatisticKind,
+    /// Where it is smallest.
+    pub lower: RareEnd,
+    /// Where it is largest.
+    pub upper: RareEnd,
+}
+
+/// One end.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RareEnd {
+    /// The means.
+    pub method: RareMethodUsed,
+    /// The estimate.
+    #[serde(with = "extended")]
+    pub probability: f64,
+    /// Its standard error.
+    #[serde(with = "extended")]
+    pub standard_error: f64,
+    /// Reliability index: distance of the nearest design point, in standard deviations; none by subset simulation.
+    #[serde(with = "extended")]
+    pub reliability_index: Option<f64>,
+    /// Runs of this estimate, without those of the search for where it is.
+    pub runs: u64,
+    /// Those that failed; they count as the event.
+    pub failed: u64,
+}
+
+/// The means of an estimate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RareMethodUsed {
+    /// Sampling around design points.
+    Importance,
+    /// Subset simulation.
+    Subset,
+}

@@ -1,0 +1,40 @@
+//! Bands in which a share of mechanisms stays for the whole cycle.
+
+use super::assemble::Material;
+use super::columns::pointwise_ends;
+use loosepin_bounds::{DoubleLoop, PlanError, SimultaneousBand};
+
+/// A band for the columns of a curve.
+#[derive(Debug)]
+pub(super) struct CurveBand {
+    /// The columns, pose by pose.
+    pub columns: Vec<usize>,
+    /// The share that was asked for.
+    pub share: f64,
+    /// The band; nothing where the ends at some pose are not finite, or nothing differs from run to run.
+    pub found: Option<SimultaneousBand>,
+}
+
+/// Every band that was asked for. Its form is that of the band of the same share at each pose by itself, numerical error included.
+///
+/// # Errors
+///
+/// [`PlanError`] where the table lacks runs.
+pub(super) fn curve_bands(material: &Material<'_>, plan: &DoubleLoop) -> Result<Vec<CurveBand>, PlanError> {
+    let asks = material.response.shared.plan.asks.iter();
+    let asked = asks.flat_map(|planned| planned.ask.simultaneous_bands.iter().map(move |&share| (planned, share)));
+    asked
+        .map(|(planned, share)| {
+            let shape = planned.columns.iter().map(|&column| {
+                let [lower, upper] = pointwise_ends(share).map(|statistic| material.ends(column, statistic));
+                Some([lower?[0].widened_si, upper?[1].widened_si])
+            });
+            let shape: Option<Vec<[f64; 2]>> = shape.collect();
+            let found = match shape {
+                Some(shape) => plan.simultaneous_band(material.table, &planned.columns, &shape, share)?,
+                None => None,
+            };
+            Ok(CurveBand { columns: planned.columns.clone(), share, found })
+        })
+        .collect()
+}

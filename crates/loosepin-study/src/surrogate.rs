@@ -1,0 +1,277 @@
+//! The surrogate of a study: its runs, and its bounds beside the direct ones.
+
+use super::accuracy::{Ended, goals};
+use super::assemble::{Material, asked_bounds, deviation_kind, learned_treatments};
+use super::columns::{ColumnPlan, Spot};
+use super::conduct::{StudyError, refuse_failures};
+use super::file::{Study, StudySurrogate, Where};
+use super::plans::{Plans, problem};
+use super::response::StudyResponse;
+use super::result::{
+    ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
+};
+use super::runner::Runner;
+use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
+use loosepin_bounds::{
+    ColumnGroup, GroupBounds, MOST_WITNESSES, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan,
+    SurrogateRounds, SurrogateSettings,
+};
+use loosepin_surrogate::{OutputSurrogate, Surrogate, Verdict};
+use loosepin_text::units::SiUnit;
+
+/// The plan of the surrogates of `study`; nothing where it asks for none.
+///
+/// # Errors
+/// The numbers of runs are not possible.
+pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<SurrogatePlan>, StudyError> {
+    let Some(StudySurrogate { choice, training_runs, confirming_runs, .. }) = study.surrogate else {
+        return Ok(None);
+    };
+    let mut problem = problem(study, response);
+    // Distribution functions are shown of the direct runs.
+    problem.requests.retain(|request| request.statistic != loosepin_bounds::Statistic::Cdf);
+    let groups = groups(&response.shared.plan);
+    let settings = SurrogateSettings { choice, training: training_runs, confirming: confirming_runs, groups };
+    Ok(Some(SurrogatePlan::try_new(problem, settings)?))
+}
+
+/// How many runs `plan` comes to at most.
+pub(super) fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize {
+    let combinations: usize = study.epistemic.iter().map(|input| input.variable.choices()).product();
+    plan.settings().training * combinations + plan.settings().confirming * MOST_WITNESSES
+}
+
+/// A group for each curve, then one for each other column.
+fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
+    let mut groups: Vec<ColumnGroup> = Vec::new();
+    let name = |column: usize| {
+        let of = deviation_kind(plan.columns[column].deviation).word();
+        format!("{} {of}", plan.outputs[plan.columns[column].output].name)
+    };
+    let is_known = |groups: &[ColumnGroup], column: &usize| groups.iter().any(|group| group.columns.contains(column));
+    for planned in plan.asks.iter().filter(|planned| planned.ask.location == Where::Cycle) {
+        let columns: Vec<usize> = planned.columns.iter().copied().filter(|column| !is_known(&groups, column)).collect();
+        if let Some(&first) = columns.first() {
+            groups.push(ColumnGroup { name: name(first), columns });
+        }
+    }
+    for column in 0..plan.columns.len() {
+        if !is_known(&groups, &column) {
+            groups.push(ColumnGroup { name: name(column), columns: vec![column] });
+        }
+    }
+    groups
+}
+
+/// What surrogates have given.
+pub(super) struct LearnedBounds {
+    /// The plan of the last step.
+    pub plan: SurrogatePlan,
+    /// Its bounds.
+    pub bounds: SurrogateBounds,
+    /// How its steps ended, where the surrogate stands alone.
+    pub ended: Option<Ended>,
+}
+
+/// Makes the runs of the surrogates and adds them to `table`: step by step towards the accuracy asked for where they stand alone, in one
+/// step beside direct bounds.
+///
+/// # Errors
+/// The study was interrupted, too many runs failed, or the budget does not suffice for the first step.
+pub(super) fn learned_bounds(
+    runner: &mut Runner<'_>,
+    plans: &Plans,
+    plan: &SurrogatePlan,
+    table: &mut SampleTable,
+) -> Result<LearnedBounds, StudyError> {
+    let is_alone = plans.is_surrogate_alone;
+    let goals = if is_alone { goals(runner.study, &runner.response.shared.plan) } else { Vec::new() };
+    let mut rounds = SurrogateRounds::new(plan.clone(), goals)?;
+    let watch = plans.watch();
+    let (mut made, mut left) = (0, None);
+    let mut learned = None;
+    let mut found: Option<(SurrogatePlan, SurrogateBounds)> = None;
+    loop {
+        let training = rounds.training_round(table.rounds())?;
+        let most = training.len() + rounds.plan().most_confirming();
+        if is_alone && !watch.allows(most, table.len(), made) {
+            left = Some(most);
+            break;
+        }
+        if is_alone {
+            runner.most_runs = plans.most_runs_with(table.len() + most);
+        }
+        runner.run(&training, table)?;
+        if is_alone {
+            refuse_failures(runner, table)?;
+        }
+        let pool = runner.pool;
+        let known = match learned.take().filter(|_| training.is_empty()) {
+            Some(known) => known,
+            None => pool.install(|| rounds.plan().learn(table)),
+        };
+        let confirmation = pool.install(|| rounds.plan().confirmation(&known, table.rounds(), table))?;
+        runner.run(&confirmation.round, table)?;
+        if is_alone {
+            refuse_failures(runner, table)?;
+        }
+        let bounds = pool.install(|| rounds.plan().results(known.clone(), &confirmation, table))?;
+        made += 1;
+        let plan = rounds.plan().clone();
+        let goes_on = rounds.advance(&bounds, table)?;
+        found = Some((plan, bounds));
+        learned = Some(known);
+        if !goes_on {
+            break;
+        }
+    }
+    let Some((plan, bounds)) = found else { return Err(plans.budget_too_small(left.unwrap_or_default())) };
+    let bounds = runner.pool.install(|| bounds.with_treatments(&plan))?;
+    let first = table.len();
+    runner.run(&bounds.extreme_round(table.rounds()), table)?;
+    let bounds = runner.pool.install(|| bounds.held_against_extremes(&plan, table, first))?;
+    let ended = is_alone.then(|| Ended::of_surrogates(&rounds, left, (made, table.len()), plans.budget));
+    Ok(LearnedBounds { plan, bounds, ended })
+}
+
+/// What was learned, with the bounds where they stand beside direct ones.
+pub(super) fn surrogate_record(
+    material: &Material<'_>,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> SurrogateRecord {
+    let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
+    let pairs = if is_alone { Vec::new() } else { found.to_bounds(plan, 0).pairs };
+    let of_surrogate = Material { pairs: &pairs, rare: &[], ..*material };
+    SurrogateRecord {
+        training_runs: found.training_runs as u64,
+        confirming_runs: found.confirming_runs as u64,
+        runs_at_bounds: found.runs_at_bounds as u64,
+        failed: found.failed_runs as u64,
+        direct_runs: if is_alone { 0 } else { material.bounds.runs as u64 },
+        outputs: found.groups.iter().map(|group| output(material, plan, group)).collect(),
+        bounds: asked_bounds(&of_surrogate),
+        treatments: if is_alone { Vec::new() } else { learned_treatments(material, plan, found) },
+    }
+}
+
+fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) -> SurrogateOutput {
+    let columns = &group.learned.group.columns;
+    let column = columns[0];
+    let is_curve = columns.len() > 1;
+    let mut record = SurrogateOutput {
+        output: material.name_of(column),
+        of: deviation_kind(material.response.shared.plan.columns[column].deviation),
+        at: if is_curve { ResponsePoint::Whole } else { material.point_of(column, false) },
+        unit: material.unit_of(column),
+        problem: None,
+        kinds: Vec::new(),
+        runs: 0,
+        missing: group.learned.failed as u64,
+        failed: group.failed as u64,
+        share_outside: group.share_outside,
+        held_out_si: f64::NAN,
+        q2: None,
+        verdict: None,
+        learning: Vec::new(),
+        reach: group.reach,
+        largest_ratio: group.largest_ratio,
+        along: None,
+        picture: None,
+    };
+    let surrogates = match &group.learned.surrogates {
+        Ok(surrogates) => surrogates,
+        Err(error) => {
+            record.problem = Some(error.to_string());
+            return record;
+        }
+    };
+    let outputs: Vec<&OutputSurrogate> =
+        surrogates.iter().filter_map(|surrogate| surrogate.outputs().first()).collect();
+    let worst =
+        |most: usize, next: usize| if outputs[next].quality.rms > outputs[most].quality.rms { next } else { most };
+    let combination = (0..outputs.len()).fold(0, worst);
+    let Some(learned) = outputs.get(combination) else { return record };
+    record.kinds = learned.kinds().into_iter().map(|kind| kind.name().to_owned()).collect();
+    record.runs = learned.quality.runs as u64;
+    record.held_out_si = learned.quality.rms;
+    record.q2 = learned.quality.q2;
+    // What does not fall and yet is too small to be drawn from makes no difference.
+    let is_small = learned.residual.verdict.keeps_residual() && !group.learned.keeps_residual();
+    record.verdict = Some(if is_small { Verdict::Resolved } else { learned.residual.verdict });
+    let learning = learned.residual.learning.iter();
+    record.learning =
+        learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
+    let pose = |column: usize| match material.response.shared.plan.columns[column].spot {
+        Spot::Pose { angle_rad, .. } => Some(angle_rad),
+        Spot::Reduced(_) => None,
+    };
+    record.along = is_curve.then(|| SurrogateAlong {
+        pose_rad: columns.iter().map(|&column| pose(column).unwrap_or(f64::NAN)).collect(),
+        held_out_si: learned.quality.rms_along.clone(),
+    });
+    record.picture = plan.section(group, combination, material.table).map(|section| {
+        let (path, input_unit) = input_names(material, section.input);
+        SurrogatePicture {
+            path,
+            input_unit,
+            pose_rad: if is_curve { pose(columns[section.place]) } else { None },
+            run_input_si: section.runs.iter().map(|run| run[0]).collect(),
+            run_output_si: section.runs.iter().map(|run| run[1]).collect(),
+            input_si: section.line.iter().map(|point| point[0]).collect(),
+            output_si: section.line.iter().map(|point| point[1]).collect(),
+            half_width_si: section.line.iter().map(|point| point[2]).collect(),
+        }
+    });
+    record
+}
+
+/// All surrogates as they are saved.
+pub(super) fn saved_surrogates(
+    material: &Material<'_>,
+    input_hash: &str,
+    plan: &SurrogatePlan,
+    found: &SurrogateBounds,
+) -> SavedSurrogates {
+    let inputs = plan.inputs().iter().map(|&input| {
+        let (path, unit) = input_names(material, input);
+        SavedInput { path, unit }
+    });
+    let of_group = |group: &GroupBounds| {
+        let columns = &group.learned.group.columns;
+        let surrogates = group.learned.surrogates.iter().flatten().enumerate();
+        let saved = |(combination, surrogate): (usize, &Surrogate)| {
+            let mut epistemic: Vec<f64> =
+                material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
+            let members = plan.members(combination);
+            members.iter().for_each(|&(index, value)| epistemic[index] = value);
+            let lists: Vec<&str> = members.iter().map(|&(i, _)| material.study.epistemic[i].path.as_str()).collect();
+            let named = material.witness(&epistemic).into_iter();
+            SavedOutput {
+                output: material.name_of(columns[0]),
+                of: deviation_kind(material.response.shared.plan.columns[columns[0]].deviation),
+                at: columns.iter().map(|&column| material.point_of(column, columns.len() > 1)).collect(),
+                unit: material.unit_of(columns[0]),
+                members: named.filter(|(path, _)| lists.contains(&path.as_str())).collect(),
+                surrogate: surrogate.clone(),
+            }
+        };
+        surrogates.map(saved).collect::<Vec<_>>()
+    };
+    let outputs = found.groups.iter().flat_map(of_group).collect();
+    SavedSurrogates::new(&material.study.name, input_hash, inputs.collect(), outputs)
+}
+
+/// Path and unit of an input.
+fn input_names(material: &Material<'_>, input: SurrogateInput) -> (String, SiUnit) {
+    match input {
+        SurrogateInput::Random(index) => {
+            let input = &material.study.random[index];
+            (input.path.clone(), super::assemble::unit(&material.study.model.quantities, input.quantity))
+        }
+        SurrogateInput::Epistemic(index) => {
+            let input = &material.study.epistemic[index];
+            (input.path.clone(), input.unit(&material.study.model))
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! The unknown values with which joints have the most play, for what knows no intervals.
+
+use super::file::Study;
+use loosepin_mechanics::model::QuantityId;
+use loosepin_text::units::{SiUnit, format_value, parse_quantity};
+
+impl Study {
+    /// Settings `path=value` of what is known as an interval or a list, and decides a clearance: each at the end where that is larger.
+    ///
+    /// A quantity behind several clearances is taken where their sum is larger, the other quantities as they stand in the model;
+    /// an end that the model cannot take is none. Clearances that do not change with it leave it as it stands.
+    pub fn widest_play(&self) -> Vec<(&str, String)> {
+        let widest = |(path, id, ends): (_, QuantityId, [f64; 2])| {
+            let play = ends.map(|end| (self.sum_of_clearances_m(id, end), end));
+            let (_, value_si) = play
+                .into_iter()
+                .filter_map(|(sum_m, end)| Some((sum_m?, end)))
+                .reduce(|low, high| if low.0 > high.0 { low } else { high })?;
+            Some((path, format!("{path}={}", self.written_exactly(id, value_si))))
+        };
+        let known = self.epistemic.iter().filter_map(|input| {
+            let id = input.quantity()?;
+            self.model.play_from(id).next()?;
+            Some((input.path.as_str(), id, input.variable.ends()))
+        });
+        known.filter_map(widest).collect()
+    }
+
+    /// The sum of all clearances that depend on a quantity where it is `value_si`, m; nothing where the model cannot take that.
+    fn sum_of_clearances_m(&self, id: QuantityId, value_si: f64) -> Option<f64> {
+        let values = self.model.quantities.evaluate(&[(id, value_si)]).ok()?;
+        Some(self.model.play_from(id).map(|(_, clearance)| values[clearance]).sum())
+    }
+
+    /// A value as it is read by people, with all digits where those do not give it back.
+    fn written_exactly(&self, id: QuantityId, value_si: f64) -> String {
+        let dimension = self.model.quantities[id].dimension;
+        let readable = format_value(value_si, dimension);
+        if parse_quantity(&readable).is_ok_and(|read| read.value_si == value_si) {
+            return readable;
+        }
+        format!("{value_si} {}", SiUnit::of_dimension(dimension).symbol())
+    }
+}

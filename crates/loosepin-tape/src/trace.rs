@@ -1,0 +1,150 @@
+//! A number that writes down what is done with it: from the equations, evaluated once on these, comes the straight-line
+//! program that [`crate::native`] turns into machine code.
+
+use crate::native::{Graph, Mask, Slot, Value};
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use loosepin_math::{Real, sin_cos};
+use std::cell::{Cell, RefCell};
+
+thread_local! {
+    /// What this thread is writing down.
+    static GRAPH: RefCell<Graph> = RefCell::new(Graph::new());
+    /// Whether something was done that a straight line cannot say.
+    static IS_BEYOND: Cell<bool> = const { Cell::new(false) };
+}
+
+/// A number of the program that is being written down on this thread, inside of [`record`].
+#[derive(Debug, Clone, Copy)]
+pub struct Traced(Value);
+
+/// Writes down what `work` does with [`Traced`] numbers. None where it did what has no straight line: a power with an
+/// exponent other than 1 and 3/2.
+pub fn record<R>(work: impl FnOnce() -> R) -> Option<(Graph, R)> {
+    GRAPH.set(Graph::new());
+    IS_BEYOND.set(false);
+    let result = work();
+    (!IS_BEYOND.get()).then(|| (GRAPH.take(), result))
+}
+
+impl Traced {
+    /// The number that the program reads from `slot`.
+    pub fn input(slot: Slot) -> Self {
+        write(|graph| graph.input(slot))
+    }
+    /// Its place in the graph.
+    pub fn value(self) -> Value {
+        self.0
+    }
+}
+
+fn write(node: impl FnOnce(&mut Graph) -> Value) -> Traced {
+    Traced(GRAPH.with_borrow_mut(node))
+}
+
+macro_rules! operators {
+    ($($operator:ident $method:ident $assign:ident $assign_method:ident $node:ident),*) => {$(
+        impl $operator for Traced {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                write(|graph| graph.$node(self.0, other.0))
+            }
+        }
+        impl $assign for Traced {
+            fn $assign_method(&mut self, other: Self) {
+                *self = $operator::$method(*self, other);
+            }
+        }
+    )*};
+}
+operators!(
+    Add add AddAssign add_assign add,
+    Sub sub SubAssign sub_assign subtract,
+    Mul mul MulAssign mul_assign multiply
+);
+
+impl Div for Traced {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        write(|graph| graph.divide(self.0, other.0))
+    }
+}
+impl Neg for Traced {
+    type Output = Self;
+    fn neg(self) -> Self {
+        write(|graph| graph.negate(self.0))
+    }
+}
+
+impl Real for Traced {
+    type Mask = Mask;
+
+    fn from_f64(value: f64) -> Self {
+        write(|graph| graph.constant(value))
+    }
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        write(|graph| graph.mul_add(self.0, factor.0, addend.0))
+    }
+    fn sqrt(self) -> Self {
+        write(|graph| graph.square_root(self.0))
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos(self)
+    }
+    fn powf(self, exponent: f64) -> Self {
+        if exponent == 1.5 {
+            self * self.sqrt()
+        } else {
+            IS_BEYOND.set(IS_BEYOND.get() || exponent != 1.0);
+            self
+        }
+    }
+    fn min(self, other: Self) -> Self {
+        write(|graph| graph.minimum(self.0, other.0))
+    }
+    fn max(self, other: Self) -> Self {
+        write(|graph| graph.maximum(self.0, other.0))
+    }
+    fn abs(self) -> Self {
+        write(|graph| graph.absolute(self.0))
+    }
+    fn less_than(self, other: Self) -> Mask {
+        GRAPH.with_borrow_mut(|graph| graph.less_than(self.0, other.0))
+    }
+    fn select(mask: Mask, chosen: Self, otherwise: Self) -> Self {
+        write(|graph| graph.select(mask, chosen.0, otherwise.0))
+    }
+    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
+        kernel()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::native::Program;
+
+    #[test]
+    fn identity_a_recorded_function_is_the_function_bit_for_bit() {
+        fn f<T: Real>(x: T, y: T) -> T {
+            let (sine, cosine) = (x * T::from_f64(3.1)).sin_cos();
+            let root = (x.mul_add(x, y * y)).sqrt();
+            let larger = T::select(sine.less_than(cosine), root.powf(1.5), cosine.abs().max(y).min(root));
+            (larger - sine) / (cosine + T::from_f64(2.0))
+        }
+        let slot = |index| Slot { block: 0, index };
+        let (graph, result) = record(|| f(Traced::input(slot(0)), Traced::input(slot(1)))).expect("a straight line");
+        let program = Program::new(&graph, &[(Slot { block: 1, index: 0 }, result.value())]).expect("one output");
+        for k in 0..200 {
+            let (x, y) = (-4.0 + 0.041 * f64::from(k), 1.7 - 0.013 * f64::from(k));
+            let (mut inputs, mut output) = ([x, y], [f64::NAN]);
+            program.evaluate(1, &mut [&mut inputs, &mut output], &mut Vec::new()).expect("blocks fit");
+            assert_eq!(output[0], f(x, y), "at {x}, {y}");
+        }
+    }
+
+    #[test]
+    fn a_power_without_a_straight_line_is_told() {
+        assert!(record(|| Traced::from_f64(2.0).powf(1.3)).is_none());
+        assert!(record(|| Traced::from_f64(2.0).powf(1.5)).is_some());
+    }
+}

@@ -1,0 +1,167 @@
+//! Tables and entries of a TOML file with their places.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::keys::{Key, Keys, Kind};
+use super::path::EntryPath;
+use crate::diagnostics::Span;
+use crate::units::{Dimension, Rule};
+
+/// A table whose keys have been checked against what it may have.
+#[derive(Debug, Clone)]
+pub struct Table<'t> {
+    /// Where it stands.
+    pub path: EntryPath,
+    /// Its header.
+    pub span: Span,
+    pub(super) entries: &'t DeTable<'t>,
+    pub(super) keys: &'static Keys,
+}
+
+/// One `key = value`.
+#[derive(Debug, Clone)]
+pub struct Entry<'t> {
+    /// Where it stands.
+    pub path: EntryPath,
+    /// The key as written.
+    pub name: &'t str,
+    /// Place of the key.
+    pub key_span: Span,
+    /// Place of the value.
+    pub span: Span,
+    pub(super) value: &'t DeValue<'t>,
+    /// What the table of keys says, for keys that stand in one.
+    pub(super) key: Option<&'static Key>,
+}
+
+/// What stands where a quantity is due.
+#[derive(Debug, Clone, Copy)]
+pub enum Written<'t> {
+    /// Text.
+    Text(&'t str),
+    /// A bare number.
+    Number(f64),
+}
+
+impl<'t> Table<'t> {
+    /// The entry of a key that the table may have; absent where it is not written.
+    pub fn get(&self, key: &str) -> Option<Entry<'t>> {
+        let known = self.keys.find(key);
+        debug_assert!(known.is_some(), "the reader asks for '{key}', which the table of keys does not have");
+        let (written, value) = self.entries.iter().find(|(written, _)| written.get_ref() == key)?;
+        Some(Entry {
+            path: self.path.join(key),
+            name: written.get_ref(),
+            key_span: written.span().into(),
+            span: value.span().into(),
+            value: value.get_ref(),
+            key: known,
+        })
+    }
+
+    /// Dimension and rule of a key, where it is a quantity of fixed dimension.
+    pub fn due_quantity(&self, key: &str) -> Option<(Dimension, Rule)> {
+        quantity_of(self.keys.find(key)?)
+    }
+
+    /// Whether a key is written.
+    pub fn has(&self, key: &str) -> bool {
+        self.get(key).is_some()
+    }
+}
+
+impl<'t> Entry<'t> {
+    /// An element of a list.
+    pub(super) fn element(&self, index: usize, value: &'t Spanned<DeValue<'t>>) -> Entry<'t> {
+        Entry {
+            path: self.path.join(&(index + 1).to_string()),
+            name: self.name,
+            key_span: value.span().into(),
+            span: value.span().into(),
+            value: value.get_ref(),
+            key: None,
+        }
+    }
+
+    /// Dimension and rule that the table of keys demands, where it is a quantity of fixed dimension.
+    pub fn due_quantity(&self) -> Option<(Dimension, Rule)> {
+        quantity_of(self.key?)
+    }
+
+    /// The same entry with the place of its key, for complaints about a name that is a key.
+    pub fn at_key(&self) -> Entry<'t> {
+        Entry { span: self.key_span, ..self.clone() }
+    }
+
+    /// Least and most that the table of keys allows, where it is a count.
+    pub(super) fn count_limits(&self) -> Option<(u64, u64)> {
+        match self.key?.kind {
+            Kind::Count { least, most } => Some((least, most)),
+            _ => None,
+        }
+    }
+
+    /// Rule that the table of keys demands, where it is a bare number.
+    pub(super) fn number_rule(&self) -> Option<Rule> {
+        match self.key?.kind {
+            Kind::Number { rule } => Some(rule),
+            Kind::AnyOf(kinds) => kinds.iter().find_map(|kind| match kind {
+                Kind::Number { rule } => Some(*rule),
+                _ => None,
+            }),
+            _ => None,
+        }
+    }
+
+    /// Whether text stands here.
+    pub fn is_text(&self) -> bool {
+        self.value.is_str()
+    }
+
+    /// Whether a table stands here.
+    pub fn is_table(&self) -> bool {
+        self.value.is_table()
+    }
+
+    /// Whether a list stands here.
+    pub fn is_list(&self) -> bool {
+        self.value.is_array()
+    }
+
+    /// Whether an empty list stands here.
+    pub fn is_empty_list(&self) -> bool {
+        self.value.as_array().is_some_and(|list| list.is_empty())
+    }
+
+    /// What stands here, for messages: `the number 3`, `a table`.
+    pub fn found(&self) -> String {
+        match self.value {
+            DeValue::String(text) => format!("the text \"{}\"", shortened(text)),
+            DeValue::Integer(number) => format!("the number {number}"),
+            DeValue::Float(number) => format!("the number {number}"),
+            DeValue::Boolean(value) => format!("the truth value {value}"),
+            DeValue::Datetime(value) => format!("the date {value}"),
+            DeValue::Array(_) => "a list".to_owned(),
+            DeValue::Table(_) => "a table".to_owned(),
+        }
+    }
+}
+
+fn quantity_of(key: &Key) -> Option<(Dimension, Rule)> {
+    match key.kind {
+        Kind::Quantity { dimension, rule } => Some((dimension, rule)),
+        _ => None,
+    }
+}
+
+/// Text cut to what fits in a message, without line breaks or control characters.
+pub(super) fn shortened(text: &str) -> String {
+    const SHOWN_CHARS: usize = 60;
+    let mut shown: String =
+        text.chars().take(SHOWN_CHARS).map(|character| if character.is_control() { ' ' } else { character }).collect();
+    if text.chars().count() > SHOWN_CHARS {
+        shown.push('…');
+    }
+    shown
+}

@@ -1,0 +1,22 @@
+//! TOML files walked by hand: what keys a table has, what is wrong with an entry, and where.
+//!
+//! A file is described once, as tables of [`Key`]s. The reader refuses what is not in them, names what is missing, and
+//! the JSON Schema for editors is made from them.
+
+mod entry;
+mod keys;
+mod meant_file;
+mod path;
+mod problem;
+mod reader;
+mod schema;
+
+pub use crate::units::listed;
+pub use entry::{Entry, Table, Written};
+pub use keys::{Key, Keys, Kind};
+pub use keys::{optional, quantity, required};
+pub use path::EntryPath;
+pub use path::describe_path;
+pub use problem::DocumentProblem;
+pub use reader::{Reader, parse_toml, read_beside, read_source, source_from_bytes};
+pub use schema::json_schema;

@@ -1,0 +1,9 @@
+//! What stands between files and numbers: text with units to SI and back ([`units`]), TOML files walked by hand
+//! ([`document`]), complaints with their place, code and hint ([`diagnostics`]).
+
+pub mod diagnostics;
+pub mod document;
+pub mod units;
+
+/// The version of loosepin, of all its crates, as `major.minor.patch`.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,286 @@
+//! The rules of `docs/architecture.md`, held against the tree: which crate stands on which, that no files of a crate import
+//! each other in a circle, how long a file may be, which names say nothing, and that every dependency says what it is for.
+//! What one crate may name of another is what its manifest says, and the compiler holds it.
+
+use architecture::imports;
+use architecture::sources::{Source, read, sources_below};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+/// Longest file, in lines before its test module.
+const LONGEST_FILE_LINES: usize = 800;
+
+/// Names that say nothing about what is inside.
+const EMPTY_NAMES: [&str; 7] = ["utils", "util", "common", "helpers", "helper", "misc", "shared"];
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The folders below `crates`.
+fn packages() -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(repository().join("crates")).expect("there is a folder crates");
+    entries.map(|entry| entry.expect("a folder entry can be read").path()).filter(|path| path.is_dir()).collect()
+}
+
+fn manifest(package: &Path) -> toml::Value {
+    toml::from_str(&read(&package.join("Cargo.toml"))).expect("the manifest is TOML")
+}
+
+/// The content of the fenced block of `page` that opens with three backticks and `label`.
+fn fenced_block<'a>(page: &'a str, label: &str) -> &'a str {
+    let opening = format!("```{label}\n");
+    let start = page.find(&opening).unwrap_or_else(|| panic!("the page has no block ```{label}")) + opening.len();
+    &page[start..start + page[start..].find("```").expect("the block ends")]
+}
+
+/// Rows `crate : crate crate ...`.
+fn rows(block: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let rows = block.lines().filter_map(|line| line.split_once(':'));
+    rows.map(|(name, on)| (name.trim().to_owned(), on.split_whitespace().map(str::to_owned).collect())).collect()
+}
+
+/// Our own crates that a manifest depends on, for more than tests, without the `loosepin-` before each.
+fn own_dependencies(manifest: &toml::Value) -> BTreeSet<String> {
+    let names =
+        manifest.get("dependencies").and_then(toml::Value::as_table).into_iter().flatten().map(|(name, _)| name);
+    names.filter_map(|name| name.strip_prefix("loosepin-")).map(str::to_owned).collect()
+}
+
+/// The crates that are products and wrap the library; what they depend on is the library alone.
+const AROUND_THE_LIBRARY: [&str; 4] = ["loosepin", "loosepin-bench", "loosepin-cli", "loosepin-python"];
+
+#[test]
+fn the_page_shows_which_crate_stands_on_which() {
+    let page = read(&repository().join("docs/architecture.md"));
+    let mut found = BTreeMap::new();
+    for package in packages() {
+        let name = package.file_name().expect("a name").to_string_lossy().into_owned();
+        if !AROUND_THE_LIBRARY.contains(&name.as_str()) {
+            let short = name.strip_prefix("loosepin-").expect("crates are called loosepin-...").to_owned();
+            found.insert(short, own_dependencies(&manifest(&package)));
+        }
+    }
+    assert_eq!(
+        rows(fenced_block(&page, "crates")),
+        found,
+        "the block ```crates of docs/architecture.md is not what is built"
+    );
+}
+
+#[test]
+fn the_wings_do_not_know_each_other() {
+    let page = read(&repository().join("docs/architecture.md"));
+    let rows = rows(fenced_block(&page, "crates"));
+    let below = |name: &str| {
+        let (mut reached, mut open) = (BTreeSet::new(), vec![name.to_owned()]);
+        while let Some(next) = open.pop() {
+            open.extend(rows[&next].iter().filter(|on| reached.insert((*on).clone())).cloned());
+        }
+        reached
+    };
+    for uncertainty in ["uncertainty", "surrogate", "bounds"] {
+        assert!(!below("simulate").contains(uncertainty), "mechanics knows {uncertainty}");
+    }
+    for mechanics in ["mechanics", "simulate"] {
+        assert!(!below("bounds").contains(mechanics), "bounds know {mechanics}");
+    }
+}
+
+#[test]
+fn no_files_of_a_crate_import_each_other_in_a_circle() {
+    let page = read(&repository().join("docs/architecture.md"));
+    let knotted: BTreeSet<String> = fenced_block(&page, "knotted").split_whitespace().map(str::to_owned).collect();
+    let (mut found, mut untied) = (String::new(), Vec::new());
+    for package in packages() {
+        let name = package.file_name().expect("a name").to_string_lossy().into_owned();
+        let edges = imports::imports(&sources_below(&package.join("src"))).expect("Rust can read its sources");
+        let circles = imports::circles(&edges);
+        if knotted.contains(&name) {
+            if circles.is_empty() {
+                untied.push(name);
+            }
+            continue;
+        }
+        for circle in circles {
+            found += &format!("{name}: {} files in a circle\n", circle.len());
+            for file in &circle {
+                let to: Vec<&String> = edges[file].intersection(&circle).collect();
+                found += &format!("    {file} -> {to:?}\n");
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found}");
+    assert!(untied.is_empty(), "docs/architecture.md calls knotted what is not any more: {untied:?}");
+}
+
+#[test]
+fn no_file_is_long_and_no_name_is_empty() {
+    let page = read(&repository().join("docs/architecture.md"));
+    let flat_tables: BTreeSet<&str> = fenced_block(&page, "flat-tables").split_whitespace().collect();
+    let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
+    for package in packages() {
+        let name = package.file_name().expect("a name").to_string_lossy().into_owned();
+        for source in sources_below(&package) {
+            let path = format!("{name}/{}", source.path);
+            let lines = source.lines_before_tests();
+            let is_flat = flat_tables.contains(path.as_str());
+            if (lines > LONGEST_FILE_LINES && !is_flat) || has_empty_name(&source) {
+                found.push(format!("{path} ({lines} lines)"));
+            }
+            if is_flat {
+                seen.insert(path);
+            }
+        }
+    }
+    assert!(found.is_empty(), "too long, or a name that says nothing: {found:#?}");
+    assert!(flat_tables.iter().all(|table| seen.contains(*table)), "a flat table is not there: {flat_tables:?}");
+}
+
+fn has_empty_name(source: &Source) -> bool {
+    source.module_path().iter().any(|part| EMPTY_NAMES.contains(&part.as_str()))
+}
+
+#[test]
+fn every_dependency_says_what_it_is_for() {
+    let page = read(&repository().join("docs/dependencies.md"));
+    let described: BTreeSet<String> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `"))
+        .filter_map(|row| row.split_once('`'))
+        .map(|(name, _)| name.to_owned())
+        .collect();
+    let mut used = BTreeSet::new();
+    for package in packages() {
+        used.extend(dependencies(&read(&package.join("Cargo.toml"))));
+    }
+    for manifest in ["Cargo.toml", "tests/architecture/Cargo.toml", "tests/fuzz/Cargo.toml"] {
+        used.extend(dependencies(&read(&repository().join(manifest))));
+    }
+    let missing: Vec<_> = used.difference(&described).collect();
+    let left_over: Vec<_> = described.difference(&used).collect();
+    assert!(missing.is_empty(), "no row in docs/dependencies.md for: {missing:?}");
+    assert!(left_over.is_empty(), "docs/dependencies.md has a row for what nothing depends on: {left_over:?}");
+}
+
+#[test]
+fn the_lock_file_of_the_fuzzed_library_is_up_to_date() {
+    let manifest = manifest(&repository().join("crates/loosepin"));
+    let lock: toml::Value = toml::from_str(&read(&repository().join("tests/fuzz/Cargo.lock"))).expect("TOML");
+    let packages = lock["package"].as_array().expect("packages");
+    let own = packages.iter().find(|package| package["name"].as_str() == Some("loosepin")).expect("the library");
+    let words = own["dependencies"].as_array().expect("names").iter().filter_map(toml::Value::as_str);
+    // "name", or "name version" where there are several.
+    let locked: BTreeSet<&str> = words.filter_map(|name| name.split(' ').next()).collect();
+    let asked = manifest["dependencies"].as_table().expect("dependencies").keys().map(String::as_str);
+    let missing: Vec<&str> = asked.filter(|name| !locked.contains(name)).collect();
+    assert!(missing.is_empty(), "cargo check in tests/fuzz adds to its lock file: {missing:?}");
+}
+
+/// Names of the packages that a manifest asks for, our own ones left out.
+fn dependencies(manifest: &str) -> BTreeSet<String> {
+    fn collect(value: &toml::Value, found: &mut BTreeSet<String>) {
+        let Some(table) = value.as_table() else { return };
+        for (key, inner) in table {
+            if matches!(key.as_str(), "dependencies" | "dev-dependencies" | "build-dependencies") {
+                for (name, wanted) in inner.as_table().into_iter().flatten() {
+                    let package = wanted.get("package").and_then(toml::Value::as_str).unwrap_or(name);
+                    if package != "loosepin" && !package.starts_with("loosepin-") {
+                        found.insert(package.to_owned());
+                    }
+                }
+            } else if matches!(key.as_str(), "target" | "workspace") || key.starts_with("cfg(") {
+                collect(inner, found);
+            }
+        }
+    }
+    let value: toml::Value = toml::from_str(manifest).expect("the manifest is TOML");
+    let mut found = BTreeSet::new();
+    collect(&value, &mut found);
+    found
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The rules fail when they should.
+
+fn edges(files: &[(&str, &str)]) -> BTreeMap<String, BTreeSet<String>> {
+    let sources: Vec<Source> =
+        files.iter().map(|(path, text)| Source { path: (*path).to_owned(), text: (*text).to_owned() }).collect();
+    imports::imports(&sources).expect("Rust can read it")
+}
+
+fn imported(text: &str) -> Vec<String> {
+    let edges = edges(&[
+        ("lib.rs", "mod contact; mod model; pub use model::quantity::Rule;"),
+        ("contact/mod.rs", "mod hertz; mod law; pub use law::Law; pub struct Journal;"),
+        ("contact/hertz.rs", text),
+        ("contact/law.rs", ""),
+        ("model/mod.rs", "pub mod quantity; pub struct Model;"),
+        ("model/quantity.rs", ""),
+    ]);
+    edges["contact/hertz.rs"].iter().cloned().collect()
+}
+
+#[test]
+fn an_import_is_followed_to_the_file_that_defines_the_name() {
+    for text in [
+        "use super::Law;",
+        "use super::law::Law;",
+        "use crate::contact::Law;",
+        "use crate::contact::{Law as Other};",
+        "fn f(x: &super::Law) {}",
+        "fn f() { g(super::law::MOST) }",
+        "fn f() { use super::Law; }",
+        "impl super::Law for T { fn g(&self) { h({ crate::contact::law::X }) } }",
+    ] {
+        assert_eq!(imported(text), ["contact/law.rs"], "in: {text}");
+    }
+    assert_eq!(imported("use crate::Rule;"), ["model/quantity.rs"]);
+    assert_eq!(imported("use crate::model::{self, Model, quantity::{Rule}};"), ["model/mod.rs", "model/quantity.rs"]);
+    assert_eq!(imported("use super::Journal;"), ["contact/mod.rs"]);
+}
+
+#[test]
+fn mention_in_comment_documentation_text_or_test_is_no_import() {
+    for text in [
+        "// use crate::model::Model;",
+        "/// See [`crate::model::Model`].\nstruct Friction;",
+        "const TEXT: &str = \"crate::model\";",
+        "#[cfg(test)]\nmod tests { use crate::model::Model; }",
+        "#[cfg(test)]\nuse crate::model::Model;",
+        "use serde::Serialize; fn f() { f64::sqrt(2.0); Vec::<u8>::new() }",
+    ] {
+        assert!(imported(text).is_empty(), "in: {text}");
+    }
+}
+
+#[test]
+fn a_circle_is_found_and_re_exports_make_none() {
+    let tied =
+        edges(&[("lib.rs", "mod a; mod b;"), ("a.rs", "use crate::b::B;"), ("b.rs", "fn f() { crate::a::f() }")]);
+    assert_eq!(imports::circles(&tied), [BTreeSet::from(["a.rs", "b.rs"].map(str::to_owned))]);
+    let free =
+        edges(&[("lib.rs", "mod a; mod b; pub use a::A; pub use b::B;"), ("a.rs", "use crate::B;"), ("b.rs", "")]);
+    assert_eq!(imports::circles(&free), Vec::<BTreeSet<String>>::new());
+    // A folder whose `mod.rs` defines what its files use, and calls them, is one too.
+    let folder = edges(&[("m/mod.rs", "mod x; pub struct S; fn f() { x::f() }"), ("m/x.rs", "use super::S;")]);
+    assert_eq!(imports::circles(&folder).len(), 1);
+}
+
+#[test]
+fn dependencies_are_read_from_every_kind_of_section() {
+    let manifest = r#"
+        [dependencies]
+        plain = "3"
+        loosepin-math = { path = "../loosepin-math" }
+        renamed = { package = "real", version = "2" }
+        [dev-dependencies]
+        only-tests = "4"
+        [target.'cfg(unix)'.dependencies]
+        only-unix = "5"
+        [workspace.dependencies]
+        of-all = "6"
+    "#;
+    let expected = ["of-all", "only-tests", "only-unix", "plain", "real"].map(str::to_owned);
+    assert_eq!(dependencies(manifest), BTreeSet::from(expected));
+}
