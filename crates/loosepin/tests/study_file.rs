@@ -25,7 +25,7 @@ fn templates_load_without_complaint() {
 #[test]
 fn templates_load_from_their_folder() {
     for each in TEMPLATES {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("templates").join(each.name);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../loosepin-import/templates").join(each.name);
         let study = Study::from_path(&folder.join("study.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
         assert_eq!(study.model_path, folder.join("model.toml"));
         assert_eq!(study.model.source().text(), each.model);
