@@ -14,7 +14,7 @@
 //!
 //! A unit belongs to the number before it, so a parameter cannot bear the name of a unit. Angles are a dimension of
 //! their own here (`rad`, `deg`, `rpm`), so that a bare number is never taken for one; SI values are in radians.
-//! Factors come from the tables of `uom`; sums, powers and dimensions are checked while reading.
+//! Factors stand in one table (`unit.rs`); sums, powers and dimensions are checked while reading.
 
 mod compound;
 mod dimension;
