@@ -1,12 +1,9 @@
 //! How a command ends.
 
 use std::io;
-use std::process::ExitCode;
 
 use loosepin::diagnostics::{Complaint, Complaints, Problem};
 use loosepin::results::ResultsError;
-
-use crate::console;
 
 /// How a command ended that came to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,23 +52,5 @@ impl From<Complaint> for Failure {
 impl From<ResultsError> for Failure {
     fn from(error: ResultsError) -> Failure {
         Failure::of(&error)
-    }
-}
-
-/// Says why a command failed, and gives its exit status.
-pub fn exit_code(ending: Ending) -> ExitCode {
-    match ending {
-        Ok(Done::Well) => ExitCode::SUCCESS,
-        Ok(Done::RequirementNotMet) => ExitCode::from(1),
-        Ok(Done::RoundOpen) => ExitCode::from(3),
-        Ok(Done::Interrupted) => ExitCode::from(130),
-        Err(Failure::Complaints(complaints)) => {
-            console::complain(&complaints);
-            ExitCode::from(2)
-        }
-        Err(Failure::Output(error)) => {
-            console::message(&format!("error: cannot write to standard output: {error}"));
-            ExitCode::from(2)
-        }
     }
 }

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
+use ending::{Done, Ending, Failure};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -34,5 +35,23 @@ fn main() -> ExitCode {
         Command::Report(report) => command::report::run(report),
         Command::Export(export) => command::export::run(export),
     };
-    ending::exit_code(ending)
+    exit_code(ending)
+}
+
+/// Says why a command failed, and gives its exit status.
+fn exit_code(ending: Ending) -> ExitCode {
+    match ending {
+        Ok(Done::Well) => ExitCode::SUCCESS,
+        Ok(Done::RequirementNotMet) => ExitCode::from(1),
+        Ok(Done::RoundOpen) => ExitCode::from(3),
+        Ok(Done::Interrupted) => ExitCode::from(130),
+        Err(Failure::Complaints(complaints)) => {
+            console::complain(&complaints);
+            ExitCode::from(2)
+        }
+        Err(Failure::Output(error)) => {
+            console::message(&format!("error: cannot write to standard output: {error}"));
+            ExitCode::from(2)
+        }
+    }
 }

@@ -18,6 +18,7 @@ pub mod templates;
 
 mod error;
 mod links;
+mod options;
 mod skeleton;
 mod sketch;
 
@@ -26,15 +27,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 pub use error::ImportError;
-
-/// How a drawing is read.
-#[derive(Debug, Clone)]
-pub struct ImportOptions {
-    /// The unit of the drawing, for example `mm`; that of its header (`$INSUNITS`) where none is given.
-    pub unit: Option<String>,
-    /// Within this distance, m, > 0, ends and centres coincide.
-    pub tolerance_m: f64,
-}
+pub use options::ImportOptions;
 
 /// The skeleton of a model.
 #[derive(Debug, Clone, PartialEq, Eq)]

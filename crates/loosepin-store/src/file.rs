@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use rusqlite::{Connection, OpenFlags, OptionalExtension, Row, params};
 
-use super::StoreIdentity;
 use super::error::StoreError;
+use super::identity::StoreIdentity;
 use super::row::{InputsKey, KeptRun, checksum};
 
 /// `LPIN`, by which `file` and SQLite know whose file it is.

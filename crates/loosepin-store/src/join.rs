@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::error::StoreError;
 use super::file::StoreFile;
+use super::identity::StoreIdentity;
 use super::row::KeptRun;
-use super::{Shard, StoreIdentity};
+use super::shard::Shard;
 
 /// Rows that are written together.
 const ROWS_PER_COMMIT: usize = 4096;

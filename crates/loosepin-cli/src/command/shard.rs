@@ -9,8 +9,7 @@ use loosepin::study::{
 };
 
 use super::signals::stop_on_signals;
-use super::stored::to_json;
-use super::study::tell_going_on;
+use super::stored::{tell_going_on, to_json};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;

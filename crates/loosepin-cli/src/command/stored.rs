@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::results::{Place, REPORT_FILE, ResultsFolder, SUMMARY_FILE};
+use loosepin::store::RunStore;
 use loosepin::study::files;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -29,6 +30,14 @@ pub fn tell_again(folder: &ResultsFolder) {
         folder.path().display(),
         folder.kind().words()
     ));
+}
+
+/// Says that finished runs are taken over.
+pub fn tell_going_on(store: &RunStore) {
+    if store.runs_at_start() > 0 {
+        let runs = console::counted(store.runs_at_start() as usize, "finished run", "finished runs");
+        console::message(&format!("going on with {runs}"));
+    }
 }
 
 /// Lets `write` make a result in `folder`, and gives the folder back as it was where that does not come to its end.

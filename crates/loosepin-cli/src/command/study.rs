@@ -15,7 +15,7 @@ use loosepin::study::{
 use super::inputs::read_study;
 use super::shard;
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, place, show_again, tell, tell_again};
+use super::stored::{StoredResult, place, show_again, tell, tell_again, tell_going_on};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -74,14 +74,6 @@ pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Re
     }
     let inputs = study_inputs(&study, accuracy, budget);
     Ok((study, inputs))
-}
-
-/// Says that finished runs are taken over.
-pub fn tell_going_on(store: &RunStore) {
-    if store.runs_at_start() > 0 {
-        let runs = console::counted(store.runs_at_start() as usize, "finished run", "finished runs");
-        console::message(&format!("going on with {runs}"));
-    }
 }
 
 /// Says what became of a study; `hint` is how an interrupted one goes on.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::marker::{MARKER_FILE, ResultKind};
+use super::kind::{MARKER_FILE, ResultKind};
 use loosepin_text::diagnostics::{Code, Problem};
 
 /// Why a folder of results cannot be written or read.

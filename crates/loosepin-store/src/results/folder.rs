@@ -6,7 +6,8 @@ use std::path::{Component, Path, PathBuf};
 
 use super::error::ResultsError;
 use super::inputs::InputsHash;
-use super::marker::{MARKER_FILE, Marker, ResultKind};
+use super::kind::{MARKER_FILE, ResultKind};
+use super::marker::Marker;
 use loosepin_text::diagnostics::Complaints;
 
 /// Longest part of a folder name that is made from a name in a file, characters.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::marker::ResultKind;
+use super::kind::ResultKind;
 
 /// BLAKE3 of all inputs of a result: the contents of the files, settings, what was set, kind and version.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,37 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::ResultsError;
+use super::kind::ResultKind;
 
-/// Name of the file that says what a folder holds.
-pub const MARKER_FILE: &str = "loosepin.json";
-
-/// What kind of result a folder holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ResultKind {
-    /// One dynamic run.
-    Simulation,
-    /// Ideal motion and quasi-static answer.
-    Motion,
-    /// An uncertainty study.
-    Study,
-    /// Runs for many values of a quantity.
-    Sweep,
-}
-
-impl ResultKind {
-    /// As a noun: `simulation`, `motion`, `study`, `sweep`.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Simulation => "simulation",
-            Self::Motion => "motion",
-            Self::Study => "study",
-            Self::Sweep => "sweep",
-        }
-    }
-}
-
-/// What a folder holds.
+/// The content of [`super::MARKER_FILE`]: what a folder holds, and from which inputs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Marker {
     /// The kind of result.

@@ -6,13 +6,15 @@
 mod error;
 mod folder;
 mod inputs;
+mod kind;
 mod marker;
 mod shards;
 
 pub use error::ResultsError;
 pub use folder::{Claim, Place, ResultsFolder, write_whole};
 pub use inputs::{InputsHash, InputsHasher};
-pub use marker::{MARKER_FILE, Marker, ResultKind};
+pub use kind::{MARKER_FILE, ResultKind};
+pub use marker::Marker;
 pub use shards::{SHARD_FILE, ShardFolders, ShardRecord, ShardsError};
 
 /// Name of the page that people read.

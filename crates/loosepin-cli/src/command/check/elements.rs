@@ -8,7 +8,7 @@ use loosepin::model::{
 };
 use loosepin::units::{Dimension, format_value};
 
-use super::mechanism::law_words;
+use super::law_words::law_words;
 use crate::console::counted;
 
 /// The couplings, the springs, the loads and the controls, each under a line that counts them; nothing where there are none.

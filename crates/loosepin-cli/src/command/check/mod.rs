@@ -1,6 +1,7 @@
 //! `loosepin check`.
 
 mod elements;
+mod law_words;
 mod mechanism;
 mod study;
 mod trial;
