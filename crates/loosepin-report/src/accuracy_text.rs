@@ -3,7 +3,7 @@
 use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
 use super::wording::{counted, deviation_words, place_words, statistic_words};
-use loosepin_study::result::{AccuracyOutcome, AccuracyRecord, AccuracyStop, BudgetRecord, StudyResult};
+use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStop, BudgetRecord, StudyResult};
 use loosepin_text::units::format_number;
 
 /// Digits of an error, and of a number of runs that is foreseen.

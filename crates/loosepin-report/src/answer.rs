@@ -5,7 +5,7 @@ use super::study_page::bound_value;
 use super::wording::{
     counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words, unknown_words,
 };
-use loosepin_study::result::{
+use loosepin_result::study::{
     BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, RequirementOutcome, ResponsePoint,
     StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
 };

@@ -6,7 +6,7 @@
 use comfy_table::ColumnConstraint;
 
 use super::terminal::{push_table, table};
-use loosepin_study::cases::record::{CaseRecord, Comparison, NumberRecord};
+use loosepin_result::cases::{CaseRecord, Comparison, NumberRecord};
 use loosepin_text::units::{decimal_exponent, format_number, power_of_ten};
 
 /// Heads of the columns.

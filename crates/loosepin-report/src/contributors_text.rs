@@ -4,7 +4,7 @@ use super::number::{NumberWriter, plain_name};
 use super::study_page::{band_share, known_share, share_range};
 use super::terminal::{push_table, table};
 use super::wording::{listed, response_words};
-use loosepin_study::result::StudyResult;
+use loosepin_result::study::StudyResult;
 
 /// One table for each question that asks for contributors.
 pub(super) fn contributors_text(result: &StudyResult, writer: &NumberWriter) -> String {

@@ -2,7 +2,7 @@
 
 use super::number::{NumberWriter, Rounding};
 use super::wording::{listed, place_words};
-use loosepin_study::result::{ResponsePoint, SurrogateOutput, SurrogateVerdict};
+use loosepin_result::study::{ResponsePoint, SurrogateOutput, SurrogateVerdict};
 
 /// Where less of the variance of a history is explained and the rest does not fall with more runs, its statistics are those of the
 /// rest: what is left scatters by a third of the whole, and only direct runs tell how.
@@ -60,8 +60,8 @@ fn falls_too_slowly(output: &SurrogateOutput) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use loosepin_result::study::{DeviationKind, SurrogateLearning};
     use loosepin_study::Reduction;
-    use loosepin_study::result::{DeviationKind, SurrogateLearning};
     use loosepin_text::units::{DisplayUnits, SiUnit};
 
     fn output(at: ResponsePoint, q2: f64, verdict: SurrogateVerdict) -> SurrogateOutput {

@@ -2,7 +2,7 @@
 
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::wording::{counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words};
-use loosepin_study::result::{
+use loosepin_result::study::{
     AllocationRecord, AllocationStop, AllowanceRecord, Loosened, RareEnd, RareMethodUsed, RareRecord, StudyResult,
     Verdict,
 };

@@ -6,7 +6,7 @@ use super::chart::{Chart, Entry, HorizontalAxis, Role, scaled};
 use super::number::{NumberWriter, Rounding};
 use super::script_data::rounded;
 use super::wording::count;
-use loosepin_simulate::record::{Abscissa, MeasuredCurve, SimulationRecord};
+use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
 use loosepin_text::units::SiUnit;
 
 /// The table of residuals, and two charts a curve.

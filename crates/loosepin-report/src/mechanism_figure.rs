@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
 use super::page::{COLOURS, MECHANISM_STYLE};
 use super::script_data::{round_to_digits, script_json};
-use loosepin_simulate::record::{Drawing, PoseTable};
+use loosepin_result::simulation::{Drawing, PoseTable};
 
 /// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
 const POSE_DIGITS: usize = 8;

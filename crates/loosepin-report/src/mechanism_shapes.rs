@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use loosepin_simulate::record::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, PointReference, PoseTable};
+use loosepin_result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, PointReference, PoseTable};
 
 /// Millimetres, in which the picture is drawn.
 pub(super) const MM_PER_M: f64 = 1e3;

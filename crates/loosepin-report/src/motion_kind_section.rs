@@ -7,7 +7,7 @@ use super::number::{NumberWriter, Rounding};
 use super::script_data::rounded;
 use super::still_figures::journal_sections;
 use super::wording::counted;
-use loosepin_simulate::record::{
+use loosepin_result::simulation::{
     JournalOrbit, LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput, SimulationRecord,
 };
 use loosepin_text::units::SiUnit;

@@ -9,7 +9,7 @@ use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::percent_of;
 use super::wording::named_words;
-use loosepin_simulate::accuracy::record::{MotionRecord, OutputMotion};
+use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::units::SiUnit;
 
 /// The page of an ideal motion as one HTML text that needs no network: position, velocity and acceleration of the

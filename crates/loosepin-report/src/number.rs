@@ -1,6 +1,6 @@
 //! Numbers as people read them: their unit, sensible digits, and rounding that never makes a bound narrower.
 
-use loosepin_study::result::{InputDescription, InputKind, Witness, WitnessValue};
+use loosepin_result::study::{InputDescription, InputKind, Witness, WitnessValue};
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.

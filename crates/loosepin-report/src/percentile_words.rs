@@ -4,7 +4,7 @@ use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
 use super::study_page::bound_value;
 use super::wording::{deviation_words, output_words, place_words, statistic_words};
-use loosepin_study::result::{BoundRecord, ResponsePoint, StudyResult};
+use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 
 /// What stands above them.
 pub(super) const PERCENTILES_MEAN: &str = "Parameters of distributions are themselves known by distributions, so that each statistic is random: with the \

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::axes::{Axes, Axis};
 use super::number::NumberWriter;
 use super::wording::named_words;
-use loosepin_simulate::sweep::record::{SweepPoint, SweepRecord};
+use loosepin_result::sweep::{SweepPoint, SweepRecord};
 
 /// Width and height of the picture in its own units; a unit is about a pixel.
 const WIDTH: f64 = 960.0;

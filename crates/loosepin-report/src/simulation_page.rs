@@ -12,7 +12,7 @@ use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed, named_words};
-use loosepin_simulate::record::{
+use loosepin_result::simulation::{
     ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, StopReason, SwingCourse,
 };

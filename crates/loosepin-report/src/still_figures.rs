@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use super::number::{NumberWriter, Rounding};
-use loosepin_simulate::record::JournalOrbit;
-use loosepin_study::result::HistogramBin;
+use loosepin_result::simulation::JournalOrbit;
+use loosepin_result::study::HistogramBin;
 use loosepin_text::units::SiUnit;
 
 /// Half the side of an orbit picture in its own units; the clearance circle has radius 1000.

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::axes::{Axes, Axis};
 use super::number::{NumberWriter, plain_name};
 use super::wording::{deviation_words, output_words, place_words};
-use loosepin_study::result::{ResponsePoint, StudyResult, SurrogateOutput, SurrogatePicture};
+use loosepin_result::study::{ResponsePoint, StudyResult, SurrogateOutput, SurrogatePicture};
 
 /// Width and height of the picture in its own units; a unit is about a pixel.
 const WIDTH: f64 = 760.0;

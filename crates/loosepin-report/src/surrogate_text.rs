@@ -9,7 +9,7 @@ use super::wording::{
     band_digits, count, counted, deviation_words, listed, output_words, place_words, response_words, share_words,
     statistic_words, treatment_words,
 };
-use loosepin_study::result::{
+use loosepin_result::study::{
     BoundRecord, ResponsePoint, StudyResult, SurrogateLearning, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
     TreatmentBand, TreatmentComparison,
 };

@@ -8,8 +8,8 @@ use super::page::{Page, Section, facts, sentences};
 use super::script_data::rounded;
 use super::section_figure::section_figure;
 use super::wording::{capitalised, counted};
-use loosepin_simulate::REPEAT_SHARE;
-use loosepin_simulate::sweep::record::{SweepRecord, SweptJoint};
+use loosepin_result::simulation::REPEAT_SHARE;
+use loosepin_result::sweep::{SweepRecord, SweptJoint};
 use loosepin_text::units::SiUnit;
 
 /// The page of a sweep as one HTML text that needs no network: a bifurcation diagram for each position and angle, impacts,
@@ -215,7 +215,7 @@ fn method(record: &SweepRecord, writer: &NumberWriter) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use loosepin_simulate::sweep::record::SweepPoint;
+    use loosepin_result::sweep::SweepPoint;
     use loosepin_text::units::DisplayUnits;
 
     #[test]

@@ -17,10 +17,10 @@ use super::wording::{
     unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
-use loosepin_simulate::accuracy::record::MotionRecord;
-use loosepin_simulate::record::{SimulationRecord, StopReason};
-use loosepin_simulate::sweep::record::SweepRecord;
-use loosepin_study::result::{BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use loosepin_result::motion::MotionRecord;
+use loosepin_result::simulation::{SimulationRecord, StopReason};
+use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
 
 /// Columns that a terminal is taken to have.
@@ -118,7 +118,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     for sentence in simulation_page::headline_sentences(record, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
-    let at = |point: &loosepin_simulate::record::ExtremePoint| {
+    let at = |point: &loosepin_result::simulation::ExtremePoint| {
         let time = writer.value(point.time_s, &SiUnit::TIME);
         // The phase of a cycle in which no drive turns tells nothing that the time does not.
         if record.settings.drive_speed_rad_s.is_none() {
@@ -320,7 +320,7 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
     trimmed(&bounds)
 }
 
-fn treatments_table(comparison: &loosepin_study::result::TreatmentComparison, writer: &NumberWriter) -> String {
+fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, writer: &NumberWriter) -> String {
     // A band by a surrogate has one number more: what the surrogate does not know of its ends.
     let mut head = vec!["treatment", "band", "width", "share really inside", "promise"];
     if comparison.bands.iter().any(|band| band.ends.is_some()) {

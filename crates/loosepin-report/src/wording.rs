@@ -1,7 +1,7 @@
 //! Words for the parts of a result.
 
 use super::number::{NumberWriter, Rounding};
-use loosepin_study::result::{
+use loosepin_result::study::{
     BoundRecord, DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription,
     Reduction, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
     TreatmentKind, Verdict,

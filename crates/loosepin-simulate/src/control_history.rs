@@ -1,10 +1,10 @@
 //! How controls follow their references, for the record of a run.
 
-use super::record::ControlHistory;
 use super::swing::swing;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{JointId, JointKind};
+use loosepin_result::simulation::ControlHistory;
 use loosepin_text::units::SiUnit;
 
 /// An error swings where it is wider than the tolerance of positions times this.

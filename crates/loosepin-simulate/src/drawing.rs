@@ -1,8 +1,10 @@
 //! What a page needs to draw the mechanism: its points, joints and poses.
 
-use super::record::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, PointReference, PoseTable};
 use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Tree, points_of};
 use loosepin_mechanics::model::{JointKind, Values};
+use loosepin_result::simulation::{
+    Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, PointReference, PoseTable,
+};
 
 /// Bodies, points and joints of `mechanism` with the numbers of one sample; the poses are still empty.
 pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {

@@ -9,10 +9,6 @@ use super::flight::FlightClock;
 use super::lyapunov::{ExponentPlan, largest_exponent};
 use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
-use super::record::{
-    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
-    OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
-};
 use super::reference::IdealReference;
 use super::report::RunReport;
 use super::search::{Peak, maximum_within};
@@ -24,6 +20,10 @@ use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Values};
+use loosepin_result::simulation::{
+    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
+    OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
+};
 use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::AtomicBool;
 

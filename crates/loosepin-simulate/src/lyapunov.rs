@@ -5,11 +5,11 @@ use super::failure::RunFailure;
 use super::motion::{Motion, tolerances};
 use super::observer::{Observer, Step};
 use super::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
-use super::record::{LyapunovRecord, NeighbourKind};
 use super::resume::MotionState;
 use super::settings::{STEP_SHARE, Settings, Window};
 use loosepin_mechanics::contact::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_result::simulation::{LyapunovRecord, NeighbourKind};
 
 /// What is measured.
 #[derive(Debug, Clone, Copy)]

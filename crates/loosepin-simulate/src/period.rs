@@ -3,6 +3,7 @@
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
+use loosepin_result::simulation::REPEAT_SHARE;
 use std::f64::consts::TAU;
 
 /// What has to be back for a motion to repeat itself, read once a turn: the eccentricity of every joint with play, the tilt of
@@ -48,10 +49,6 @@ pub fn section_sizes(mechanism: &Mechanism, sample: &Sample<f64>) -> Vec<f64> {
     }
     sizes
 }
-
-/// Two sections count as the same where every journal is within this share of its clearance of where it was, and everything else
-/// in them within this share of its size.
-pub const REPEAT_SHARE: f64 = 1e-2;
 
 /// The smallest number of turns p, at most half of those looked at, after which everything is back: |e(k + p) - e(k)| within
 /// [`REPEAT_SHARE`] of its size for all turns k. None where there is none: the motion has not settled, has a longer period,

@@ -1,12 +1,12 @@
 //! A run looked at once a turn (Poincaré section).
 
 use super::column::Column;
-use super::period::{REPEAT_SHARE, period_turns, section, section_sizes};
-use super::record::{JournalOrbit, MotionKind, SectionedOutput};
+use super::period::{period_turns, section, section_sizes};
 use super::turns::Turns;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
+use loosepin_result::simulation::{JournalOrbit, MotionKind, REPEAT_SHARE, SectionedOutput};
 
 /// What is kept of each look.
 #[derive(Debug, Clone)]

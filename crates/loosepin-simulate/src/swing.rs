@@ -1,6 +1,6 @@
 //! Whether an error that ought to come to rest keeps swinging.
 
-use super::record::{Swing, SwingCourse};
+use loosepin_result::simulation::{Swing, SwingCourse};
 
 /// Share of the recorded part, counted from its end, that is looked at: what went before is taken for settling.
 const LOOKED_AT: f64 = 0.5;

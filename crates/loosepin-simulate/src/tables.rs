@@ -1,7 +1,7 @@
 //! The CSV files of a run, SI.
 
 use super::history::Simulation;
-use super::record::SimulationRecord;
+use loosepin_result::simulation::SimulationRecord;
 use std::fmt::Write;
 
 /// Names of the columns of `history.csv`, units in the names: `time_s`, the angle of the drive, the outputs in file order, then

@@ -5,8 +5,8 @@ use std::time::Instant;
 use super::assemble::{Material, deviation_kind, statistic_kind};
 use super::columns::{ColumnPlan, PlannedAsk};
 use super::file::{AccuracyTarget, Budget, Study, Where, statistic_name};
-use super::result::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd, BudgetRecord};
 use loosepin_bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic, SurrogateRounds};
+use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd, BudgetRecord};
 use loosepin_text::units::{Dimension, SiUnit};
 
 /// Where no budget is stated, a study ends at so many times the runs that it has without an accuracy, or where its runs, which it

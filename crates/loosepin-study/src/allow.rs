@@ -5,12 +5,12 @@ use super::conduct::StudyError;
 use super::file::{Allowance, AllowedFit, AllowedInput, Study};
 use super::plans::problem;
 use super::response::StudyResponse;
-use super::result::{
+use super::runner::Runner;
+use loosepin_bounds::{DoubleLoop, SampleTable};
+use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome,
     Verdict,
 };
-use super::runner::Runner;
-use loosepin_bounds::{DoubleLoop, SampleTable};
 use loosepin_text::units::SiUnit;
 use loosepin_uncertainty::{EpistemicVariable, Interval, Parameter, RandomVariable, hash};
 

@@ -17,14 +17,14 @@ use super::columns::{ColumnPlan, Spot, StudyColumn};
 use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
 use super::rare::{self, Rare};
 use super::response::StudyResponse;
-use super::result::{
+use super::simultaneous::CurveBand;
+use loosepin_bounds::{Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, Reading, SampleTable, Statistic};
+use loosepin_result::study::{
     AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CutBounds, DeviationKind,
     FORMAT, GuaranteeKind, IntervalReading, NumericalError, PercentileBounds, ProbabilityBox, RareEnd, RareRecord,
     RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentComparison, TreatmentKind,
     Verdict, Witness, WitnessValue,
 };
-use super::simultaneous::CurveBand;
-use loosepin_bounds::{Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, Reading, SampleTable, Statistic};
 use loosepin_text::units::{DisplayUnits, SiUnit};
 
 /// Everything that a result is made from.

@@ -3,9 +3,9 @@
 use super::assemble::{Material, deviation_kind};
 use super::columns::{PlannedAsk, Spot};
 use super::file::{Deviation, EpistemicInput, Study, Where};
-use super::result::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
 use loosepin_bounds::{DoubleLoop, Pinching, Purpose, RunInputs, SampleTable};
-use loosepin_simulate::accuracy::record::{MotionRecord, OutputMotion};
+use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::study::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
 use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
 use loosepin_uncertainty::contributors::{
     Index, IndexPlan, IndexPlanError, Indices, SHARES_CONFIDENCE, independent_groups,

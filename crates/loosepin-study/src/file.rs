@@ -30,10 +30,11 @@ use ask::KnownPose;
 use asked_before::KnownQuestion;
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
-    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, StatedCorrelation, Study,
-    StudySurrogate, UncertainParameter, Where,
+    EpistemicSubject, Limit, RandomInput, RareMethod, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate,
+    UncertainParameter, Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
+pub use loosepin_result::study::Reduction;
 use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;

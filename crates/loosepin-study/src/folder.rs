@@ -9,8 +9,8 @@ use super::files::{
     BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, SURROGATES_FILE, TIMING_FILE, Timing, runs_parquet, surrogates_json,
     write_study,
 };
-use super::result::StudyResult;
 use super::runs::RunsTable;
+use loosepin_result::study::StudyResult;
 use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
 use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
 use loosepin_text::diagnostics::{Complaints, Problem};

@@ -27,7 +27,7 @@ mod plans;
 mod rare;
 mod recorder;
 mod response;
-pub mod result;
+pub use loosepin_result::study as result;
 mod runner;
 pub mod runs;
 mod saved_surrogates;

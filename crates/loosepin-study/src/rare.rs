@@ -4,11 +4,11 @@
 use super::columns::PlannedAsk;
 use super::conduct::StudyError;
 use super::file::{RareMethod, Where};
-use super::result::RareMethodUsed;
 use super::runner::Runner;
 use loosepin_bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
 };
+use loosepin_result::study::RareMethodUsed;
 use loosepin_uncertainty::reliability::{
     BoxSearch, DesignSearch, ImportanceSampling, IndexExtreme, RARE_CONFIDENCE, RareProbability, SubsetSimulation,
     importance_sampling, index_range, subset_simulation,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::result::{DeviationKind, ResponsePoint, Witness};
+use loosepin_result::study::{DeviationKind, ResponsePoint, Witness};
 use loosepin_surrogate::{OnnxMetadata, Prediction, Surrogate, SurrogateError, from_versioned_json};
 use loosepin_text::units::SiUnit;
 

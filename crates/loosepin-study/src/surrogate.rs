@@ -7,16 +7,16 @@ use super::conduct::{StudyError, refuse_failures};
 use super::file::{Study, StudySurrogate, Where};
 use super::plans::{Plans, problem};
 use super::response::StudyResponse;
-use super::result::{
-    ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
-};
 use super::runner::Runner;
 use super::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use loosepin_bounds::{
     ColumnGroup, GroupBounds, MOST_WITNESSES, SampleTable, SurrogateBounds, SurrogateInput, SurrogatePlan,
     SurrogateRounds, SurrogateSettings,
 };
-use loosepin_surrogate::{OutputSurrogate, Surrogate, Verdict};
+use loosepin_result::study::{
+    ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
+};
+use loosepin_surrogate::{OutputSurrogate, Surrogate, SurrogateVerdict};
 use loosepin_text::units::SiUnit;
 
 /// The plan of the surrogates of `study`; nothing where it asks for none.
@@ -198,7 +198,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     record.q2 = learned.quality.q2;
     // What does not fall and yet is too small to be drawn from makes no difference.
     let is_small = learned.residual.verdict.keeps_residual() && !group.learned.keeps_residual();
-    record.verdict = Some(if is_small { Verdict::Resolved } else { learned.residual.verdict });
+    record.verdict = Some(if is_small { SurrogateVerdict::Resolved } else { learned.residual.verdict });
     let learning = learned.residual.learning.iter();
     record.learning =
         learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();

@@ -1,7 +1,7 @@
 //! Responses whose shape is known: what the surrogates make of them, and what they say of themselves.
 
 use super::trials::{ishigami, ishigami_inputs, oscillator, oscillator_inputs, points};
-use super::{Choice, Input, Kind, Options, Surrogate, SurrogateError, TrainingData, TrainingOutput, Verdict};
+use super::{Choice, Input, Kind, Options, Surrogate, SurrogateError, SurrogateVerdict, TrainingData, TrainingOutput};
 use loosepin_uncertainty::{Distribution, Interval, RandomVariable, normal};
 
 /// A normal, an interval and a lognormal input.
@@ -120,7 +120,7 @@ fn analytic_white_noise_is_recognised_and_kept() {
     let values = (0..80).map(|run| Some(3.0 + 0.4 * noise(run))).collect();
     let surrogate = fit_number(mixed_inputs(), at.clone(), values, Choice::Auto);
     let output = &surrogate.outputs()[0];
-    assert_eq!((output.residual.verdict, output.kinds()), (Verdict::Nothing, vec![Kind::Constant]));
+    assert_eq!((output.residual.verdict, output.kinds()), (SurrogateVerdict::Nothing, vec![Kind::Constant]));
     let errors: Vec<f64> =
         (0..80).map(|i| surrogate.residual(0, &at[7], f64::from(i) / 80.0).unwrap().unwrap()[0]).collect();
     let square = errors.iter().map(|e| e * e).sum::<f64>() / 80.0;
@@ -137,7 +137,7 @@ fn analytic_a_curve_of_white_noise_is_recognised_and_its_places_stay_together() 
     let data = TrainingData::try_new(mixed_inputs(), at.clone(), vec![output]).unwrap();
     let surrogate = Surrogate::fit(&data, &Options { most_neurons: 6, ..Options::default() }).unwrap();
     let output = &surrogate.outputs()[0];
-    assert_eq!(output.residual.verdict, Verdict::Nothing);
+    assert_eq!(output.residual.verdict, SurrogateVerdict::Nothing);
     const TOLERANCE: f64 = 1e-9; // round-off of one mode
     let drawn = surrogate.residual(0, &at[7], 0.37).unwrap().unwrap();
     for (place, value) in drawn.iter().enumerate() {
@@ -165,7 +165,7 @@ fn analytic_noise_on_a_smooth_response_is_a_floor_of_its_size() {
     let values = at.iter().enumerate().map(|(run, x)| Some(smooth(x) + 0.3 * noise(run))).collect();
     let surrogate = fit_number(mixed_inputs(), at.clone(), values, Choice::Only(Kind::Kriging));
     let output = &surrogate.outputs()[0];
-    assert_eq!(output.residual.verdict, Verdict::Floor);
+    assert_eq!(output.residual.verdict, SurrogateVerdict::Floor);
     assert!((output.quality.rms / 0.3 - 1.0).abs() < TOLERANCE, "{}", output.quality.rms);
     let deviation = surrogate.predict(&at[3]).unwrap()[0].deviations[0];
     assert!((deviation / 0.3 - 1.0).abs() < 2.0 * TOLERANCE, "{deviation}");
@@ -190,7 +190,7 @@ fn analytic_a_step_is_recognised() {
     let at = points(&inputs(), 11, 0, 100);
     let values = at.iter().map(|x| Some(if x[1] > 0.83 { 2.7 } else { 0.3 } + 0.1 * x[0])).collect();
     let surrogate = fit_number(inputs(), at, values, Choice::Only(Kind::Kriging));
-    assert_eq!(surrogate.outputs()[0].residual.verdict, Verdict::Jump);
+    assert_eq!(surrogate.outputs()[0].residual.verdict, SurrogateVerdict::Jump);
 }
 
 #[test]
@@ -200,7 +200,10 @@ fn analytic_a_smooth_response_is_no_noise() {
         let values = at.iter().map(|x| Some(smooth(x))).collect();
         let surrogate = fit_number(mixed_inputs(), at.clone(), values, Choice::Only(kind));
         let residual = &surrogate.outputs()[0].residual;
-        assert!(matches!(residual.verdict, Verdict::Falling | Verdict::Resolved), "{kind:?}: {residual:?}");
+        assert!(
+            matches!(residual.verdict, SurrogateVerdict::Falling | SurrogateVerdict::Resolved),
+            "{kind:?}: {residual:?}"
+        );
     }
 }
 
@@ -211,7 +214,10 @@ fn analytic_a_constant_output_is_constant() {
     let output = &surrogate.outputs()[0];
     let prediction = surrogate.predict(&at[4]).unwrap().remove(0);
     assert_eq!((prediction.values[0], prediction.deviations[0]), (0.1, 0.0));
-    assert_eq!((output.residual.verdict, output.quality.q2, output.quality.rms), (Verdict::Constant, None, 0.0));
+    assert_eq!(
+        (output.residual.verdict, output.quality.q2, output.quality.rms),
+        (SurrogateVerdict::Constant, None, 0.0)
+    );
 }
 
 #[test]

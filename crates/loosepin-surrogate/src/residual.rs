@@ -4,6 +4,7 @@
 //! where the step from half to all does not make them smaller, or the three errors continue to a limit that is not far below
 //! the last of them, more runs will not help, and what is left is a property of the response. Then it belongs to the surrogate, with a scale that may depend on the inputs.
 
+use loosepin_terms::SurrogateVerdict;
 use serde::{Deserialize, Serialize};
 
 /// Shares of the runs at which the error is measured.
@@ -27,38 +28,11 @@ const FEWEST: usize = 20;
 /// Factor between the squares that a coefficient of the scale must explain: t value.
 const SCALE_SIGNIFICANCE: f64 = 3.0;
 
-/// What the held-out errors say about the response.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// All runs gave the same.
-    Constant,
-    /// Nothing is left that would matter.
-    Resolved,
-    /// The error falls with more runs.
-    Falling,
-    /// Part of the response is learned, and the rest does not fall with more runs, or only to a limit not far below: noise, or chaos.
-    Floor,
-    /// Nothing is learned: to this surrogate the response is noise.
-    Nothing,
-    /// The response jumps: few errors are large, most are small.
-    Jump,
-    /// Too few runs to tell; the rest is kept as if it did not fall.
-    Unknown,
-}
-
-impl Verdict {
-    /// Whether the rest is part of the surrogate.
-    pub fn keeps_residual(self) -> bool {
-        matches!(self, Self::Floor | Self::Nothing | Self::Jump | Self::Unknown)
-    }
-}
-
 /// The rest as part of a surrogate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
     /// What the errors say.
-    pub verdict: Verdict,
+    pub verdict: SurrogateVerdict,
     /// Learned runs and held-out root mean square error, for each of [`SHARES`]; empty where too few runs.
     pub learning: Vec<(usize, f64)>,
     /// Held-out errors over their scale, one row a run; empty where the rest falls.
@@ -123,15 +97,21 @@ impl Residual {
     }
 }
 
-fn judge(errors: &[&[f64]], range: f64, variance: f64, q2: Option<f64>, learning: &[(usize, Vec<f64>)]) -> Verdict {
-    let Some(q2) = q2 else { return Verdict::Constant };
+fn judge(
+    errors: &[&[f64]],
+    range: f64,
+    variance: f64,
+    q2: Option<f64>,
+    learning: &[(usize, Vec<f64>)],
+) -> SurrogateVerdict {
+    let Some(q2) = q2 else { return SurrogateVerdict::Constant };
     let squares: Vec<f64> = errors.iter().map(|row| row.iter().map(|e| e * e).sum()).collect();
     let places = errors[0].len() as f64;
     if mean(&squares) <= RESOLVED * variance * places {
-        return Verdict::Resolved;
+        return SurrogateVerdict::Resolved;
     }
     if errors.len() < FEWEST || learning.len() < SHARES.len() {
-        return Verdict::Unknown;
+        return SurrogateVerdict::Unknown;
     }
     let (half, all) = (&learning[1].1, &learning[2].1);
     let gains: Vec<f64> = half.iter().zip(all).map(|(half, all)| half - all).collect();
@@ -144,14 +124,14 @@ fn judge(errors: &[&[f64]], range: f64, variance: f64, q2: Option<f64>, learning
     let kurtosis = fourth / (mean(&squares) * mean(&squares));
     let largest = squares.iter().fold(0.0_f64, |largest, square| largest.max(*square)).sqrt();
     if errors[0].len() == 1 && kurtosis > JUMP_KURTOSIS && largest > JUMP_SHARE * range && q2 > LEARNED {
-        return Verdict::Jump;
+        return SurrogateVerdict::Jump;
     }
     if falls {
-        Verdict::Falling
+        SurrogateVerdict::Falling
     } else if q2 < LEARNED {
-        Verdict::Nothing
+        SurrogateVerdict::Nothing
     } else {
-        Verdict::Floor
+        SurrogateVerdict::Floor
     }
 }
 

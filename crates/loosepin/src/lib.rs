@@ -18,6 +18,7 @@ pub use loosepin_math as math;
 pub use loosepin_math::integrate;
 pub use loosepin_mechanics::{contact, dynamics, mechanism, model};
 pub use loosepin_report as report;
+pub use loosepin_result as result;
 pub use loosepin_simulate as simulate;
 pub use loosepin_simulate::{accuracy, measured, sweep};
 pub use loosepin_store as store;

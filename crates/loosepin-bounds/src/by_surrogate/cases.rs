@@ -11,7 +11,7 @@ use super::{
     ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
     SurrogateSettings,
 };
-use loosepin_surrogate::{Choice, Kind, SurrogateError, Verdict};
+use loosepin_surrogate::{Choice, Kind, SurrogateError, SurrogateVerdict};
 use loosepin_uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash, normal_cdf};
 
 /// Of numbers about 1.
@@ -50,7 +50,7 @@ fn holds(pair: &SurrogatePair, exact: (f64, f64)) {
     }
 }
 
-fn verdict(group: &GroupBounds) -> Verdict {
+fn verdict(group: &GroupBounds) -> SurrogateVerdict {
     group.learned.surrogates.as_ref().unwrap()[0].outputs()[0].residual.verdict
 }
 
@@ -195,7 +195,7 @@ fn analytic_white_noise_is_recognised_and_its_scatter_kept() {
     let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
     let found = bounds(of, settings(Kind::Kriging, 60), &Function(noise));
     let group = &found.groups[0];
-    assert!(matches!(verdict(group), Verdict::Nothing | Verdict::Floor), "{:?}", verdict(group));
+    assert!(matches!(verdict(group), SurrogateVerdict::Nothing | SurrogateVerdict::Floor), "{:?}", verdict(group));
     assert!(group.learned.keeps_residual());
     for (pair, exact) in group.pairs.iter().zip([(0.0, 0.0), (0.3, 0.3), (0.6, 0.6)]) {
         holds(pair, exact);
@@ -295,7 +295,7 @@ fn analytic_points_that_repeat_are_enough_where_four_differ() {
 fn analytic_a_constant_has_no_width() {
     let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean, Statistic::StandardDeviation]), 3);
     let found = bounds(of, settings(Kind::Chaos, 9), &Function(|_: &[f64], _: &[f64]| 0.3));
-    assert_eq!(verdict(&found.groups[0]), Verdict::Constant);
+    assert_eq!(verdict(&found.groups[0]), SurrogateVerdict::Constant);
     for (pair, exact) in found.groups[0].pairs.iter().zip([0.3, 0.0]) {
         holds(pair, (exact, exact));
         assert!((pair.pair.upper.widened - pair.pair.lower.widened).abs() < ROUND_OFF, "{pair:?}");

@@ -28,7 +28,7 @@
 //! are estimated without bias, whatever the surrogate (control variates). Deviations and quantiles are not, nor is a u repaired that
 //! the surrogate did not show: such bounds are not called confirmed.
 //!
-//! **Noise.** Where the held-out error does not fall with more runs ([`Verdict`](loosepin_surrogate::Verdict)), its distribution is
+//! **Noise.** Where the held-out error does not fall with more runs ([`SurrogateVerdict`](loosepin_surrogate::SurrogateVerdict)), its distribution is
 //! part of ŝ: every inner run draws from it, the same share of it at every u.
 //!
 //! Outside the range of its runs a surrogate gives no answer: such inner runs count as failed, which widens what they belong to.

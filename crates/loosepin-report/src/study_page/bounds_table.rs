@@ -8,7 +8,7 @@ use crate::wording::{
     MASSES_ADD, further, guarantee_words, has_parts, has_unknown, only_curves, reading_beside, response_words,
     statistic_words, unknown_words,
 };
-use loosepin_study::result::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
 
 /// More rows are left to `bounds.csv`.
 const MOST_ROWS: usize = 60;

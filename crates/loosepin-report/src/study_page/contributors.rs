@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use crate::number::{NumberWriter, Rounding, plain_name};
 use crate::still_figures::percent_of;
 use crate::wording::response_words;
-use loosepin_study::result::{Contributors, ShareRange, StudyResult};
+use loosepin_result::study::{Contributors, ShareRange, StudyResult};
 
 pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
@@ -67,7 +67,7 @@ fn caption(one: &Contributors, writer: &NumberWriter) -> String {
         "The band is {} wide{}. Known inputs: from the least to the most over the values that they may have, from the existing runs; \
          error {}.",
         writer.value(one.band_width_si, &one.unit),
-        if one.at == loosepin_study::result::ResponsePoint::Whole { " in the mean over the poses" } else { "" },
+        if one.at == loosepin_result::study::ResponsePoint::Whole { " in the mean over the poses" } else { "" },
         writer.percent(error, Rounding::Up)
     );
     if !one.points.is_empty() {

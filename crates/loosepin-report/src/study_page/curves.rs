@@ -7,7 +7,7 @@ use crate::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled
 use crate::number::{NumberWriter, Rounding, significant};
 use crate::script_data::{round_to_digits, rounded};
 use crate::wording::{capitalised, deviation_words, output_words, place_words};
-use loosepin_study::result::{
+use loosepin_result::study::{
     BoundRecord, CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve,
     StatisticKind, StudyResult, TreatmentKind,
 };

@@ -7,7 +7,7 @@ use crate::number::{NumberWriter, Rounding};
 use crate::percentile_words::{PERCENTILES_MEAN, percentile_words};
 use crate::study_page::bounds_table::end_value;
 use crate::wording::{deviation_words, further, output_words, place_words, statistic_words};
-use loosepin_study::result::{BoundRecord, ResponsePoint, StudyResult};
+use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 
 /// More statistics are left to `bounds.csv`.
 const MOST_STATISTICS: usize = 20;

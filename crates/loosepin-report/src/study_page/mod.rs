@@ -21,7 +21,7 @@ use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::still_figures::orbit_figure;
 use super::wording::{counted, has_unknown, place_words, unknown_words, verdict_words};
-use loosepin_study::result::{StudyResult, Verdict};
+use loosepin_result::study::{StudyResult, Verdict};
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the

@@ -10,7 +10,7 @@ use crate::still_figures::histogram_figure;
 use crate::wording::{
     count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
 };
-use loosepin_study::result::{EnergyResiduals, InputKind, JointImpacts, RunPurpose, StudyResult, TreatmentKind};
+use loosepin_result::study::{EnergyResiduals, InputKind, JointImpacts, RunPurpose, StudyResult, TreatmentKind};
 use loosepin_text::units::SiUnit;
 
 pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {

@@ -12,7 +12,7 @@ use crate::surrogate_text::{
     treatment_rows,
 };
 use crate::wording::{deviation_words, output_words, response_words, statistic_words};
-use loosepin_study::result::{
+use loosepin_result::study::{
     BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentComparison,
 };
 use loosepin_text::units::SiUnit;

@@ -9,7 +9,7 @@ use crate::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, has_lists, promise_word, response_words, share_words, treatment_words,
     unknown_words,
 };
-use loosepin_study::result::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
+use loosepin_result::study::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
 
 pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {

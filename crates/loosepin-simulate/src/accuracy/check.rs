@@ -5,10 +5,10 @@ use super::loops::DisplacedLoops;
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{ExactWorstCase, exact_worst_case};
-use crate::record::{QuasiStaticShare, SimulationRecord};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::Values;
+use loosepin_result::simulation::{QuasiStaticShare, SimulationRecord};
 use loosepin_text::units::SiUnit;
 
 /// Relative round-off and iteration error of the worst case.

@@ -1,10 +1,10 @@
 //! One cycle of the ideal motion: positions, how far the mechanism turns, and where it is singular.
 
-use super::record::SingularPosition;
 use super::transmission::{Transmission, is_positive};
 use crate::maximum_within;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, SampleError};
 use loosepin_mechanics::model::{CycleInput, describe_path};
+use loosepin_result::motion::SingularPosition;
 use loosepin_text::units::{Dimension, format_value};
 
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more

@@ -12,7 +12,7 @@ mod loops;
 mod motion;
 mod play_reach;
 mod position;
-pub mod record;
+pub use loosepin_result::motion as record;
 mod sensitivity;
 mod transmission;
 mod worst_case;

@@ -6,13 +6,13 @@ use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, PositionReading, position_outputs};
-use super::record::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
-use crate::record::Override;
 use crate::{add_pose, skeleton};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
 use loosepin_mechanics::model::{CycleSpan, QuantityId, Values};
+use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
+use loosepin_result::simulation::Override;
 use loosepin_text::units::DisplayUnits;
 
 /// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.

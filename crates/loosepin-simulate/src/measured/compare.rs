@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::problem::MeasuredProblem;
 use super::table::MeasuredTable;
-use crate::record::{Abscissa, MeasuredCurve, SimulationRecord};
+use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
 use loosepin_text::units::{Dimension, format_value};
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::problem::MeasuredProblem;
-use crate::record::Abscissa;
+use loosepin_result::simulation::Abscissa;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span, nearest_name};
 use loosepin_text::document::read_source;
 use loosepin_text::units::{Dimension, SiUnit, parse_unit};

@@ -1,8 +1,6 @@
 //! Running a sweep on the lanes of all threads.
 
-use super::record::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
 use super::turns::TurnsRecorder;
-use crate::record::Override;
 use crate::{
     Arms, Column, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Turns, Window, columns,
     conduct, input, period_turns, section_sizes,
@@ -10,6 +8,8 @@ use crate::{
 use loosepin_math::Vectors;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{QuantityId, SetValues, SettingRange};
+use loosepin_result::simulation::Override;
+use loosepin_result::sweep::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
 use loosepin_text::diagnostics::{Code, Problem};
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use rayon::prelude::*;

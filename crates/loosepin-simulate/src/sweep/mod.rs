@@ -5,7 +5,7 @@
 //! after p turns shows p points, one that never does a cloud.
 
 mod conduct;
-pub mod record;
+pub use loosepin_result::sweep as record;
 mod tables;
 mod turns;
 

@@ -1,6 +1,6 @@
 //! The CSV files of a sweep, SI.
 
-use super::record::SweepRecord;
+use loosepin_result::sweep::SweepRecord;
 use std::fmt::Write;
 
 /// Name of the file with one value a row.

@@ -5,9 +5,9 @@ use super::summary::centre_point;
 use super::{Material, deviation_kind};
 use crate::columns::{BAND, PlannedAsk};
 use crate::file::{Deviation, Where};
-use crate::result::{CurveRange, DeviationCurve, SimultaneousCurve};
 use crate::simultaneous::CurveBand;
 use loosepin_bounds::{Purpose, Statistic};
+use loosepin_result::study::{CurveRange, DeviationCurve, SimultaneousCurve};
 
 /// One curve for each ask for the whole cycle.
 pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand]) -> Vec<DeviationCurve> {

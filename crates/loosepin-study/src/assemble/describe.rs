@@ -3,11 +3,11 @@
 use super::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
-use crate::result::{
+use loosepin_mechanics::model::{QuantityId, QuantityTable};
+use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
     OutputDescription,
 };
-use loosepin_mechanics::model::{QuantityId, QuantityTable};
 use loosepin_text::document::listed;
 use loosepin_text::units::{Dimension, SiUnit, format_number};
 use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};

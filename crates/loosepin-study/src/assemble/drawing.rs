@@ -2,7 +2,7 @@
 
 use super::{Material, recorded_offset_rad};
 use crate::file::{EpistemicInput, EpistemicSubject};
-use loosepin_simulate::record::{Drawing, JournalOrbit};
+use loosepin_result::simulation::{Drawing, JournalOrbit};
 use loosepin_simulate::{Plan, simulate, skeleton};
 
 /// Poses of the moving picture.

@@ -3,8 +3,8 @@
 use super::describe::unit;
 use crate::file::{EpistemicSubject, Study};
 use crate::response::StudyResponse;
-use crate::result::{ExampleRun, FailureGroup};
 use loosepin_bounds::{RunInputs, SampleTable};
+use loosepin_result::study::{ExampleRun, FailureGroup};
 use loosepin_simulate::RunFailure;
 use loosepin_text::units::SiUnit;
 use std::collections::BTreeMap;

@@ -2,10 +2,10 @@
 
 use super::Material;
 use crate::response::RunExtras;
-use crate::result::{
+use loosepin_bounds::{Purpose, Reweighted};
+use loosepin_result::study::{
     EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, ReweightingRecord, RunCounts, RunPurpose,
 };
-use loosepin_bounds::{Purpose, Reweighted};
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
 const SETTLED: f64 = 1e-6;

@@ -1,8 +1,8 @@
 //! The three treatments side by side.
 
 use super::{Material, deviation_kind, numerical_error};
-use crate::result::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind};
 use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
+use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind};
 
 /// Those of the direct runs.
 pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {

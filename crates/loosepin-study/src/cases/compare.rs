@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::case::{Case, Check, What};
 use super::history::largest_difference;
 use super::obtain::Runs;
-use super::record::{CaseRecord, Comparison, NumberRecord};
+use loosepin_result::cases::{CaseRecord, Comparison, NumberRecord};
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::units::ReadableUnit;
 

@@ -11,7 +11,7 @@ mod ideal;
 mod keys;
 mod obtain;
 mod problem;
-pub mod record;
+pub use loosepin_result::cases as record;
 mod reference;
 mod script_file;
 

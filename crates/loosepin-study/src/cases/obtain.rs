@@ -7,7 +7,7 @@ use super::ideal::{ideal_output, quasi_static};
 use loosepin_mechanics::contact::{NormalContact, NormalLaw};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Values;
-use loosepin_simulate::record::{ImpactRecord, JointSummary};
+use loosepin_result::simulation::{ImpactRecord, JointSummary};
 use loosepin_simulate::{Observer, Plan, Settings, Simulation, Step, Window, input, run, simulate};
 use loosepin_text::diagnostics::{Complaints, Place};
 

@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use super::accuracy::{AccuracyTarget, Budget};
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
+use loosepin_result::study::Reduction;
 use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -310,48 +309,6 @@ pub enum Deviation {
     Clearance,
     /// Sampled dimensions with clearance, minus nominal dimensions without.
     Total,
-}
-
-/// How a curve over the recorded turns becomes one number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Reduction {
-    /// The largest value, located between the samples.
-    Maximum,
-    /// The smallest value, located between the samples.
-    Minimum,
-    /// The largest magnitude, located between the samples.
-    MaximumAbsolute,
-    /// The root of the mean square.
-    #[serde(rename = "rms")]
-    RootMeanSquare,
-    /// The mean over time.
-    Mean,
-    /// Maximum minus minimum.
-    Range,
-}
-
-impl Reduction {
-    /// Every reduction, in the order in which study files name them.
-    pub const ALL: [Self; 6] =
-        [Self::Maximum, Self::Minimum, Self::MaximumAbsolute, Self::RootMeanSquare, Self::Mean, Self::Range];
-
-    /// The word used in study files and in results.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Maximum => "maximum",
-            Self::Minimum => "minimum",
-            Self::MaximumAbsolute => "maximum_absolute",
-            Self::RootMeanSquare => "rms",
-            Self::Mean => "mean",
-            Self::Range => "range",
-        }
-    }
-
-    /// Whether no curve gives a negative number.
-    pub const fn is_never_negative(self) -> bool {
-        matches!(self, Self::MaximumAbsolute | Self::RootMeanSquare | Self::Range)
-    }
 }
 
 /// Where in the cycle.

@@ -1,8 +1,9 @@
 //! Words of study files with what they mean: each stands here once, for the keys as for what reads them.
 
-use super::description::{Deviation, RareMethod, Reduction};
+use super::description::{Deviation, RareMethod};
 use super::reweighting::When;
 use loosepin_bounds::{Reading, Statistic};
+use loosepin_result::study::Reduction;
 use loosepin_surrogate::{Choice, Kind};
 
 /// The words of a table.

@@ -1,7 +1,9 @@
 //! `bounds.csv`: one bound a row.
 
 use super::FilesError;
-use crate::result::{BoundEnd, BoundRecord, PercentileBounds, ResponsePoint, StudyResult, Witness, WitnessValue};
+use loosepin_result::study::{
+    BoundEnd, BoundRecord, PercentileBounds, ResponsePoint, StudyResult, Witness, WitnessValue,
+};
 
 /// The columns of `bounds.csv`. `parameter` is the probability of a quantile or the limit of a probability (SI);
 /// `unit` is that of the values, errors included; a witness is `path=value` joined by `;`, values in SI. `percentile` is that of a

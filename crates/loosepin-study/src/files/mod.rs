@@ -17,9 +17,9 @@ pub use json::{read_json, to_json};
 pub use runs_table::{read_runs_parquet, runs_parquet};
 pub use timing::Timing;
 
-use super::result::{FORMAT, StudyResult};
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
+use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;
 use loosepin_store::results::{ResultsError, write_whole};
 

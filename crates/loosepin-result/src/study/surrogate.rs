@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bound::{BoundRecord, DeviationKind, ResponsePoint};
 use super::figures::TreatmentComparison;
-use loosepin_surrogate::Verdict;
+use loosepin_terms::SurrogateVerdict;
 use loosepin_text::units::{SiUnit, extended};
 
 /// Bounds by surrogates, beside the direct ones.
@@ -68,7 +68,7 @@ pub struct SurrogateOutput {
     #[serde(with = "extended")]
     pub q2: Option<f64>,
     /// What the held-out errors say about the response.
-    pub verdict: Option<Verdict>,
+    pub verdict: Option<SurrogateVerdict>,
     /// Held-out error from fewer runs.
     pub learning: Vec<SurrogateLearning>,
     /// By how many of its standard deviations the surrogate is taken to err in the bounds.

@@ -1,6 +1,6 @@
 //! What a sweep found, as pages and files read it. SI.
 
-use crate::record::Override;
+use crate::simulation::Override;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::file::Reduction;
+use super::reduction::Reduction;
 use loosepin_text::units::{SiUnit, extended};
 
 /// Lower and upper bound of one statistic over the epistemic inputs.

@@ -1,8 +1,11 @@
 //! What kind of motion a run shows: whether it repeats itself, once a turn, and what neighbouring motions do.
 
-use super::JournalOrbit;
+use super::drawing::JournalOrbit;
 use loosepin_text::units::{SiUnit, extended};
 use serde::{Deserialize, Serialize};
+
+/// Share within which two sections count as the same: of its clearance for every journal, of its size for everything else.
+pub const REPEAT_SHARE: f64 = 1e-2;
 
 /// Whether the recorded turns repeat each other, and the motion once a turn (Poincaré section).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -1,8 +1,16 @@
 //! What one run leaves behind for pages, tables and files: plain data in SI, no physics.
 
+mod control;
+mod drawing;
+mod measured;
 mod motion_kind;
 
-pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput};
+pub use control::{ControlHistory, Swing, SwingCourse};
+pub use drawing::{
+    Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, JournalOrbit, PointReference, PoseTable,
+};
+pub use measured::{Abscissa, MeasuredCurve};
+pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
@@ -64,47 +72,6 @@ pub struct SimulationRecord {
     /// Measured curves laid over the outputs; empty, and not written, where none were given.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub measured: Vec<MeasuredCurve>,
-}
-
-/// What the first column of a measured table is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Abscissa {
-    /// Time since the start of the run.
-    Time,
-    /// Angle of the drive.
-    DriveAngle,
-}
-
-/// A measured curve over the computed one. All lists have one entry a measured value.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MeasuredCurve {
-    /// The file that it was read from, as it was given.
-    pub file: String,
-    /// Name of the output.
-    pub output: String,
-    /// Unit of the values.
-    pub unit: SiUnit,
-    /// What `at_si` is.
-    pub abscissa: Abscissa,
-    /// Where it was measured, s or rad, increasing; angles are moved by whole turns into the recorded ones.
-    #[serde(with = "extended")]
-    pub at_si: Vec<f64>,
-    /// What was measured.
-    #[serde(with = "extended")]
-    pub measured_si: Vec<f64>,
-    /// What was computed there, between the rows of the history.
-    #[serde(with = "extended")]
-    pub computed_si: Vec<f64>,
-    /// Root of the mean square of measured minus computed.
-    #[serde(with = "extended")]
-    pub rms_si: f64,
-    /// The residual of the largest magnitude, measured minus computed.
-    #[serde(with = "extended")]
-    pub largest_si: f64,
-    /// Where it is.
-    #[serde(with = "extended")]
-    pub largest_at_si: f64,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot
@@ -221,60 +188,6 @@ pub struct ContactForceHistory {
     /// Normal force, 0 in free flight.
     #[serde(with = "extended")]
     pub force_n: Vec<f64>,
-}
-
-/// How one control followed its reference, at the sample times.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ControlHistory {
-    /// Name of the control.
-    pub name: String,
-    /// Name of the joint of the actuator.
-    pub joint: String,
-    /// Name of the joint whose coordinate follows the reference.
-    pub measured: String,
-    /// Unit of reference and error.
-    pub unit: SiUnit,
-    /// Unit of the effort.
-    pub effort_unit: SiUnit,
-    /// The reference.
-    #[serde(with = "extended")]
-    pub reference_si: Vec<f64>,
-    /// Reference minus measured coordinate.
-    #[serde(with = "extended")]
-    pub error_si: Vec<f64>,
-    /// Torque or force of the actuator.
-    #[serde(with = "extended")]
-    pub effort_si: Vec<f64>,
-    /// Swings of the error that do not die out although the reference rests; absent where there are none.
-    pub swing: Option<Swing>,
-}
-
-/// Swings of an error about its mean over the second half of the recorded part.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Swing {
-    /// Whether they stay as they are.
-    pub course: SwingCourse,
-    /// Half the range of the error over a swing: the mean of all, or of the last ones where they grow.
-    #[serde(with = "extended")]
-    pub amplitude_si: f64,
-    /// Mean duration of a swing.
-    #[serde(with = "extended")]
-    pub period_s: f64,
-    /// Mean error.
-    #[serde(with = "extended")]
-    pub mean_si: f64,
-    /// How many were looked at.
-    pub swings: usize,
-}
-
-/// How swings go on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum SwingCourse {
-    /// As wide at the end as at the beginning: a limit cycle.
-    Steady,
-    /// Wider and wider.
-    Grows,
 }
 
 /// One impact: an onset of contact with an approach speed above the least impact speed of the law.
@@ -404,120 +317,4 @@ pub struct EnergyAccount {
     /// What does not add up at the sample times.
     #[serde(with = "extended")]
     pub residual_j: Vec<f64>,
-}
-
-/// Path of a journal's centre in its bearing: the eccentricity, turned into the frame of the bearing's body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct JournalOrbit {
-    /// Name of the joint.
-    pub joint: String,
-    /// Which run this is, in words; empty where there is only one.
-    pub label: String,
-    /// Radial clearance: the circle that the path stays in, but for penetration.
-    #[serde(with = "extended")]
-    pub radial_clearance_m: f64,
-    /// Eccentricity along x of the bearing frame.
-    #[serde(with = "extended")]
-    pub x_m: Vec<f64>,
-    /// Eccentricity along y of the bearing frame.
-    #[serde(with = "extended")]
-    pub y_m: Vec<f64>,
-}
-
-/// The mechanism as a page draws it: shapes in body frames, and poses of one cycle.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Drawing {
-    /// The bodies; `poses` follow this order.
-    pub bodies: Vec<DrawnBody>,
-    /// The joints.
-    pub joints: Vec<DrawnJoint>,
-    /// Poses of the mechanism with clearance over one cycle.
-    pub poses: PoseTable,
-    /// Poses of the ideal mechanism at the same inputs; empty where it is not drawn.
-    pub ideal_poses: PoseTable,
-}
-
-/// One body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct DrawnBody {
-    /// Name of the body.
-    pub name: String,
-    /// Whether it is the fixed one.
-    pub is_ground: bool,
-    /// Named points in the frame of the body.
-    pub points: Vec<DrawnPoint>,
-}
-
-/// A named point of a body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct DrawnPoint {
-    /// Name without the body's.
-    pub name: String,
-    /// x in the frame of the body.
-    #[serde(with = "extended")]
-    pub x_m: f64,
-    /// y in the frame of the body.
-    #[serde(with = "extended")]
-    pub y_m: f64,
-}
-
-/// Kinds of joint that are drawn differently.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum DrawnJointKind {
-    /// Ideal revolute joint.
-    Revolute,
-    /// Revolute joint with clearance.
-    RevoluteWithClearance,
-    /// Prismatic joint.
-    Prismatic,
-    /// A pin in a slot.
-    Slot,
-    /// Rigid connection.
-    Rigid,
-}
-
-/// One joint between two points.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct DrawnJoint {
-    /// Name of the joint.
-    pub name: String,
-    /// Kind of the joint.
-    pub kind: DrawnJointKind,
-    /// Point of the bearing, or a point of the guide.
-    pub first: PointReference,
-    /// Point of the journal, or of the slider.
-    pub second: PointReference,
-    /// Direction of the guide or slot in the frame of the first point's body; 0 for other kinds.
-    #[serde(with = "extended")]
-    pub guide_angle_rad: f64,
-    /// Radial clearance; 0 for an ideal joint.
-    #[serde(with = "extended")]
-    pub radial_clearance_m: f64,
-}
-
-/// A point by the index of its body in [`Drawing::bodies`] and of itself in [`DrawnBody::points`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct PointReference {
-    /// Index of the body.
-    pub body: usize,
-    /// Index of the point in the body.
-    pub point: usize,
-}
-
-/// Poses of all bodies at chosen inputs. `x_m[b][k]` is the origin of body `b` at pose `k`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct PoseTable {
-    /// Angle of the drive at each pose.
-    #[serde(with = "extended")]
-    pub drive_angle_rad: Vec<f64>,
-    /// x of the origin of each body's frame, by body and pose.
-    #[serde(with = "extended")]
-    pub x_m: Vec<Vec<f64>>,
-    /// y of the origin of each body's frame, by body and pose.
-    #[serde(with = "extended")]
-    pub y_m: Vec<Vec<f64>>,
-    /// Angle of each body's frame from the ground's, by body and pose.
-    #[serde(with = "extended")]
-    pub angle_rad: Vec<Vec<f64>>,
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::record::{Drawing, Override};
+use crate::simulation::{Drawing, Override};
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.

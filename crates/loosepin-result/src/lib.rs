@@ -1,0 +1,8 @@
+//! Records of results: plain data in SI, and what can be told from it alone. Pages, tables and files are made of them; nothing is
+//! computed here that needs a mechanism or a sample.
+
+pub mod cases;
+pub mod motion;
+pub mod simulation;
+pub mod study;
+pub mod sweep;

@@ -1,0 +1,120 @@
+//! Mechanism and journal paths as a page draws them.
+
+use loosepin_text::units::extended;
+use serde::{Deserialize, Serialize};
+
+/// Path of a journal's centre in its bearing: the eccentricity, turned into the frame of the bearing's body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JournalOrbit {
+    /// Name of the joint.
+    pub joint: String,
+    /// Which run this is, in words; empty where there is only one.
+    pub label: String,
+    /// Radial clearance: the circle that the path stays in, but for penetration.
+    #[serde(with = "extended")]
+    pub radial_clearance_m: f64,
+    /// Eccentricity along x of the bearing frame.
+    #[serde(with = "extended")]
+    pub x_m: Vec<f64>,
+    /// Eccentricity along y of the bearing frame.
+    #[serde(with = "extended")]
+    pub y_m: Vec<f64>,
+}
+
+/// The mechanism as a page draws it: shapes in body frames, and poses of one cycle.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Drawing {
+    /// The bodies; `poses` follow this order.
+    pub bodies: Vec<DrawnBody>,
+    /// The joints.
+    pub joints: Vec<DrawnJoint>,
+    /// Poses of the mechanism with clearance over one cycle.
+    pub poses: PoseTable,
+    /// Poses of the ideal mechanism at the same inputs; empty where it is not drawn.
+    pub ideal_poses: PoseTable,
+}
+
+/// One body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnBody {
+    /// Name of the body.
+    pub name: String,
+    /// Whether it is the fixed one.
+    pub is_ground: bool,
+    /// Named points in the frame of the body.
+    pub points: Vec<DrawnPoint>,
+}
+
+/// A named point of a body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnPoint {
+    /// Name without the body's.
+    pub name: String,
+    /// x in the frame of the body.
+    #[serde(with = "extended")]
+    pub x_m: f64,
+    /// y in the frame of the body.
+    #[serde(with = "extended")]
+    pub y_m: f64,
+}
+
+/// Kinds of joint that are drawn differently.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DrawnJointKind {
+    /// Ideal revolute joint.
+    Revolute,
+    /// Revolute joint with clearance.
+    RevoluteWithClearance,
+    /// Prismatic joint.
+    Prismatic,
+    /// A pin in a slot.
+    Slot,
+    /// Rigid connection.
+    Rigid,
+}
+
+/// One joint between two points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnJoint {
+    /// Name of the joint.
+    pub name: String,
+    /// Kind of the joint.
+    pub kind: DrawnJointKind,
+    /// Point of the bearing, or a point of the guide.
+    pub first: PointReference,
+    /// Point of the journal, or of the slider.
+    pub second: PointReference,
+    /// Direction of the guide or slot in the frame of the first point's body; 0 for other kinds.
+    #[serde(with = "extended")]
+    pub guide_angle_rad: f64,
+    /// Radial clearance; 0 for an ideal joint.
+    #[serde(with = "extended")]
+    pub radial_clearance_m: f64,
+}
+
+/// A point by the index of its body in [`Drawing::bodies`] and of itself in [`DrawnBody::points`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PointReference {
+    /// Index of the body.
+    pub body: usize,
+    /// Index of the point in the body.
+    pub point: usize,
+}
+
+/// Poses of all bodies at chosen inputs. `x_m[b][k]` is the origin of body `b` at pose `k`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct PoseTable {
+    /// Angle of the drive at each pose.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: Vec<f64>,
+    /// x of the origin of each body's frame, by body and pose.
+    #[serde(with = "extended")]
+    pub x_m: Vec<Vec<f64>>,
+    /// y of the origin of each body's frame, by body and pose.
+    #[serde(with = "extended")]
+    pub y_m: Vec<Vec<f64>>,
+    /// Angle of each body's frame from the ground's, by body and pose.
+    #[serde(with = "extended")]
+    pub angle_rad: Vec<Vec<f64>>,
+}
