@@ -60,8 +60,8 @@ fn falls_too_slowly(output: &SurrogateOutput) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use loosepin_result::study::Reduction;
     use loosepin_result::study::{DeviationKind, SurrogateLearning};
-    use loosepin_study::Reduction;
     use loosepin_text::units::{DisplayUnits, SiUnit};
 
     fn output(at: ResponsePoint, q2: f64, verdict: SurrogateVerdict) -> SurrogateOutput {
