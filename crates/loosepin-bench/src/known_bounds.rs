@@ -7,8 +7,8 @@ use loosepin::uncertainty::{
 use std::f64::consts::{E, FRAC_PI_3, PI, TAU};
 use std::sync::Arc;
 
-use crate::known_pairings::{box_weighted, pairings};
-use crate::known_weights::weighted;
+use super::known_pairings::{box_weighted, pairings};
+use super::known_weights::weighted;
 
 /// A response Y = g(X, u) with one column.
 pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;

@@ -14,7 +14,7 @@ use loosepin::uncertainty::{
 };
 use std::sync::Arc;
 
-use crate::known_bounds::KnownCase;
+use super::known_bounds::KnownCase;
 
 /// A range: both ends.
 type Range = (f64, f64);

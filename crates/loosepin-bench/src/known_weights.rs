@@ -8,7 +8,7 @@ use loosepin::uncertainty::{
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::known_bounds::{Function, KnownCase, extremes};
+use super::known_bounds::{Function, KnownCase, extremes};
 
 /// A number that the parameters determine.
 type OfParameters = Box<dyn Fn(&[f64]) -> f64>;

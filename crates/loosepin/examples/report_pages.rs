@@ -1,7 +1,7 @@
 //! Writes the three kinds of page, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
 //! `cargo run --example report_pages -- FOLDER`.
 
-#[path = "../tests/report_fixture/mod.rs"]
+#[path = "../tests/report/report_fixture/mod.rs"]
 mod report_fixture;
 
 use std::path::PathBuf;

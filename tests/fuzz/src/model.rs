@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{Colour, Complaint, Complaints, Source};
 use loosepin::model::Model;
 
-use crate::files::Files;
+use super::files::Files;
 
 /// The name by which complaints report the file.
 pub const FILE: &str = "fuzzed.toml";

@@ -4,14 +4,14 @@ use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::Model;
 use loosepin::study::{Study, plan_runs};
 
-use crate::model::show_one;
+use super::model::show_one;
 
 /// Reads a file, a model where it has bodies, and plans what it says.
 pub fn read(bytes: &[u8]) {
     if bytes.windows(BODY.len()).any(|window| window == BODY) {
-        crate::model::read(bytes).iter().for_each(compile);
+        super::model::read(bytes).iter().for_each(compile);
     } else {
-        crate::study::read(bytes).iter().for_each(plan);
+        super::study::read(bytes).iter().for_each(plan);
     }
 }
 

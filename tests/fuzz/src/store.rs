@@ -15,8 +15,8 @@ use loosepin::store::{
     Beginning, RunStore, STORE_COMPANIONS, STORE_FILE, Shard, StoreError, StoreIdentity, remove_store,
 };
 
-use crate::log::with_right_checksums;
-use crate::rows::write_rows;
+use super::log::with_right_checksums;
+use super::rows::write_rows;
 
 /// Lists whose runs are asked for.
 const LISTS: u32 = 3;
@@ -45,7 +45,7 @@ pub fn read(bytes: &[u8], folder: &Path) {
                 StoreError::NotUsable { .. } if may_fail => {}
                 _ => panic!("{refused}"),
             }
-            crate::model::show_one(loosepin::diagnostics::Complaint::error(&refused, None));
+            super::model::show_one(loosepin::diagnostics::Complaint::error(&refused, None));
         }
     }
 }

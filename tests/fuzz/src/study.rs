@@ -8,8 +8,8 @@ use loosepin::model::Model;
 use loosepin::study::{Study, distribution_words};
 use loosepin::templates::TEMPLATES;
 
-use crate::files::Files;
-use crate::model::{FILE, show, source};
+use super::files::Files;
+use super::model::{FILE, show, source};
 
 /// A model with everything that a model can have.
 const EVERY_TABLE: &str = include_str!("../../../crates/loosepin/tests/files/every_table.toml");

@@ -86,7 +86,13 @@ fn main() {
 fn texts(repository: &Path, kind: &str) -> Vec<(String, Vec<u8>)> {
     let library = repository.join("crates/loosepin");
     let mut seeds = Vec::new();
-    for folder in ["cases", "crates/loosepin-import/templates", "crates/loosepin/tests/files", "crates/loosepin/tests/bad"] {
+    for folder in [
+        "cases",
+        "crates/loosepin-import/templates",
+        "crates/loosepin-simulate/tests/files",
+        "crates/loosepin/tests/files",
+        "crates/loosepin/tests/bad",
+    ] {
         for path in files_below(&repository.join(folder)) {
             let name = path.strip_prefix(repository).unwrap_or(&path).display().to_string().replace(['/', '\\'], "-");
             let is_study = name.contains("study");

@@ -1,0 +1,135 @@
+//! Runs that fail: a limit on their share, and a command that repeats one.
+#![cfg(unix)]
+
+use std::ffi::OsString;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use super::command_line::{Desk, Said};
+
+/// A crank that in some samples is longer than the rod: the ideal mechanism, with which the deviation is measured, jams at a right
+/// angle.
+const TOO_LONG: &str = r#"
+name = "cranks that are too long"
+model = "model.toml"
+seed = 5
+
+[cycle]
+transient_turns = 0
+recorded_turns = 0.25
+samples_per_turn = 40
+
+[sampling]
+outer = 4
+inner = 32
+replicates = 4
+
+[random]
+"parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "3 mm" } }
+
+[epistemic]
+"parameter.rod_length" = { interval = ["51.5 mm", "56 mm"] }
+
+[[ask]]
+output = "slider"
+of = "clearance"
+reduce = "maximum"
+statistics = ["mean", { probability_above = "2 mm" }]
+"#;
+
+/// A pin so soft in some samples that the impacts press it out of its hole.
+const TOO_SOFT: &str = r#"
+name = "pins that are too soft"
+model = "model.toml"
+seed = 7
+
+[cycle]
+transient_turns = 0
+recorded_turns = 0.5
+samples_per_turn = 40
+
+[sampling]
+outer = 4
+inner = 16
+replicates = 4
+most_failed = 1
+
+[random]
+"parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "0.3 mm" } }
+
+[epistemic]
+"contact.steel_pin.youngs_modulus" = { interval = ["0.5 MPa", "200 MPa"] }
+
+[[ask]]
+output = "slider"
+of = "total"
+reduce = "maximum"
+statistics = [{ probability_above = "2 mm" }]
+"#;
+
+fn desk(study: &str) -> Desk {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    desk.write("study.toml", study);
+    desk
+}
+
+/// Pastes a command into a shell in the folder.
+fn paste(desk: &Desk, command: &str) -> Said {
+    let program = Path::new(env!("CARGO_BIN_EXE_loosepin")).parent().expect("a folder");
+    let mut path = OsString::from(program);
+    path.push(":");
+    path.push(std::env::var_os("PATH").unwrap_or_default());
+    let mut shell = Command::new("sh");
+    shell.args(["-c", command]).current_dir(desk.path("")).env("PATH", path).stdin(Stdio::null());
+    shell.output().expect("a shell").into()
+}
+
+/// The most frequent reason of a finished study.
+fn commonest(desk: &Desk, folder: &str) -> serde_json::Value {
+    let summary: serde_json::Value = serde_json::from_str(&desk.read(&format!("{folder}/summary.json"))).expect("JSON");
+    summary["failures"][0].clone()
+}
+
+#[test]
+fn a_study_ends_where_too_many_runs_fail_and_goes_on_from_there() {
+    let desk = desk(TOO_LONG);
+    let said = desk.run(&["study", "study.toml", "--out", "bounds"]);
+    assert_eq!((said.status, said.output.as_str()), (2, ""), "{}", said.messages);
+    let (message, hint) = said.messages.split_once("\nhint: `").expect("a hint");
+    // Rods elsewhere than in the model are warned of first.
+    assert!(
+        message.starts_with("study.toml:20:1: warning[E0616]: 'parameter.rod_length' is 120 mm in the model"),
+        "{message}"
+    );
+    assert!(message.contains("\nerror[E0815]: ") && message.contains(" runs failed ("), "{message}");
+    assert!(message.contains("; at most 10 % may: most_failed under [sampling]; "), "{message}");
+    assert!(message.contains(" of them: the links cannot close at "), "{message}");
+    let (command, rest) = hint.split_once("` repeats one; ").expect("a command");
+    assert_eq!(rest, "--resume --most-failed SHARE goes on with the runs that are kept\n");
+    let again = paste(&desk, command);
+    assert_eq!(again.status, 2);
+    assert!(again.messages.contains("error[E0704]: the links cannot close at "), "{}", again.messages);
+    assert!(desk.path("bounds/runs.parquet").exists() && desk.path("bounds/runs.sqlite").exists());
+    let resumed = desk.run(&["study", "study.toml", "--out", "bounds", "--resume", "--most-failed", "0.3"]);
+    assert_eq!(resumed.status, 0, "{}", resumed.messages);
+    assert!(resumed.messages.contains("\ngoing on with "), "{}", resumed.messages);
+    let summary: serde_json::Value = serde_json::from_str(&desk.read("bounds/summary.json")).expect("JSON");
+    let share =
+        summary["counts"]["failed"].as_f64().expect("a count") / summary["counts"]["runs"].as_f64().expect("a count");
+    assert!((0.02..0.3).contains(&share), "{share}");
+}
+
+#[test]
+fn identity_the_printed_command_fails_in_the_same_way_at_the_same_instant() {
+    let desk = desk(TOO_SOFT);
+    let said = desk.run(&["study", "study.toml", "--out", "bounds"]);
+    assert_eq!(said.status, 0, "{}", said.messages);
+    let reason = commonest(&desk, "bounds");
+    let words = reason["words"].as_str().expect("words");
+    let command = reason["example"]["command"].as_str().expect("a command");
+    // The same bits: the words name the instant and the depth.
+    assert!(words.contains("is pressed"), "{words}");
+    assert!(said.output.contains(&format!("again: {command}\n")), "{}", said.output);
+    let again = paste(&desk, &format!("{command} --out again"));
+    assert!(again.status == 2 && again.messages.contains(words), "{words}\n{}", again.messages);
+}

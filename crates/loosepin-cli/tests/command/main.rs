@@ -1,0 +1,17 @@
+//! The command as people type it: what it prints, writes and refuses.
+
+mod bad_input;
+mod cases;
+mod cluster_page;
+mod command_line;
+mod failed_runs;
+mod import;
+mod pages;
+mod resume;
+mod shards;
+mod simulate;
+mod study;
+mod study_queries;
+mod sweep;
+mod templates;
+mod words;

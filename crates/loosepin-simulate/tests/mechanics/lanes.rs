@@ -1,0 +1,344 @@
+//! Runs on lanes against runs alone: the same bits, whatever the instructions, the lane, the neighbours and the order.
+
+use loosepin_math::Vectors;
+use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::model::Model;
+use loosepin_simulate::{
+    Arms, Counters, EquationPrograms, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation,
+    Settings, Step, Window, columns, conduct,
+};
+use loosepin_tape::native::OperationCounts;
+use std::path::Path;
+
+/// More runs than the widest group has lanes, so that lanes are filled again.
+const RUNS: usize = 19;
+
+struct Case {
+    mechanism: Mechanism,
+    readings: Vec<Reading>,
+    turn_s: f64,
+}
+
+fn case_text(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let file = if name.ends_with(".toml") {
+        folder.join("tests/files").join(name)
+    } else {
+        folder.join("../../cases").join(name).join("model.toml")
+    };
+    std::fs::read_to_string(file).expect("the case is there")
+}
+
+fn case(name: &str) -> Case {
+    compiled(name, &case_text(name))
+}
+
+fn compiled(name: &str, text: &str) -> Case {
+    let model = Model::from_text(name, text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let nominal = model.quantities.nominal();
+    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let readings = columns(&mechanism).iter().map(|column| column.reading).filter(Reading::is_position).collect();
+    let turn_s = model.cycle_input(&nominal).turn_s();
+    Case { mechanism, readings, turn_s }
+}
+
+/// Everything that an observer can see of a run.
+#[derive(Debug, Default, Clone, PartialEq)]
+struct Seen {
+    /// Ends of all steps with the bits of the outputs there: a zero has a sign.
+    steps: Vec<(f64, Vec<u64>)>,
+    /// A look inside of some steps: positions of all bodies.
+    looks: Vec<u64>,
+    contacts: Vec<(f64, f64)>,
+    report: Option<RunReport>,
+}
+
+struct Watcher {
+    index: usize,
+    seen: Seen,
+    looks_inside: bool,
+}
+
+impl Observer for Watcher {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        let bits = step.outputs.iter().flatten().flatten().map(|value| value.to_bits()).collect();
+        self.seen.steps.push((step.end_s, bits));
+        if self.looks_inside && self.seen.steps.len().is_multiple_of(17) {
+            let poses = &step.evaluate(step.start_s + 0.37 * (step.end_s - step.start_s)).kinematics.poses;
+            let numbers = poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]);
+            self.seen.looks.extend(numbers.map(f64::to_bits));
+        }
+    }
+    fn contact_begins(&mut self, onset: &Onset) {
+        self.seen.contacts.push((onset.time_s, onset.speed_m_s));
+    }
+    fn contact_ends(&mut self, separation: &Separation) {
+        self.seen.contacts.push((separation.time_s, separation.speed_m_s));
+    }
+}
+
+struct Waiting<'c> {
+    case: &'c Case,
+    order: Vec<usize>,
+    turns: f64,
+    seen: Vec<Seen>,
+}
+
+impl Queue for Waiting<'_> {
+    type Observer = Watcher;
+
+    fn next(&mut self) -> Option<Run<Watcher>> {
+        let index = self.order.pop()?;
+        let model = &self.case.mechanism.model;
+        let factor = 0.9 + 0.2 * index as f64 / RUNS as f64;
+        let mut set = Vec::new();
+        for play in &self.case.mechanism.plays {
+            if let Some((id, _)) = model.joints[play.0].kind.play() {
+                set.push((id, factor * model.quantities.nominal()[id]));
+            }
+        }
+        let values = model.quantities.evaluate(&set).expect("the clearances are possible");
+        // Every third run is longer, so that lanes become free at different times.
+        let turns = self.turns * if index.is_multiple_of(3) { 1.3 } else { 1.0 };
+        Some(Run {
+            sample: Sample::new(&self.case.mechanism, &values).expect("the sample fits"),
+            arms: Arms::new(&self.case.mechanism, &values),
+            window: Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s },
+            observer: Watcher { index, seen: Seen::default(), looks_inside: index.is_multiple_of(2) },
+            resume: None,
+        })
+    }
+
+    fn finished(&mut self, watcher: Watcher, outcome: Result<RunReport, RunFailure>) {
+        let report = outcome.unwrap_or_else(|failure| panic!("run {}: {failure}", watcher.index));
+        self.seen[watcher.index] = Seen { report: Some(report), ..watcher.seen };
+    }
+}
+
+fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, settings: &Settings) -> Vec<Seen> {
+    let mut waiting = Waiting { case, order, turns, seen: vec![Seen::default(); RUNS] };
+    conduct(&case.mechanism, &case.readings, settings, vectors, &mut waiting);
+    waiting.seen
+}
+
+/// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
+/// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
+/// friction in ideal joints, sliders with play in their guides, pins in slots.
+const CASES: [(&str, f64); 19] = [
+    ("slider_crank_5000", 0.3),
+    ("slider_crank_two_clearances", 0.06),
+    ("slider_crank_friction", 0.3),
+    ("six_bar", 0.05),
+    ("five_bar_driven_slider", 0.1),
+    ("four_bar_linear_contact", 0.05),
+    ("slider_crank_given_stiffness", 0.1),
+    ("four_bar_floating_coupler", 0.03),
+    ("slider_crank_elements.toml", 0.1),
+    ("slider_crank_table_drive.toml", 0.3),
+    ("pendulum_on_a_spring.toml", 0.3),
+    ("backlash.toml", 0.05),
+    ("geared_pendulum.toml", 0.3),
+    ("cam_lifter.toml", 0.4),
+    ("slider_crank_joint_friction.toml", 0.1),
+    ("slider_crank_guide", 0.05),
+    ("slider_with_play_in_its_guide.toml", 0.1),
+    ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
+    ("disc_in_a_turning_slot.toml", 0.12),
+];
+
+#[test]
+fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set() {
+    for (name, turns) in CASES {
+        let case = case(name);
+        let forward: Vec<usize> = (0..RUNS).collect();
+        let backward: Vec<usize> = (0..RUNS).rev().collect();
+        let settings = Settings::for_study();
+        let alone = conducted(&case, forward.clone(), turns, Vectors::None, &settings);
+        assert!(alone.iter().all(|seen| seen.steps.len() > 3), "{name}: the runs are long enough to tell something");
+        assert!(alone.iter().any(|seen| !seen.contacts.is_empty()), "{name}: there is contact");
+        for vectors in Vectors::available() {
+            for (order, machine_code) in [(&forward, true), (&backward, true), (&backward, false)] {
+                let settings = Settings { machine_code, ..settings };
+                let together = conducted(&case, order.clone(), turns, vectors, &settings);
+                for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                    assert_eq!(one, other, "{name}, run {index}, {}, machine code {machine_code}", vectors.name());
+                }
+            }
+        }
+    }
+}
+
+/// The slider-crank with another contact between pin and hole.
+fn slider_crank_with(contact: &str) -> Case {
+    let text = case_text("slider_crank_5000");
+    let (before, rest) = text.split_once("[contact.steel_pin]").expect("there is a contact");
+    let (_, after) = rest.split_once("[joint.main]").expect("joints follow");
+    let after = after.replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
+    compiled(contact, &format!("{before}[contact.steel_pin]\n{contact}\n[joint.main]{after}"))
+}
+
+/// Every law of normal force once, and every law of friction once.
+fn contacts() -> Vec<String> {
+    const STEEL: &str = "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
+    let normal = NormalDescription::all().map(|law| {
+        let numbers = match law {
+            NormalDescription::Linear(law) if law.has_given_damping() => {
+                "stiffness = \"2.3e8 N/m\"\ndamping_coefficient = \"900 N s/m\""
+            }
+            NormalDescription::Linear(_) => "stiffness = \"2.3e8 N/m\"\nrestitution = 0.83",
+            _ => STEEL,
+        };
+        format!("law = \"{}\"\n{numbers}", law.name())
+    });
+    let friction = FRICTION_LAWS.iter().map(|law| {
+        let numbers = law.numbers.iter().filter(|number| number.default_si.is_none()).map(|number| match number.key {
+            "coefficient" => "coefficient = 0.07",
+            "static_coefficient" => "static_coefficient = 0.11",
+            "stribeck_speed" => "stribeck_speed = \"30 mm/s\"",
+            "decay" => "decay = \"21 s/m\"",
+            "bristle_stiffness" => "bristle_stiffness = \"1e5 m^-1\"",
+            key => panic!("no value for {key}"),
+        });
+        let numbers: Vec<&str> = numbers.collect();
+        let friction = format!("friction = {{ law = \"{}\", {} }}", law.name, numbers.join(", "));
+        format!("law = \"johnson\"\n{STEEL}\n{friction}")
+    });
+    normal.chain(friction).collect()
+}
+
+#[test]
+fn identity_every_contact_law_keeps_the_energy_account_and_its_bits_in_lanes() {
+    /// Largest residual over largest exchange: a few orders of magnitude above what tolerances of 1e-8 m leave.
+    const ENERGY_RESIDUAL: f64 = 1e-7;
+    /// Long enough for some contacts.
+    const TURNS: f64 = 0.15;
+    let settings = Settings::for_study();
+    for contact in contacts() {
+        let case = slider_crank_with(&contact);
+        let order: Vec<usize> = (0..RUNS).collect();
+        let alone = conducted(&case, order.clone(), TURNS, Vectors::None, &settings);
+        assert!(alone.iter().all(|seen| seen.contacts.len() > 1), "{contact}\nhas no contact");
+        for seen in &alone {
+            let residual = seen.report.as_ref().and_then(|report| report.energy).expect("a report").relative_residual();
+            assert!(residual < ENERGY_RESIDUAL, "{contact}\nhas a residual of {residual:e}");
+        }
+        for machine_code in [true, false] {
+            let settings = Settings { machine_code, ..settings };
+            let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
+            for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                assert_eq!(one, other, "{contact}\nrun {index}, machine code {machine_code}");
+            }
+        }
+    }
+}
+
+#[test]
+fn identity_films_of_oil_keep_the_energy_account_and_their_bits_in_lanes() {
+    const STEEL: &str = "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3";
+    /// As for dry contact.
+    const ENERGY_RESIDUAL: f64 = 1e-7;
+    /// The gudgeon oscillates within that, so that w goes through zero.
+    const TURNS: f64 = 0.03;
+    let settings = Settings::for_study();
+    // A thick oil, and one so thin that the pin breaks through it, with friction then.
+    let thick = FILM_LAWS.iter().map(|law| format!("law = \"{}\", viscosity = \"0.4 Pa s\"", law.name));
+    let films = thick.chain(["viscosity = \"0.003 Pa s\"".to_owned()]);
+    for film in films {
+        let friction = "friction = { coefficient = 0.06 }";
+        let case = slider_crank_with(&format!("{STEEL}\n{friction}\nfilm = {{ {film}, roughness = \"9 um\" }}"));
+        let order: Vec<usize> = (0..RUNS).collect();
+        let alone = conducted(&case, order.clone(), TURNS, Vectors::None, &settings);
+        for seen in &alone {
+            let residual = seen.report.as_ref().and_then(|report| report.energy).expect("a report").relative_residual();
+            assert!(seen.steps.len() > 3 && residual < ENERGY_RESIDUAL, "{film}\nhas a residual of {residual:e}");
+        }
+        for machine_code in [true, false] {
+            let settings = Settings { machine_code, ..settings };
+            let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
+            for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                assert_eq!(one, other, "{film}\nrun {index}, machine code {machine_code}");
+            }
+        }
+    }
+}
+
+#[test]
+fn identity_a_run_is_not_changed_by_who_looks_at_it() {
+    let case = case("six_bar");
+    let mut counters: Vec<Vec<Option<RunReport>>> = Vec::new();
+    for readings in [case.readings.clone(), Vec::new()] {
+        let case = Case { mechanism: case.mechanism.clone(), readings, turn_s: case.turn_s };
+        let seen = conducted(&case, (0..RUNS).collect(), 0.03, Vectors::best(), &Settings::for_study());
+        counters.push(seen.into_iter().map(|seen| seen.report).collect());
+    }
+    assert_eq!(counters[0], counters[1]);
+}
+
+/// Work of one turn of the nominal slider-crank at the accuracy of a study, and of mechanisms with other traits: what a change of
+/// the integrator, of the events or of the tolerances shows first. From our own last run.
+#[test]
+fn pinned_counts_of_reference_cases() {
+    struct Nobody;
+    impl Observer for Nobody {
+        fn step(&mut self, _step: &mut Step<'_, '_>) {}
+    }
+    let mut found = Vec::new();
+    for (name, turns) in [
+        ("slider_crank_5000", 1.0),
+        ("slider_crank_two_clearances", 0.25),
+        ("slider_crank_friction", 1.0),
+        ("six_bar", 0.25),
+    ] {
+        let case = case(name);
+        let sample = Sample::new(&case.mechanism, &case.mechanism.model.quantities.nominal()).expect("nominal");
+        let window = Window { start_s: 0.0, end_s: turns * case.turn_s };
+        let report = loosepin_simulate::run(&case.mechanism, &sample, &window, &Settings::for_study(), &mut Nobody);
+        let Counters { steps, rejections, evaluations, events } = report.expect("the cases run").counters;
+        found.push((name, [evaluations, steps, rejections, events]));
+    }
+    let expected = [
+        ("slider_crank_5000", [14546, 933, 206, 49]),
+        ("slider_crank_two_clearances", [10195, 716, 95, 30]),
+        ("slider_crank_friction", [18036, 1018, 321, 35]),
+        ("six_bar", [9689, 635, 77, 29]),
+    ];
+    assert_eq!(found, expected, "evaluations, steps, rejections, events");
+}
+
+/// Operations of an evaluation of the equations of the slider-crank, counted in the programs that its machine code is made of:
+/// within a step, and at its end, where the slider's position is read. `docs/performance.md` holds time against them.
+#[test]
+fn pinned_operations_of_the_slider_crank() {
+    let Case { mechanism, readings, .. } = case("slider_crank_5000");
+    let nominal = mechanism.model.quantities.nominal();
+    let sample = Sample::new(&mechanism, &nominal).expect("nominal");
+    let programs = EquationPrograms::new(&mechanism, &sample, &Arms::new(&mechanism, &nominal), &readings[..1]);
+    let EquationPrograms { slope, end, projection } = programs.expect("the law has a straight line");
+    assert!(projection.is_none(), "no loop of ideal joints is to be held");
+    let expected = OperationCounts {
+        multiply_adds: 51,
+        additions: 27,
+        multiplications: 61,
+        divisions: 4,
+        square_roots: 2,
+        choices: 21,
+        signs: 7,
+        inputs: 22,
+        constants: 24,
+        outputs: 9,
+    };
+    assert_eq!(slope.counts(), expected, "within a step");
+    let expected = OperationCounts {
+        multiply_adds: 64,
+        additions: 38,
+        multiplications: 93,
+        divisions: 6,
+        choices: 24,
+        inputs: 23,
+        constants: 26,
+        outputs: 20,
+        ..expected
+    };
+    assert_eq!(end.counts(), expected, "at the end of a step");
+}

@@ -1,0 +1,10 @@
+//! Mechanics on whole runs: contact laws, elements, guides and slots with play, the quasi-static answer, and the same bits on
+//! any lane.
+
+mod accuracy;
+mod contact_laws;
+mod elements;
+mod films;
+mod guide_play;
+mod lanes;
+mod slot_play;

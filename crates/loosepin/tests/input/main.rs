@@ -1,0 +1,11 @@
+//! What is read: model and study files, good, bad, mutated and endless, drawings, and the inputs that fuzzing found.
+
+mod bad_files;
+mod every_key_is_read;
+mod fuzz_corpus;
+mod import;
+mod model_file;
+mod mutated_files;
+mod output_units;
+mod runaway_files;
+mod study_file;

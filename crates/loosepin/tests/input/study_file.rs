@@ -1,0 +1,272 @@
+//! Study files that are right, the templates, and what editors are told about both kinds of file.
+
+use std::path::Path;
+
+use loosepin::bounds::Statistic;
+use loosepin::model::{Model, model_schema};
+use loosepin::study::{Deviation, Limit, Reduction, Study, Where, study_schema};
+use loosepin::templates::{TEMPLATES, find_template};
+use loosepin::uncertainty::Distribution;
+
+fn template(name: &str) -> Study {
+    let template = find_template(name).unwrap_or_else(|| panic!("no template {name}"));
+    let model = Model::from_text("model.toml", template.model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    Study::from_text("study.toml", template.study, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
+#[test]
+fn templates_load_without_complaint() {
+    for each in TEMPLATES {
+        let study = template(each.name);
+        assert!(study.warnings.is_empty(), "{}: {:?}", each.name, study.warnings);
+    }
+}
+
+#[test]
+fn templates_load_from_their_folder() {
+    for each in TEMPLATES {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../loosepin-import/templates").join(each.name);
+        let study = Study::from_path(&folder.join("study.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+        assert_eq!(study.model_path, folder.join("model.toml"));
+        assert_eq!(study.model.source().text(), each.model);
+    }
+}
+
+#[test]
+fn a_study_is_read_in_file_order_and_si() {
+    let study = template("slider-crank");
+    assert_eq!((study.seed, study.sampling.outer, study.sampling.inner), (1, 16, 128));
+    assert_eq!(
+        (study.cycle.transient_turns, study.cycle.recorded_turns, study.cycle.samples_per_turn),
+        (2.0, 1.0, 180)
+    );
+    let paths: Vec<&str> = study.random.iter().map(|input| input.path.as_str()).collect();
+    assert_eq!(paths, ["parameter.crank_length", "parameter.rod_length"]);
+    assert_eq!(*study.random[1].variable.distribution(), Distribution::Normal { mean: 0.12, standard_deviation: 3e-5 });
+    assert_eq!(study.epistemic[0].path, "joint.gudgeon.radial_clearance");
+    assert_eq!(study.epistemic[0].variable.ends(), [1e-4, 5e-4]);
+    assert_eq!(study.asks[0].location, Where::Cycle);
+    assert_eq!(study.asks[0].statistics[3], Statistic::Quantile(0.975));
+    assert_eq!(study.asks[1].location, Where::Reduced(Reduction::MaximumAbsolute));
+    assert_eq!(study.asks[1].statistics[2], Statistic::ProbabilityAbove(6e-4));
+    assert_eq!(study.requirements[0].deviation, Deviation::Total);
+    assert_eq!(
+        (study.requirements[0].limit, study.requirements[0].probability_at_least),
+        (Limit::Within(6e-4), 0.9973)
+    );
+}
+
+#[test]
+fn poses_and_limits_of_angles_are_in_radians() {
+    let study = template("four-bar");
+    let Where::Poses { angles_rad } = &study.asks[1].location else { panic!("poses") };
+    assert_eq!(study.model.cycle_input(&study.model.quantities.nominal()).name, "crank");
+    assert_eq!(*angles_rad, [60_f64.to_radians(), 240_f64.to_radians()]);
+    assert_eq!(study.asks[1].statistics[1], Statistic::ProbabilityBeyond(0.1_f64.to_radians()));
+}
+
+#[test]
+fn a_small_probability_of_a_curve_is_that_of_its_furthest_value() {
+    let study = |ask: &str| {
+        let text = format!(
+            "name = \"rare\"\nmodel = \"model.toml\"\n[random]\n\"parameter.crank_length\" = {{ normal = {{ mean = \"50 mm\", \
+             standard_deviation = \"0.02 mm\" }} }}\n{ask}"
+        );
+        let model = template("slider-crank").model;
+        Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}")).asks
+    };
+    let head = "[[ask]]\noutput = \"slider\"\nof = \"total\"\n";
+    let rare = |side: &str| format!("{{ {side} = \"0.1 mm\", method = \"importance\" }}");
+    let [above, below, beyond] = ["probability_above", "probability_below", "probability_beyond"].map(rare);
+    let curve = study(&format!("{head}at = \"cycle\"\nstatistics = [\"mean\", {above}, {below}, {beyond}]\n"));
+    let each = study(&format!(
+        "{head}at = \"cycle\"\nstatistics = [\"mean\"]\n{head}reduce = \"maximum\"\nstatistics = [{above}]\n\
+         {head}reduce = \"minimum\"\nstatistics = [{below}]\n{head}reduce = \"maximum_absolute\"\nstatistics = [{beyond}]\n"
+    ));
+    assert_eq!(curve, each);
+    assert_eq!(study(&format!("{head}at = \"cycle\"\nstatistics = [{above}]\n")), each[1..2]);
+}
+
+#[test]
+fn every_family_of_distributions_is_read() {
+    let model = find_template("slider-crank").expect("template").model;
+    let study = r#"
+        name = "families"
+        model = "model.toml"
+        random."parameter.crank_length".truncated_normal = { mean = "50 mm", standard_deviation = "20 µm", lower = "49.95 mm", upper = "50.05 mm" }
+        random."parameter.rod_length" = { uniform = { lower = "119.9 mm", upper = "120.1 mm" } }
+        random."contact.steel_pin.restitution" = { beta = { alpha = 2, beta = 3.5, lower = 0.7, upper = 0.9 } }
+        random."joint.gudgeon.radial_clearance" = { lognormal = { mean = "0.3 mm", standard_deviation = "0.05 mm" } }
+        random."body.rod.mass" = { triangular = { lower = "200 g", mode = "210 g", upper = "230 g" } }
+        [[ask]]
+        output = "slider"
+        of = "value"
+        reduce = "range"
+        statistics = ["mean"]
+    "#;
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let families: Vec<&str> = study.random.iter().map(|input| input.variable.distribution().family()).collect();
+    assert_eq!(families, ["truncated normal", "uniform", "beta", "lognormal", "triangular"]);
+    assert_eq!((study.seed, study.sampling.outer, study.sampling.inner, study.sampling.replicates), (1, 64, 256, 4));
+}
+
+/// A study of the slider-crank with these lines before its question.
+fn study_with(lines: &str) -> Study {
+    let model = find_template("slider-crank").expect("template").model;
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let ask = "[[ask]]\noutput = \"slider\"\nof = \"value\"\nreduce = \"range\"\nstatistics = [\"mean\"]\n";
+    let text = format!("name = \"further\"\nmodel = \"model.toml\"\n{lines}\n{ask}");
+    Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
+/// The only random input: its mean, its standard deviation, and where it comes from.
+fn only_input(statement: &str) -> (f64, f64, String) {
+    let study = study_with(&format!("[random]\n{statement}"));
+    let input = &study.random[0];
+    (input.variable.mean(), input.variable.standard_deviation(), input.origin.clone().unwrap_or_default())
+}
+
+#[test]
+fn analytic_tolerances_are_normal_distributions() {
+    const RELATIVE_TOLERANCE: f64 = 1e-12; // round-off of millimetres in metres
+    for (written, mean, deviation, words) in [
+        ("tolerance = \"50 ± 0.06 mm\"", 0.05, 2e-5, "limits taken as 3 standard deviations from a centred mean"),
+        ("tolerance = \"50 ± 0.06 mm\", cpk = 1.25", 0.05, 1.6e-5, "Cpk 1.25, taken as centred"),
+        ("tolerance = \"50 ± 0.06 mm\", cp = 1.25", 0.05, 1.6e-5, "Cp 1.25, taken as centred since no Cpk is given"),
+        ("tolerance = \"50 +0.09 -0.03 mm\", cp = 2, cpk = 2", 0.05003, 1e-5, "Cp 2, Cpk 2, centred"),
+    ] {
+        let found = only_input(&format!("\"parameter.crank_length\" = {{ {written} }}"));
+        assert!((found.0 / mean - 1.0).abs() < RELATIVE_TOLERANCE, "{written}: {found:?}");
+        assert!((found.1 / deviation - 1.0).abs() < RELATIVE_TOLERANCE, "{written}: {found:?}");
+        assert!(found.2.ends_with(words), "{written}: {found:?}");
+    }
+}
+
+#[test]
+fn analytic_a_process_off_centre_has_an_interval_of_means() {
+    const ROUND_OFF_M: f64 = 1e-16;
+    let study = study_with(
+        "[random]\n\"parameter.crank_length\" = { tolerance = \"50 ± 0.06 mm\", cp = 1.6, cpk = 1.25, truncated = { lower = \"49.9 mm\" } }",
+    );
+    // Standard deviation 60 µm/(3 · 1.6) = 12.5 µm; shift 0.35 · 37.5 µm = 13.125 µm.
+    let mean = &study.epistemic[0];
+    assert_eq!(mean.path, "parameter.crank_length mean");
+    for (end, expected) in mean.variable.ends().into_iter().zip([0.049_986_875, 0.050_013_125]) {
+        assert!((end - expected).abs() < ROUND_OFF_M, "{end}");
+    }
+    let moved = study.random[0].variables(&study.epistemic, |known| known.ends().to_vec());
+    assert!((moved[1].mean() - moved[0].mean() - 26.25e-6).abs() < 1e-12, "{moved:?}");
+    assert!((study.random[0].variable.standard_deviation() - 12.5e-6).abs() < 1e-12);
+    let words = study.random[0].origin.clone().unwrap_or_default();
+    assert_eq!(words, "50 ± 0.06 mm, Cp 1.6, Cpk 1.25, the mean off centre by an unknown amount, to either side");
+}
+
+#[test]
+fn analytic_a_fit_is_an_interval_or_a_distribution() {
+    // 20 H7/g6: hole 0 to 21 µm, shaft -20 to -7 µm.
+    const RELATIVE_TOLERANCE: f64 = 1e-12;
+    let fit = "\"joint.gudgeon.radial_clearance\" = { fit = \"H7/g6\", diameter = \"20 mm\" }";
+    let study = study_with(&format!("[epistemic]\n{fit}"));
+    for (end, expected) in study.epistemic[0].variable.ends().into_iter().zip([3.5e-6, 20.5e-6]) {
+        assert!((end / expected - 1.0).abs() < RELATIVE_TOLERANCE, "{end}");
+    }
+    let (mean, deviation, words) = only_input(fit);
+    let expected = 0.5 * (3.5e-6_f64.powi(2) + (13e-6_f64 / 6.0).powi(2)).sqrt();
+    assert!((mean / 12e-6 - 1.0).abs() < RELATIVE_TOLERANCE, "{mean}");
+    assert!((deviation / expected - 1.0).abs() < RELATIVE_TOLERANCE, "{deviation}");
+    assert_eq!(words, "fit H7/g6 at 20 mm, limits of hole and shaft taken as 3 standard deviations from centred means");
+}
+
+#[test]
+fn analytic_samples_are_taken_as_they_are_or_fitted() {
+    const ROUND_OFF_M: f64 = 1e-15;
+    let sample = |more: &str| {
+        only_input(&format!(
+            "\"parameter.crank_length\" = {{ samples = \"tests/files/measured_cranks.csv\", column = \"crank\"{more} }}"
+        ))
+    };
+    // 50.01, 49.99, 50.02, 50.00, 49.98, 50.03 mm; one cell is empty.
+    let (mean, deviation, words) = sample("");
+    assert!((mean - 0.050005).abs() < ROUND_OFF_M, "{mean}");
+    let squares = [5.0, 15.0, 15.0, 5.0, 25.0, 25.0].map(|off: f64| off * off * 1e-12).iter().sum::<f64>();
+    assert!((deviation - (squares / 6.0).sqrt()).abs() < ROUND_OFF_M, "{deviation}");
+    assert_eq!(words, "values of 'crank' in tests/files/measured_cranks.csv");
+    let (mean, deviation, words) = sample(", fitted = \"normal\"");
+    assert!((mean - 0.050005).abs() < ROUND_OFF_M && (deviation - (squares / 5.0).sqrt()).abs() < ROUND_OFF_M);
+    assert!(
+        words.starts_with("fitted (mean, standard deviation with n - 1; Kolmogorov-Smirnov distance 0."),
+        "{words}"
+    );
+    assert!(words.ends_with(" to 6 values of 'crank' in tests/files/measured_cranks.csv"), "{words}");
+}
+
+#[test]
+fn the_tables_of_a_study_are_among_its_inputs() {
+    let study = study_with(
+        "[random]\n\"parameter.crank_length\" = { samples = \"tests/files/measured_cranks.csv\", column = \"crank\" }",
+    );
+    let text = std::fs::read_to_string("tests/files/measured_cranks.csv").expect("the table");
+    assert_eq!(study.tables().iter().map(|table| table.text()).collect::<Vec<_>>(), [text]);
+}
+
+#[test]
+fn analytic_what_is_cut_stays_within() {
+    let study = study_with(
+        "[random]\n\"contact.steel_pin.restitution\" = { normal = { mean = 0.97, standard_deviation = 0.05 }, truncated = { upper = 1 } }",
+    );
+    let variable = &study.random[0].variable;
+    assert!(variable.quantile(1.0) == 1.0 && variable.at_standard_normal(9.0) <= 1.0);
+    // Φ(0.6) = 0.725747: the median lies at Φ⁻¹(0.362873).
+    assert!((variable.quantile(0.5) - (0.97 - 0.05 * 0.350_9)).abs() < 1e-5, "{}", variable.quantile(0.5));
+}
+
+#[test]
+fn analytic_correlations_become_those_of_normal_variables() {
+    const ROUND_OFF: f64 = 1e-9;
+    let study = study_with(
+        "[random]\n\"parameter.crank_length\" = { tolerance = \"50 ± 0.06 mm\" }\n\
+         \"parameter.rod_length\" = { tolerance = \"120 ± 0.06 mm\" }\n\
+         \"body.rod.mass\" = { lognormal = { mean = \"0.2 kg\", standard_deviation = \"50 g\" } }\n\
+         [[correlation]]\nof = [\"parameter.rod_length\", \"parameter.crank_length\"]\nrank = 0.5\n\
+         [[correlation]]\nof = [\"parameter.rod_length\", \"body.rod.mass\"]\nlinear = 0.4",
+    );
+    let correlation = study.correlation.as_ref().expect("correlations");
+    // 2 sin(π/12); and Cov(Z, exp(σ Z')) = r σ E: r = 0.4 √(e^σ² - 1)/σ with σ² = ln(1 + 1/16).
+    let sigma = (1.0_f64 / 16.0).ln_1p().sqrt();
+    for (stated, expected) in correlation.stated.iter().zip([(6.0_f64.sqrt() - 2.0_f64.sqrt()) / 2.0, 0.1 / sigma]) {
+        assert!((stated.normal - expected).abs() < ROUND_OFF, "{stated:?} {expected}");
+    }
+    let pairs: Vec<(usize, usize)> = correlation.stated.iter().map(|stated| (stated.first, stated.second)).collect();
+    assert_eq!(pairs, [(1, 0), (1, 2)]);
+    // Normal variables have the same linear correlation as those behind them.
+    let linear = study.linear_correlations();
+    assert!((linear[0].linear - correlation.stated[0].normal).abs() < ROUND_OFF && linear[1].linear == 0.4);
+}
+
+fn as_json(text: &str) -> serde_json::Value {
+    let table: toml::Table = text.parse().unwrap_or_else(|error| panic!("{error}"));
+    serde_json::to_value(table).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn schemas_accept_the_templates_and_refuse_unknown_keys() {
+    let model = jsonschema::validator_for(&model_schema()).unwrap_or_else(|error| panic!("{error}"));
+    let study = jsonschema::validator_for(&study_schema()).unwrap_or_else(|error| panic!("{error}"));
+    let sketch = include_str!("../files/sketch.toml");
+    let models = TEMPLATES.iter().map(|template| template.model).chain([sketch]);
+    for text in models {
+        let errors: Vec<String> = model.iter_errors(&as_json(text)).map(|error| error.to_string()).collect();
+        assert!(errors.is_empty(), "{errors:?}");
+    }
+    for template in TEMPLATES {
+        let errors: Vec<String> = study.iter_errors(&as_json(template.study)).map(|error| error.to_string()).collect();
+        assert!(errors.is_empty(), "{errors:?}");
+    }
+    assert!(!model.is_valid(&as_json(&sketch.replace("inertia", "inertai"))));
+    assert!(!model.is_valid(&as_json(&sketch.replace("kind = \"prismatic\"", "kind = \"sliding\""))));
+    assert!(!model.is_valid(&as_json(&sketch.replace("gravity = \"9.81 m/s^2\"", "gravity = 9.81"))));
+    let text = find_template("four-bar").expect("template").study;
+    assert!(!study.is_valid(&as_json(&text.replace("uniform", "unifrom"))));
+    assert!(!study.is_valid(&as_json(&text.replace("at = \"cycle\"", "at = \"cycle\"\nreduce = \"mean\""))));
+}

@@ -1,0 +1,10 @@
+//! Pages, tables and files of results.
+
+mod measured;
+mod report_answer;
+mod report_fixture;
+mod report_pages;
+mod simulations;
+mod study_files;
+mod sweep;
+mod template_pictures;

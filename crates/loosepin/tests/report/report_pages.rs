@@ -1,0 +1,287 @@
+//! Every page is complete in itself, well-formed, escaped, and can be read without seeing its pictures.
+
+use super::report_fixture;
+use std::collections::BTreeSet;
+
+use loosepin::report::{motion_page, motion_text, simulation_page, simulation_text, study_page, study_text};
+use loosepin::units::SiUnit;
+use scraper::{ElementRef, Html, Selector};
+
+/// A page must stay small enough to be sent by mail.
+const LARGEST_PAGE_BYTES: usize = 1_500_000;
+/// What the terminal is taken to hold; commands to be copied are exempt.
+const TERMINAL_CHARACTERS: usize = 100;
+/// A name as a careless or hostile file might hold it.
+const HOSTILE: &str = "</script><script>alert(\"1\")</script>&<b>'\"";
+
+fn pages() -> Vec<(&'static str, String)> {
+    vec![
+        ("study", study_page(&report_fixture::study::worn_pin())),
+        ("simulation", simulation_page(&report_fixture::simulation::worn_pin())),
+        ("motion", motion_page(&report_fixture::motion::worn_pin())),
+        ("four-bar", motion_page(&report_fixture::motion::four_bar())),
+    ]
+}
+
+fn select<'a>(page: &'a Html, selector: &str) -> Vec<ElementRef<'a>> {
+    let selector = Selector::parse(selector).expect("the selector is valid");
+    page.select(&selector).collect()
+}
+
+fn parsed(name: &str, text: &str) -> Html {
+    let page = Html::parse_document(text);
+    assert!(page.errors.is_empty(), "{name} is not well-formed: {:?}", page.errors);
+    page
+}
+
+#[test]
+fn pages_are_well_formed_and_small() {
+    for (name, text) in pages() {
+        parsed(name, &text);
+        assert!(text.len() < LARGEST_PAGE_BYTES, "{name} has {} bytes", text.len());
+    }
+}
+
+#[test]
+fn pages_load_nothing() {
+    for (name, text) in pages() {
+        let page = parsed(name, &text);
+        for attribute in ["src", "srcset", "data", "poster", "action", "formaction", "background"] {
+            let found = select(&page, &format!("[{attribute}]"));
+            assert!(found.is_empty(), "{name} loads through {attribute}: {}", found[0].html());
+        }
+        assert!(select(&page, "link, iframe, object, embed, base").is_empty(), "{name} has an element that loads");
+        for link in select(&page, "[href]") {
+            assert!(link.attr("href").is_some_and(|target| target.starts_with('#')), "{name}: {}", link.html());
+        }
+        for style in select(&page, "style") {
+            let style = style.inner_html();
+            assert!(!style.contains("url(") && !style.contains("@import"), "{name} loads through its style");
+        }
+        let policy = select(&page, "meta[http-equiv=Content-Security-Policy]");
+        assert!(policy[0].attr("content").is_some_and(|policy| policy.starts_with("default-src 'none'")));
+    }
+}
+
+#[test]
+fn every_figure_has_a_caption_and_a_text_alternative() {
+    for (name, text) in pages() {
+        let page = parsed(name, &text);
+        let figures = select(&page, "figure");
+        assert!(figures.len() >= 3, "{name} has {} figures", figures.len());
+        for figure in figures {
+            let inside = |selector: &str| {
+                let selector = Selector::parse(selector).expect("the selector is valid");
+                figure.select(&selector).collect::<Vec<_>>()
+            };
+            let captions = inside("figcaption");
+            assert_eq!(captions.len(), 1, "{name}: {}", figure.html());
+            assert!(captions[0].text().collect::<String>().trim().len() > 20, "{name}: {}", captions[0].html());
+            for picture in inside("svg, [data-chart]") {
+                assert_eq!(picture.attr("role"), Some("img"), "{name}: {}", picture.html());
+                assert!(picture.attr("aria-label").is_some_and(|label| label.len() > 3), "{name}: {}", picture.html());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_id_is_unique_and_every_link_arrives() {
+    for (name, text) in pages() {
+        let page = parsed(name, &text);
+        let mut ids = BTreeSet::new();
+        for element in select(&page, "[id]") {
+            let id = element.attr("id").expect("it was selected by its id");
+            assert!(ids.insert(id.to_owned()), "{name} has two elements '{id}'");
+        }
+        for link in select(&page, "a[href]") {
+            let target = link.attr("href").expect("it was selected by its target").trim_start_matches('#');
+            assert!(ids.contains(target), "{name} has no '{target}'");
+        }
+    }
+}
+
+#[test]
+fn headings_do_not_skip_a_level() {
+    for (name, text) in pages() {
+        let page = parsed(name, &text);
+        let levels: Vec<u32> = select(&page, "h1, h2, h3, h4")
+            .iter()
+            .map(|heading| heading.value().name()[1..].parse().expect("h1 to h4"))
+            .collect();
+        assert_eq!(levels.iter().filter(|level| **level == 1).count(), 1, "{name} has one first heading");
+        assert!(levels.windows(2).all(|pair| pair[1] <= pair[0] + 1), "{name}: {levels:?}");
+    }
+}
+
+#[test]
+fn every_joint_is_drawn_whichever_side_is_fixed() {
+    let text = motion_page(&report_fixture::motion::four_bar());
+    let page = parsed("four-bar", &text);
+    let counted = |selector: &str| select(&page, selector).len();
+    assert_eq!(counted(".mechanism .support"), 2, "both fixed pins stand on supports");
+    assert_eq!(counted(".mechanism .pin"), 3);
+    assert_eq!(counted(".mechanism .bearing"), 1, "a bearing in the ground is drawn too");
+    assert_eq!(counted(".mechanism .journal"), 1);
+    assert_eq!(counted(".mechanism .body .plate"), 1, "three points make a plate");
+    assert_eq!(counted(".mechanism .body .bar"), 2);
+    let slider_crank = parsed("study", &study_page(&report_fixture::study::worn_pin()));
+    assert_eq!(select(&slider_crank, ".mechanism .guide").len(), 2, "two rails");
+    assert_eq!(select(&slider_crank, ".mechanism .body .block").len(), 1);
+}
+
+#[test]
+fn text_from_files_is_escaped_everywhere() {
+    let hostile = || HOSTILE.to_owned();
+    let mut study = report_fixture::study::worn_pin();
+    let scripts = |text: &str| select(&Html::parse_document(text), "script").len();
+    let harmless = scripts(&study_page(&study));
+    study.name = hostile();
+    study.model = hostile();
+    study.version = hostile();
+    study.input_hash = hostile();
+    study.cycle.drive = hostile();
+    study.cycle.method = hostile();
+    study.outputs[0].name = hostile();
+    study.outputs[0].words = hostile();
+    study.outputs[0].unit = SiUnit::from_symbol(HOSTILE);
+    for input in &mut study.inputs {
+        input.path = format!("a.{HOSTILE}{}", input.path);
+        input.words = hostile();
+    }
+    for bound in &mut study.bounds {
+        bound.output = hostile();
+        bound.unit = SiUnit::from_symbol(HOSTILE);
+    }
+    for requirement in &mut study.requirements {
+        requirement.output = hostile();
+    }
+    study.failures[0].words = hostile();
+    study.failures[0].code = hostile();
+    study.failures[0].example.command = hostile();
+    study.curves[0].output = hostile();
+    study.boxes[0].output = hostile();
+    study.treatments[0].output = hostile();
+    study.impacts[0].joint = hostile();
+    study.orbits[0].joint = hostile();
+    study.orbits[0].label = hostile();
+    for body in &mut study.drawing.bodies {
+        body.name = hostile();
+    }
+    for joint in &mut study.drawing.joints {
+        joint.name = hostile();
+    }
+    assert_harmless("study", &study_page(&study), harmless);
+
+    let mut run = report_fixture::simulation::worn_pin();
+    let harmless = scripts(&simulation_page(&run));
+    run.model = hostile();
+    run.overrides[0].path = hostile();
+    run.overrides[0].written = hostile();
+    run.settings.drive = hostile();
+    run.outputs[0].name = hostile();
+    run.outputs[0].words = hostile();
+    run.contact_forces[0].joint = hostile();
+    run.impacts[0].joint = hostile();
+    run.joints[0].law = hostile();
+    run.joints[0].joint = hostile();
+    run.extremes[0].name = hostile();
+    run.stop = loosepin::simulate::record::StopReason::Failed { code: hostile(), words: hostile() };
+    assert_harmless("simulation", &simulation_page(&run), harmless);
+
+    let mut motion = report_fixture::motion::worn_pin();
+    let harmless = scripts(&motion_page(&motion));
+    motion.model = hostile();
+    motion.mobility = hostile();
+    motion.drive = hostile();
+    motion.singular_positions[0].words = hostile();
+    motion.outputs[0].name = hostile();
+    motion.outputs[0].words = hostile();
+    motion.outputs[0].clearance.contributors[0].joint = hostile();
+    motion.outputs[0].dimensional_contributors[0].path = hostile();
+    assert_harmless("motion", &motion_page(&motion), harmless);
+}
+
+fn assert_harmless(name: &str, text: &str, scripts: usize) {
+    let page = parsed(name, text);
+    assert_eq!(select(&page, "script").len(), scripts, "{name}: a name became a script");
+    assert!(select(&page, "b").is_empty(), "{name}: a name became an element");
+    assert!(!text.contains("<script>alert"), "{name}: a name stands unescaped");
+    assert!(text.contains("&lt;script&gt;alert"), "{name}: the name is shown");
+}
+
+#[test]
+fn pages_of_almost_nothing_are_still_pages() {
+    let mut study = report_fixture::study::worn_pin();
+    study.inputs.clear();
+    study.bounds.clear();
+    study.curves.clear();
+    study.boxes.clear();
+    study.treatments.clear();
+    study.requirements.clear();
+    study.orbits.clear();
+    study.failures.clear();
+    study.impacts.clear();
+    study.energy = None;
+    study.settled_share = None;
+    study.drawing = loosepin::simulate::record::Drawing::default();
+    parsed("study", &study_page(&study));
+    study_text(&study);
+    let mut run = report_fixture::simulation::worn_pin();
+    run.outputs.clear();
+    run.extremes.clear();
+    run.joints.clear();
+    run.impacts.clear();
+    run.orbits.clear();
+    run.contact_forces.clear();
+    run.time_s.clear();
+    run.energy.residual_j.clear();
+    run.drawing.poses = loosepin::simulate::record::PoseTable::default();
+    parsed("simulation", &simulation_page(&run));
+    simulation_text(&run);
+    let mut motion = report_fixture::motion::worn_pin();
+    motion.outputs.clear();
+    motion.drive_angle_rad.clear();
+    parsed("motion", &motion_page(&motion));
+    motion_text(&motion);
+}
+
+#[test]
+fn crooked_records_do_not_stop_a_page() {
+    let mut study = report_fixture::study::worn_pin();
+    study.curves[0].mixed.upper_si.truncate(3);
+    study.curves[0].random.lower_si.clear();
+    study.boxes[0].lower[4] = f64::NAN;
+    study.drawing.joints[0].second.body = 99;
+    study.drawing.joints[3].first.point = 99;
+    study.orbits[0].x_m[5] = f64::NAN;
+    study.orbits[1].radial_clearance_m = 0.0;
+    study.bounds[0].upper.value_si = f64::NAN;
+    study.bounds[0].upper.widened_si = f64::INFINITY;
+    study.treatments[0].bands[0].upper_si = f64::INFINITY;
+    if let Some(energy) = &mut study.energy {
+        energy.histogram[0].from = 0.0;
+    }
+    parsed("study", &study_page(&study));
+    study_text(&study);
+}
+
+#[test]
+fn pinned_terminal_text() {
+    let expected = [
+        ("study", study_text(&report_fixture::study::worn_pin()), include_str!("../expected/study.txt")),
+        (
+            "simulation",
+            simulation_text(&report_fixture::simulation::worn_pin()),
+            include_str!("../expected/simulation.txt"),
+        ),
+        ("motion", motion_text(&report_fixture::motion::worn_pin()), include_str!("../expected/motion.txt")),
+    ];
+    for (name, text, expected) in expected {
+        assert_eq!(text, expected, "{name}: cargo run --example report_pages writes the text of today");
+        for line in text.lines().filter(|line| !line.contains("loosepin simulate")) {
+            assert!(line.chars().count() <= TERMINAL_CHARACTERS, "{name}: {line}");
+            assert_eq!(line, line.trim_end(), "{name}: blanks at the end of a line");
+        }
+    }
+}

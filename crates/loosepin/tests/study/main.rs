@@ -1,0 +1,10 @@
+//! Whole studies, and bounds that are known otherwise.
+
+mod allowed_fits;
+mod contact_law_lists;
+mod epistemic_inputs;
+mod kept_runs;
+mod known_bounds;
+mod reweighting;
+mod study_accuracy;
+mod surrogates;
