@@ -55,18 +55,13 @@ unit:
 rust-tests:
     cargo test --workspace --locked
 
-# Builds the wheel, installs it into .venv, runs the Python tests.
-python-tests: (tool "maturin")
-    rm -rf target/wheels
-    # The command whose numbers the package must have.
-    cargo build --locked --package loosepin-cli
-    cd crates/loosepin-python && "{{ python }}" -m maturin build --locked --profile dev --quiet \
-        --interpreter "{{ python }}" --out "{{ justfile_directory() }}/target/wheels"
-    "{{ python }}" -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall target/wheels/*.whl
+# Installs the package into .venv, with the module of the same build as the other tests, and runs the Python tests.
+python-tests: (tool "pytest") programs
+    "{{ python }}" tools/python/install.py target/debug
     "{{ python }}" -m pytest --quiet crates/loosepin-python/tests
 
 # Loads the pages that people see in headless Chromium (its path in CHROMIUM).
-browser-tests: (tool "pytest")
+browser-tests: (tool "pytest") programs
     #!/usr/bin/env bash
     set -euo pipefail
     if [ ! -d tests/browser ]; then
@@ -75,7 +70,7 @@ browser-tests: (tool "pytest")
     fi
     "{{ python }}" -m pytest --quiet tests/browser
 
-# A long run, quoted in docs and not part of CI: fuzzing, kills, seeded repetitions, comparisons.
+# A long run, quoted in docs and not part of CI: fuzzing, kills, mutants, seeded repetitions, comparisons.
 campaign NAME *ARGUMENTS:
     #!/usr/bin/env bash
     set -euo pipefail
@@ -85,6 +80,10 @@ campaign NAME *ARGUMENTS:
         exit 2
     fi
     exec "tests/campaigns/{{ NAME }}" {{ ARGUMENTS }}
+
+# Seconds from one changed line in each crate to a passing unit test of it, and to the program.
+rebuild-times *CRATES:
+    python3 tools/rebuild/rebuild_times.py {{ CRATES }}
 
 # Simulations per second, right-hand sides per revolution, nanoseconds each.
 bench *ARGUMENTS:
@@ -109,6 +108,12 @@ profile *ARGUMENTS:
 # The main job, on the reference case.
 study:
     cargo run --release --locked -- study cases/slider_crank_worn_pin/study.toml
+
+# The command, the module of the Python package and the example that writes pages. `--example` makes cargo choose the features of
+# dependencies as `cargo test` does: nothing is compiled again.
+[private]
+programs:
+    cargo build --locked --workspace --lib --bins --example report_pages
 
 # A tool of .venv is there, or a message says how to get it.
 [private]

@@ -6,11 +6,13 @@ import subprocess
 import sys
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+BUILT = REPOSITORY / "target" / "debug"
 CHECK = REPOSITORY / "tests" / "browser" / "check_pages.py"
 
 
-def cargo(*arguments):
-    subprocess.run(["cargo", *map(str, arguments)], cwd=REPOSITORY, check=True)
+def run(program, *arguments):
+    """Runs what `just browser-tests` has built."""
+    subprocess.run([BUILT / program, *map(str, arguments)], cwd=REPOSITORY, check=True)
 
 
 def check(pages):
@@ -22,13 +24,12 @@ def check(pages):
 
 
 def test_pages_of_made_up_results(tmp_path):
-    cargo("run", "--quiet", "--locked", "--package", "loosepin", "--example", "report_pages", "--", tmp_path)
+    run("examples/report_pages", tmp_path)
     check(sorted(tmp_path.glob("*.html")))
 
 
 def test_pages_of_a_real_run(tmp_path):
     model = REPOSITORY / "cases" / "slider_crank_5000" / "model.toml"
-    loosepin = ["run", "--quiet", "--locked", "--package", "loosepin-cli", "--"]
-    cargo(*loosepin, "simulate", model, "--turns", "1", "--transient", "0", "--out", tmp_path / "simulation")
-    cargo(*loosepin, "motion", model, "--out", tmp_path / "motion")
+    run("loosepin", "simulate", model, "--turns", "1", "--transient", "0", "--out", tmp_path / "simulation")
+    run("loosepin", "motion", model, "--out", tmp_path / "motion")
     check([tmp_path / "simulation" / "report.html", tmp_path / "motion" / "report.html"])

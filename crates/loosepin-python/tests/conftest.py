@@ -64,7 +64,7 @@ def command(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
     """The command `loosepin` of the same tree."""
     program = os.environ.get("LOOSEPIN", str(REPOSITORY / "target/debug/loosepin"))
     if not Path(program).exists():
-        pytest.fail(f"{program} is not there; cargo build --package loosepin-cli makes it")
+        pytest.fail(f"{program} is not there; `just python-tests` builds it")
     return subprocess.run([program, *arguments], cwd=cwd, capture_output=True, text=True, timeout=120)
 
 
