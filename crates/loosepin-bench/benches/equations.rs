@@ -4,10 +4,9 @@
 //!
 //! `cargo bench --bench equations` for the reference case of `docs/performance.md`; case names as arguments choose others.
 
-use loosepin::integrate::DOP853;
 use loosepin::native::{Kernel, Level, Program};
 use loosepin_bench::batch::Case;
-use loosepin_bench::equations::{blocks, parts, step};
+use loosepin_bench::equations::{blocks, parts};
 use std::time::Instant;
 
 /// Lanes of a batch: two vectors of eight.
@@ -27,12 +26,15 @@ fn main() {
 
 fn measure(case: &Case) {
     let inputs = blocks(case, LANES);
-    let mut programs: Vec<(&str, Program)> = parts(case).into_iter().map(|part| (part.name, part.program)).collect();
-    programs.push(("step of DOP853 without its evaluations", step(case, &DOP853)));
-    println!("{}: each line holds those before it, the last one stands alone", case.name);
-    for (name, program) in &programs {
-        println!("  {name}: {}", program.counts());
+    let parts = parts(case);
+    println!("{}: each line of the equations holds those before it, the others stand alone", case.name);
+    for part in &parts {
+        for program in &part.programs {
+            println!("  {}: {}", part.name, program.counts());
+        }
     }
+    let programs: Vec<(&str, &Program)> =
+        parts.iter().flat_map(|part| part.programs.iter().map(|program| (part.name, program))).collect();
     for level in Level::ALL.into_iter().filter(|level| level.is_supported()) {
         let compile = |program: &Program| Kernel::compile(program, level, LANES).expect("executable memory");
         let kernels: Vec<Kernel> = programs.iter().map(|(_, program)| compile(program)).collect();
@@ -57,7 +59,7 @@ fn measure(case: &Case) {
 }
 
 /// Shortest time of a call of each kernel, ns.
-fn times_ns(kernels: &[Kernel], inputs: &[Vec<f64>; 3]) -> Vec<f64> {
+fn times_ns(kernels: &[Kernel], inputs: &[Vec<f64>]) -> Vec<f64> {
     let mut data: Vec<Vec<Aligned>> = kernels.iter().map(|kernel| aligned(kernel, inputs)).collect();
     let mut shortest_s = vec![f64::INFINITY; kernels.len()];
     for _ in 0..ROUNDS {
@@ -87,7 +89,7 @@ impl Aligned {
 }
 
 /// The blocks of `kernel`, with `inputs` in the first ones and ordinary numbers behind them.
-fn aligned(kernel: &Kernel, inputs: &[Vec<f64>; 3]) -> Vec<Aligned> {
+fn aligned(kernel: &Kernel, inputs: &[Vec<f64>]) -> Vec<Aligned> {
     let filled = |block: usize, values: usize| {
         let length = values * kernel.lanes();
         let mut numbers = vec![0.3; length + 8];

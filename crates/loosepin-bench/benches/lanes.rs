@@ -1,12 +1,11 @@
-//! Runs a second on one core, one run at a time and on lanes, with the equations evaluated as they stand and as machine
-//! code, by processor time; and on two threads, by the clock. Every block of runs is repeated in turn, so that a noisy machine
+//! Runs a second on one core, one run at a time, on lanes evaluated operation by operation, and on lanes as machine code, by
+//! processor time; and on two threads, by the clock. Every block of runs is repeated in turn, so that a noisy machine
 //! disturbs all alike; printed is the median. Bits are compared on the way.
 //!
 //! `cargo bench --bench lanes` for four mechanisms, three of which stand in the table of `docs/performance.md`; case names as
 //! arguments choose others.
 
-use loosepin::math::Vectors;
-use loosepin::simulate::Settings;
+use loosepin::simulate::{Execution, Settings};
 use loosepin_bench::batch::{Case, Finished, Plan};
 use loosepin_bench::processor_time_s;
 use std::time::Instant;
@@ -21,8 +20,7 @@ const LANES: usize = 16;
 
 struct Way {
     name: String,
-    vectors: Vectors,
-    machine_code: bool,
+    execution: Execution,
     threads: usize,
     seconds_a_run: Vec<f64>,
 }
@@ -37,32 +35,22 @@ fn main() {
 
 fn measure(case: &Case) {
     let mut ways = Vec::new();
-    for vectors in Vectors::available().into_iter().rev() {
-        let mut push = |name: String, machine_code: bool, threads: usize| {
-            ways.push(Way { name, vectors, machine_code, threads, seconds_a_run: Vec::new() });
-        };
-        if matches!(vectors, Vectors::None) {
-            push("scalar".to_owned(), false, 1);
-        } else {
-            push(format!("{}, as they stand", vectors.name()), false, 1);
-            push(format!("{}, machine code", vectors.name()), true, 1);
-        }
+    for execution in Execution::available().into_iter().rev() {
+        ways.push(Way { name: execution.name(), execution, threads: 1, seconds_a_run: Vec::new() });
     }
-    if let Some(best) = ways.last() {
-        let (name, vectors, machine_code) = (format!("{}, two threads", best.name), best.vectors, best.machine_code);
-        ways.push(Way { name, vectors, machine_code, threads: 2, seconds_a_run: Vec::new() });
-    }
+    let execution = Execution::best();
+    let name = format!("{}, two threads", execution.name());
+    ways.push(Way { name, execution, threads: 2, seconds_a_run: Vec::new() });
     let mut reference: Option<Vec<Finished>> = None;
     for _ in 0..ROUNDS {
         for way in &mut ways {
-            let runs = if matches!(way.vectors, Vectors::None) { SCALAR_RUNS } else { RUNS };
-            let settings = Settings { machine_code: way.machine_code, ..Settings::for_study() };
-            let plan = Plan { runs, turns: 2, readings_per_turn: 1000, settings };
+            let runs = if way.execution == Execution::Scalar { SCALAR_RUNS } else { RUNS };
+            let plan = Plan { runs, turns: 2, readings_per_turn: 1000, settings: Settings::for_study() };
             let (started, started_s) = (Instant::now(), processor_time_s());
             let finished = match way.threads {
                 // On this thread: the system forgets the time of one that has ended.
-                1 => case.conduct(&plan, way.vectors),
-                threads => case.conduct_on_threads(&plan, way.vectors, threads),
+                1 => case.conduct(&plan, way.execution),
+                threads => case.conduct_on_threads(&plan, way.execution, threads),
             };
             let seconds = match (started_s, processor_time_s()) {
                 (Some(start_s), Some(end_s)) if way.threads == 1 => end_s - start_s,

@@ -4,8 +4,7 @@
 //! `slider_crank_batch --runs N` prints one line, `{"runs":N,"seconds":S,"evaluations_per_run":E}`, S the processor time of all
 //! runs; `slider_crank_batch --history` prints the nominal run as a table of `time_s,slider_x_m`.
 
-use loosepin::math::Vectors;
-use loosepin::simulate::Settings;
+use loosepin::simulate::{Execution, Settings};
 use loosepin_bench::batch::{Case, Plan};
 use loosepin_bench::processor_time_s;
 use std::process::ExitCode;
@@ -31,7 +30,7 @@ fn plan(runs: usize) -> Plan {
 fn print_history(case: &Case) {
     println!("time_s,slider_x_m");
     // One run alone has the nominal clearance.
-    for run in case.conduct(&plan(1), Vectors::best()) {
+    for run in case.conduct(&plan(1), Execution::best()) {
         for (index, slider_x_m) in run.readings.iter().enumerate() {
             println!("{:.12e},{slider_x_m:.15e}", index as f64 * case.turn_s / READINGS_PER_TURN as f64);
         }
@@ -39,9 +38,9 @@ fn print_history(case: &Case) {
 }
 
 fn print_batch(case: &Case, runs: usize) {
-    std::hint::black_box(case.conduct(&plan(RUNS_AHEAD), Vectors::best()));
+    std::hint::black_box(case.conduct(&plan(RUNS_AHEAD), Execution::best()));
     let (started, started_s) = (Instant::now(), processor_time_s());
-    let finished = std::hint::black_box(case.conduct(&plan(runs), Vectors::best()));
+    let finished = std::hint::black_box(case.conduct(&plan(runs), Execution::best()));
     let evaluations: u64 = finished.iter().map(|run| run.counters.evaluations).sum();
     let seconds = match (started_s, processor_time_s()) {
         (Some(start_s), Some(end_s)) => end_s - start_s,

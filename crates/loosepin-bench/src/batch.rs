@@ -1,10 +1,11 @@
 //! Batches of runs of a reference case with varied clearances, on the lanes of one thread.
 
-use loosepin::math::{Quintic, Vectors};
+use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{JointKind, Model, QuantityId};
 use loosepin::simulate::{
-    Arms, Counters, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, columns, conduct,
+    Arms, Counters, Execution, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, columns,
+    conduct,
 };
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -94,29 +95,29 @@ impl Case {
         }
     }
 
-    /// Runs the whole plan on this thread and on the lanes of `vectors`; the runs in their order.
-    pub fn conduct(&self, plan: &Plan, vectors: Vectors) -> Vec<Finished> {
+    /// Runs the whole plan on this thread and with `execution`; the runs in their order.
+    pub fn conduct(&self, plan: &Plan, execution: Execution) -> Vec<Finished> {
         let next = AtomicUsize::new(0);
-        in_order(self.conduct_shared(plan, vectors, &next))
+        in_order(self.conduct_shared(plan, execution, &next))
     }
 
     /// Runs the whole plan on `threads` threads, each taking the next run as soon as a lane is free.
     ///
     /// # Panics
     /// Where a thread did.
-    pub fn conduct_on_threads(&self, plan: &Plan, vectors: Vectors, threads: usize) -> Vec<Finished> {
+    pub fn conduct_on_threads(&self, plan: &Plan, execution: Execution, threads: usize) -> Vec<Finished> {
         let next = AtomicUsize::new(0);
         let parts: Vec<(usize, Finished)> = std::thread::scope(|scope| {
             let workers: Vec<_> =
-                (0..threads).map(|_| scope.spawn(|| self.conduct_shared(plan, vectors, &next))).collect();
+                (0..threads).map(|_| scope.spawn(|| self.conduct_shared(plan, execution, &next))).collect();
             workers.into_iter().flat_map(|worker| worker.join().expect("no thread panics")).collect()
         });
         in_order(parts)
     }
 
-    fn conduct_shared(&self, plan: &Plan, vectors: Vectors, next: &AtomicUsize) -> Vec<(usize, Finished)> {
+    fn conduct_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, Finished)> {
         let mut waiting = Waiting { case: self, plan, next, finished: Vec::new() };
-        conduct(&self.mechanism, &[self.reading], &plan.settings, vectors, &mut waiting);
+        conduct(&self.mechanism, &[self.reading], &plan.settings, execution, &mut waiting);
         waiting.finished
     }
 }

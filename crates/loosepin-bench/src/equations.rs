@@ -1,38 +1,27 @@
-//! The equations of a reference case as straight-line programs, in parts that hold one another, and the integrator's own
-//! arithmetic: what `benches/equations.rs` counts and times.
+//! A step of a reference case as straight-line programs, the equations in parts that hold one another: what
+//! `benches/equations.rs` counts and times.
 
 use crate::batch::Case;
 use loosepin::contact::PlayState;
 use loosepin::dynamics::{ContactUnknowns, DepthRoot, Dynamics};
-use loosepin::integrate::{Stepper, System, Tableau};
 use loosepin::math::{Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
 use loosepin::native::{Program, Slot};
-use loosepin::simulate::{Arms, EquationPrograms};
+use loosepin::simulate::{Arms, Block, LaneLayout, PassPrograms, Settings};
 use loosepin::trace::{Traced, record};
 
-// Blocks of all programs of the equations, as `EquationPrograms` has them.
-const NUMBERS: u8 = 0;
-const CONTACTS: u8 = 1;
-const STATE: u8 = 2;
-const SLOPE: u8 = 3;
-
-/// Numbers of a contact among the inputs: whether it is closed, 1/v0, m_eff, whether the root of its penetration is an unknown.
-const PER_CONTACT: usize = 4;
-/// Integrals of the energy account behind the unknowns.
-const ACCOUNT: usize = 3;
-
-/// A program and what it computes.
+/// Programs and what they compute together.
 #[derive(Debug, Clone)]
 pub struct Part {
     /// In words.
     pub name: &'static str,
-    /// Everything of the parts before it, and this.
-    pub program: Program,
+    /// In the order in which they run.
+    pub programs: Vec<Program>,
 }
 
 /// The equations of `case` from the sines to what is read at the end of a step. Each program does what the one before does
-/// and one thing more, so that the difference of two is what that thing costs.
+/// and one thing more, so that the difference of two is what that thing costs. Behind them, each by itself, what a step does beside
+/// its evaluations.
 ///
 /// # Panics
 /// For a case whose joints with play have friction or a law without a root of the penetration.
@@ -40,20 +29,21 @@ pub fn parts(case: &Case) -> Vec<Part> {
     let mechanism = &case.mechanism;
     let (sample, arms) = nominal(case);
     let numbers = sample.numbers();
-    let recorded = record(|| {
+    let (graph, outputs) = record(|| {
         let mut index = 0;
         let mut traced = Sample::broadcast(&sample);
         traced.visit(&mut |number| {
             let value = numbers[index];
             // As in a batch: what is 0 or ±1 is taken into the program.
-            *number = if value == 0.0 || value.abs() == 1.0 { Traced::from_f64(value) } else { input(NUMBERS, index) };
+            *number =
+                if value == 0.0 || value.abs() == 1.0 { Traced::from_f64(value) } else { input(Block::Numbers, index) };
             index += 1;
         });
         let mut dynamics = Dynamics::new(mechanism, &traced);
         let n = mechanism.real.free;
-        let state: Vec<Traced> = (0..dimension(case)).map(|k| input(STATE, k)).collect();
+        let state: Vec<Traced> = (0..dimension(case)).map(|k| input(Block::Point, k)).collect();
         let contacts = 0..mechanism.contacts.len();
-        let number = |contact: usize, k: usize| input(CONTACTS, PER_CONTACT * contact + k);
+        let number = |contact: usize, k: usize| input(Block::Lane, LaneLayout::contact(contact) + k);
         let states: Vec<_> = contacts
             .clone()
             .map(|contact| PlayState {
@@ -87,17 +77,22 @@ pub fn parts(case: &Case) -> Vec<Part> {
             ("inertia, gravity, solution for the accelerations", accelerations),
         ]
     });
-    let (graph, outputs) = recorded.expect("the law of the case has a straight line");
     let mut parts: Vec<Part> = outputs
         .into_iter()
         .map(|(name, values)| {
-            let outputs: Vec<_> = values.iter().enumerate().map(|(k, value)| (slot(SLOPE, k), value.value())).collect();
-            Part { name, program: Program::new(&graph, &outputs).expect("each output has its own slot") }
+            let slots = values.iter().enumerate().map(|(k, value)| (slot(Block::Stages, k), value.value()));
+            let outputs: Vec<_> = slots.collect();
+            Part { name, programs: vec![Program::new(&graph, &outputs).expect("each output has its own slot")] }
         })
         .collect();
-    let whole = EquationPrograms::new(mechanism, &sample, &arms, &[case.reading]).expect("a straight line");
-    parts.push(Part { name: "energy account, pace of the time", program: whole.slope });
-    parts.push(Part { name: "reading at the end of a step", program: whole.end });
+    let whole = PassPrograms::new(mechanism, &sample, &arms, &[case.reading], &Settings::for_study());
+    let mut push = |name, programs| parts.push(Part { name, programs });
+    push("energy account, pace of the time", vec![whole.slope]);
+    push("reading at the end of a step", vec![whole.end]);
+    push("sums of the stages", whole.points);
+    push("error, what may have happened", vec![whole.judgement]);
+    push("taking over a step", vec![whole.accept]);
+    push("energy account of a step", vec![whole.account]);
     parts
 }
 
@@ -106,7 +101,7 @@ pub fn parts(case: &Case) -> Vec<Part> {
 ///
 /// # Panics
 /// Where the nominal mechanism cannot be assembled.
-pub fn blocks(case: &Case, lanes: usize) -> [Vec<f64>; 3] {
+pub fn blocks(case: &Case, lanes: usize) -> Vec<Vec<f64>> {
     let mechanism = &case.mechanism;
     let (sample, arms) = nominal(case);
     let ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives).expect("the case can be assembled");
@@ -121,49 +116,17 @@ pub fn blocks(case: &Case, lanes: usize) -> [Vec<f64>; 3] {
         let lane = |value: f64, lane: usize| value * (1.0 + 1e-4 * lane as f64);
         values.iter().flat_map(|&value| (0..lanes).map(move |k| lane(value, k))).collect()
     };
-    let contacts = (0..PER_CONTACT * mechanism.contacts.len() * lanes)
-        .map(|place| match (place / lanes % PER_CONTACT, place % 2) {
-            (1 | 2, _) => 0.5,
-            (_, parity) => parity as f64,
-        })
-        .collect();
-    [spread(&numbers), contacts, spread(&state)]
-}
-
-/// Everything that an attempted step of `tableau` computes for `case` outside of the evaluations: the states of the stages and
-/// of the end of the step, and the error.
-///
-/// # Panics
-/// Never: sums have a straight line.
-pub fn step(case: &Case, tableau: &'static Tableau) -> Program {
-    struct Stages {
-        stride: usize,
-        evaluations: usize,
-        states: Vec<Traced>,
-    }
-    impl System<Traced> for Stages {
-        fn derivative(&mut self, _place: Traced, state: &[Traced], slope: &mut [Traced]) {
-            self.states.extend(state);
-            for (k, value) in slope.iter_mut().enumerate() {
-                *value = input(0, self.evaluations * self.stride + k);
+    let contacts = mechanism.contacts.len();
+    let lane = (0..LaneLayout::contact(contacts) * lanes).map(|place| {
+        let is_of_contact = |contact: usize| place / lanes >= LaneLayout::contact(contact);
+        match (0..contacts).rev().find(|&contact| is_of_contact(contact)) {
+            Some(contact) if matches!(place / lanes - LaneLayout::contact(contact), 0 | LaneLayout::HAS_ROOT) => {
+                (place % 2) as f64
             }
-            self.evaluations += 1;
+            _ => 0.5,
         }
-    }
-    let (dimension, stride) = (dimension(case), dimension(case) + ACCOUNT);
-    let recorded = record(|| {
-        let mut stages = Stages { stride, evaluations: 0, states: Vec::new() };
-        let mut stepper = Stepper::with_integrals(tableau, dimension, ACCOUNT);
-        let start: Vec<Traced> = (0..stride).map(|k| input(1, k)).collect();
-        stepper.restart(&mut stages, Traced::zero(), &start);
-        stages.states.clear();
-        let tolerances: Vec<Traced> = (0..dimension).map(|k| input(2, k)).collect();
-        let error = stepper.attempt(&mut stages, input(2, dimension), &tolerances);
-        stages.states.iter().chain(stepper.end()).copied().chain([error]).collect::<Vec<_>>()
     });
-    let (graph, outputs) = recorded.expect("sums have a straight line");
-    let outputs: Vec<_> = outputs.iter().enumerate().map(|(k, value)| (slot(3, k), value.value())).collect();
-    Program::new(&graph, &outputs).expect("each output has its own slot")
+    vec![spread(&numbers), lane.collect(), spread(&state), Vec::new(), spread(&state)]
 }
 
 /// Coordinates, rates, the time, and a root for each contact.
@@ -177,10 +140,10 @@ fn nominal(case: &Case) -> (Sample<f64>, Arms) {
     (sample, Arms::new(&case.mechanism, &values))
 }
 
-fn slot(block: u8, index: usize) -> Slot {
-    Slot { block, index: index as u32 }
+fn slot(block: Block, index: usize) -> Slot {
+    Slot { block: block as u8, index: index as u32 }
 }
 
-fn input(block: u8, index: usize) -> Traced {
+fn input(block: Block, index: usize) -> Traced {
     Traced::input(slot(block, index))
 }

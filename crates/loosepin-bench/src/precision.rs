@@ -1,10 +1,10 @@
 //! Work against error: runs of a reference case with one method at one tolerance, held against finer runs.
 
-use loosepin::math::{Quintic, Vectors};
+use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, PointId, QuantityId};
 use loosepin::simulate::{
-    Arms, Counters, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, conduct,
+    Arms, Counters, Execution, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, conduct,
 };
 use std::path::Path;
 
@@ -101,7 +101,7 @@ impl Samples {
     /// Runs all samples over the first half turn, on the widest lanes of this processor, which does not show in the numbers.
     pub fn run(&self, settings: &Settings) -> Vec<Outcome> {
         let mut waiting = Waiting { samples: self, next: 0, outcomes: self.samples.iter().map(|_| None).collect() };
-        conduct(&self.mechanism, &self.readings, settings, Vectors::best(), &mut waiting);
+        conduct(&self.mechanism, &self.readings, settings, Execution::best(), &mut waiting);
         waiting.outcomes.into_iter().map(|outcome| outcome.expect("every run comes back")).collect()
     }
 

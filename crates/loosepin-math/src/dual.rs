@@ -138,10 +138,6 @@ impl<T: Real> Real for Dual<T> {
         self.value.less_than(other.value)
     }
     #[inline(always)]
-    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
-        T::vectorize(kernel)
-    }
-    #[inline(always)]
     fn select(mask: T::Mask, chosen: Self, otherwise: Self) -> Self {
         Self {
             value: T::select(mask, chosen.value, otherwise.value),

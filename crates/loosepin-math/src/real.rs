@@ -5,8 +5,9 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number that the equations of motion, kinematics and contact laws can be evaluated on.
 ///
-/// Comparisons give a [`Real::Mask`] and choices go through [`Real::select`], never through `if`, so that a vector of
-/// lanes (one lane = one run) can implement the trait beside `f64` and [`crate::Dual`].
+/// `f64`, a number that writes down what is done with it (for machine code and lanes), and [`crate::Dual`] of both.
+/// Comparisons give a [`Real::Mask`] and choices go through [`Real::select`], never through `if`: what is written down has
+/// no branches.
 pub trait Real:
     Copy
     + Debug
@@ -19,10 +20,10 @@ pub trait Real:
     + SubAssign
     + MulAssign
 {
-    /// The result of a comparison: `bool` for one number, one flag a lane for lanes.
+    /// The result of a comparison: `bool` for plain numbers.
     type Mask: Copy;
 
-    /// The constant `value` in every lane, with zero derivative.
+    /// The constant `value`, with zero derivative.
     fn from_f64(value: f64) -> Self;
     /// `self · factor + addend` with one rounding: a fused multiply-add on every processor.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
@@ -30,7 +31,8 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
-    /// `self` raised to `exponent`, for `self > 0`; zero where `self` is zero.
+    /// `self` raised to `exponent`, for `self > 0`; zero where `self` is zero. Other exponents than 1 and 3/2: within the limits
+    /// of [`crate::power`].
     fn powf(self, exponent: f64) -> Self;
     /// The smaller of the two.
     fn min(self, other: Self) -> Self;
@@ -49,9 +51,6 @@ pub trait Real:
         const ROUNDER: f64 = 6_755_399_441_055_744.0;
         self + Self::from_f64(ROUNDER) - Self::from_f64(ROUNDER)
     }
-    /// Runs `kernel` compiled for the instruction set of this type: put around every larger piece of arithmetic, whose
-    /// functions are all `#[inline(always)]`, so that they are compiled with it.
-    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R;
 
     /// Zero.
     #[inline(always)]
@@ -79,7 +78,7 @@ impl Real for f64 {
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
-        f64::mul_add(self, factor, addend)
+        super::fused::multiply_add(self, factor, addend)
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -97,7 +96,7 @@ impl Real for f64 {
         } else if exponent == 1.0 {
             self
         } else {
-            libm::pow(self, exponent)
+            super::power(self, exponent)
         }
     }
     #[inline(always)]
@@ -119,9 +118,5 @@ impl Real for f64 {
     #[inline(always)]
     fn select(mask: bool, chosen: Self, otherwise: Self) -> Self {
         if mask { chosen } else { otherwise }
-    }
-    #[inline(always)]
-    fn vectorize<R>(kernel: impl FnOnce() -> R) -> R {
-        super::lanes::with_fused_multiply_add(kernel)
     }
 }

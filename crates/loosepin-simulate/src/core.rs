@@ -1,19 +1,20 @@
-//! The arithmetic of a step, on all lanes at once: stages, error, and everything read off the end of the step.
+//! A pass over all lanes: try a step, look at its end, take it over; and the numbers of all lanes.
 
 use super::column::{Arms, Reading};
-use super::equations::Equations;
+use super::execution::Execution;
 use super::gap::GapJet;
+use super::memory::{Block, LaneLayout, Memory, Named};
 use super::motion::tolerances;
+use super::pass::Pass;
+use super::plain::Plain;
+use super::programs::numbers;
 use super::reads::ReadLayout;
+use super::recorded::Recorded;
 use super::report::{EnergyAccount, PlaySummary};
 use super::resume::MotionState;
-use super::settings::{STEP_SHARE, Settings};
-use loosepin_math::integrate::Stepper;
-use loosepin_math::{Lanes, Real};
-use loosepin_mechanics::contact::NormalContact;
+use super::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
-use loosepin_tape::native::Level;
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
 
 /// What one attempted step of all lanes showed: a bit for each lane.
 #[derive(Debug, Clone, Copy, Default)]
@@ -26,69 +27,52 @@ pub struct Attempt {
     pub notable: u32,
 }
 
-/// States, steps and scratch of all lanes.
-pub struct Core<'a, T> {
-    /// The equations.
-    pub equations: Equations<'a, T>,
-    /// The integrator.
-    pub stepper: Stepper<T>,
-    /// Where things are in the rows below.
-    pub layout: ReadLayout,
-    /// What was read at the start of the step.
-    pub start: Vec<T>,
-    /// Tolerances of all unknowns; those of the roots are set before each step.
-    tolerances: Vec<T>,
-    /// Local error allowed in lengths, m.
-    local_m: f64,
-    order: u32,
-    /// Steps to be attempted.
-    pub steps: T,
-    /// Error of the last attempt over what is allowed.
-    pub errors: T,
-    /// 0.9 · error^(-1/order): how much longer the next step may be.
-    pub growth: T,
-    /// Mechanical energy at the start of the run, J.
-    energy_at_start_j: T,
-    /// Kinetic energy at the start of the run, J, where it is read.
-    kinetic_at_start_j: T,
-    /// Largest residual and largest exchange of the energy account so far, J.
-    largest_residual_j: T,
-    largest_exchange_j: T,
-    /// Largest penetration, m, and largest normal force, N, of each contact so far.
-    records: Vec<[T; 2]>,
+/// How a pass is computed.
+enum Way<'a> {
+    Plain(Box<Plain<'a>>),
+    Recorded(Box<Recorded<'a>>),
 }
 
-impl<'a, T: Lanes> Core<'a, T> {
-    /// Room for `mechanism`; every lane holds `sample` until it is loaded. `readings` are followed: their values and
-    /// derivatives at the ends of every step.
+/// The numbers of all lanes, and what is done with them.
+pub struct Core<'a> {
+    mechanism: &'a Mechanism,
+    /// The arithmetic, and where everything is.
+    pub pass: Pass,
+    memory: Memory,
+    way: Way<'a>,
+    /// Whether the dense output belongs to the step at hand.
+    is_dense: bool,
+}
+
+impl<'a> Core<'a> {
+    /// Room for `mechanism` with the laws of `sample`. `readings` are followed: their values and derivatives at the ends of every
+    /// step.
     pub fn new(
         mechanism: &'a Mechanism,
         sample: &Sample<f64>,
         arms: &Arms,
         readings: &[Reading],
         settings: &Settings,
-        level: Option<Level>,
+        execution: Execution,
     ) -> Self {
-        let equations = Equations::new(mechanism, sample, arms, readings, level);
-        let layout = &equations.motion.layout;
-        let reads = ReadLayout::new(mechanism, readings.len());
-        Self {
-            stepper: Stepper::with_integrals(settings.method, layout.dimension, layout.length() - layout.dimension),
-            layout: reads,
-            start: vec![T::zero(); reads.length()],
-            tolerances: tolerances(&equations.motion, sample, 1.0, 1.0, 1.0).into_iter().map(T::from_f64).collect(),
-            local_m: settings.tolerance_m * STEP_SHARE,
-            order: settings.method.order,
-            steps: T::zero(),
-            errors: T::zero(),
-            growth: T::one(),
-            energy_at_start_j: T::zero(),
-            kinetic_at_start_j: T::zero(),
-            largest_residual_j: T::zero(),
-            largest_exchange_j: T::zero(),
-            records: vec![[T::zero(); 2]; mechanism.contacts.len()],
-            equations,
-        }
+        let pass = Pass::new(mechanism, sample, readings.len(), settings);
+        let lanes = execution.lanes();
+        let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
+        let lengths = pass.block_lengths(of_sample);
+        let way = match execution {
+            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, readings))),
+            Execution::Interpreted | Execution::MachineCode(_) => {
+                let recorded =
+                    Recorded::new(mechanism, sample, arms, readings, &pass, lengths, (execution.level(), lanes));
+                Way::Recorded(Box::new(recorded))
+            }
+        };
+        Self { mechanism, memory: Memory::new(lanes, lengths), way, is_dense: false, pass }
+    }
+
+    /// How many lanes there are.
+    pub fn lanes(&self) -> usize {
+        self.memory.lanes()
     }
 
     /// Puts a run that begins at `state` (layout of [`super::motion::Layout`]) into a lane. It needs a restart.
@@ -101,17 +85,25 @@ impl<'a, T: Lanes> Core<'a, T> {
         rate_1_s: f64,
         energy_j: f64,
     ) {
-        self.equations.load(lane, sample, arms);
-        let tolerances = tolerances(&self.equations.motion, sample, self.local_m, rate_1_s, energy_j);
-        for (to, from) in self.tolerances.iter_mut().zip(tolerances) {
-            to.set_lane(lane, from);
+        self.load_numbers(lane, sample, arms);
+        let tolerances = tolerances(self.mechanism, &self.pass.layout, sample, self.pass.local_m, rate_1_s, energy_j);
+        for (place, tolerance) in self.pass.lane.tolerances().zip(tolerances) {
+            self.memory.set(Block::Lane, place, lane, tolerance);
         }
-        for (to, from) in self.stepper.start_mut().iter_mut().zip(state) {
-            to.set_lane(lane, *from);
+        for (index, value) in state.iter().enumerate() {
+            self.memory.set(Block::Start, index, lane, *value);
         }
-        for contact in 0..self.equations.motion.states.len() {
+        for contact in 0..self.pass.layout.roots.len() {
             self.set_contact(lane, contact, &PlayState::flight(), false);
             self.set_records(lane, contact, &PlaySummary::default());
+        }
+    }
+
+    /// Replaces the numbers of the run in a lane.
+    pub fn load_numbers(&mut self, lane: usize, sample: &Sample<f64>, arms: &Arms) {
+        match &mut self.way {
+            Way::Plain(plain) => plain.load(sample, arms),
+            Way::Recorded(recorded) => recorded.load(&self.pass, &mut self.memory, lane, sample, arms),
         }
     }
 
@@ -120,274 +112,220 @@ impl<'a, T: Lanes> Core<'a, T> {
     pub fn resume(&mut self, lane: usize, resume: &MotionState) {
         for (contact, state) in resume.contacts.iter().enumerate() {
             self.set_contact(lane, contact, state, false);
-            if let Some(place) = self.equations.motion.layout.bristles[contact] {
-                self.stepper.start_mut()[place].set_lane(lane, resume.state[place]);
+            if let Some(place) = self.pass.layout.bristles[contact] {
+                self.set_state(lane, place, resume.state[place]);
             }
         }
     }
 
     /// Keeps the records of a contact, against which steps are judged.
     pub fn set_records(&mut self, lane: usize, contact: usize, summary: &PlaySummary) {
-        self.records[contact][0].set_lane(lane, summary.largest_penetration_m);
-        self.records[contact][1].set_lane(lane, summary.peak_force_n);
+        let place = LaneLayout::contact(contact);
+        self.memory.set(Block::Lane, place + LaneLayout::DEEPEST, lane, summary.largest_penetration_m);
+        self.memory.set(Block::Lane, place + LaneLayout::STRONGEST, lane, summary.peak_force_n);
     }
 
     /// Sets the state of a contact in a lane. The lane needs a restart. A penetration whose root becomes an
     /// unknown begins at zero, and so does the deflection of bristles.
     pub fn set_contact(&mut self, lane: usize, contact: usize, state: &PlayState<f64>, has_root: bool) {
-        self.equations.set_contact(lane, contact, state, has_root);
-        let layout = &self.equations.motion.layout;
-        for place in [layout.roots[contact], layout.bristles[contact]].into_iter().flatten() {
-            self.stepper.start_mut()[place].set_lane(lane, 0.0);
+        let has_root_number = f64::from(u8::from(has_root));
+        let values = [state.contact, state.inverse_impact_speed_s_m, state.effective_mass_kg, has_root_number];
+        for (k, value) in values.into_iter().enumerate() {
+            self.memory.set(Block::Lane, LaneLayout::contact(contact) + k, lane, value);
         }
+        if let Way::Plain(plain) = &mut self.way {
+            plain.set_contact(contact, state, has_root);
+        }
+        for place in [self.pass.layout.roots[contact], self.pass.layout.bristles[contact]].into_iter().flatten() {
+            self.set_state(lane, place, 0.0);
+        }
+    }
+
+    /// The state of a contact in a lane, and whether the root of its penetration is an unknown.
+    #[inline]
+    pub fn contact(&self, lane: usize, contact: usize) -> (PlayState<f64>, bool) {
+        let number = |k: usize| self.memory.get(Block::Lane, LaneLayout::contact(contact) + k, lane);
+        let state = PlayState { contact: number(0), inverse_impact_speed_s_m: number(1), effective_mass_kg: number(2) };
+        (state, self.pass.layout.roots[contact].is_some() && number(LaneLayout::HAS_ROOT) > 0.5)
+    }
+
+    /// Number `index` of the state of a lane at the start of the step.
+    #[inline]
+    pub fn state(&self, lane: usize, index: usize) -> f64 {
+        self.memory.get(Block::Start, index, lane)
+    }
+    /// Replaces number `index` of the state of a lane at the start of the step. The lane needs a restart.
+    pub fn set_state(&mut self, lane: usize, index: usize, value: f64) {
+        self.memory.set(Block::Start, index, lane, value);
+    }
+    /// What was read of a lane at the start of the step.
+    #[inline]
+    pub fn start_read(&self, lane: usize, place: usize) -> f64 {
+        self.memory.get(Block::StartReads, place, lane)
+    }
+    /// What was read of a lane at the end of the step.
+    #[inline]
+    pub fn end_read(&self, lane: usize, place: usize) -> f64 {
+        self.memory.get(Block::EndReads, place, lane)
+    }
+    /// Replaces dt/ds at the start of the step of a lane.
+    pub fn set_pace(&mut self, lane: usize, pace: f64) {
+        self.memory.set(Block::StartReads, ReadLayout::TIME + 1, lane, pace);
+    }
+    /// The step to be tried in a lane.
+    #[inline]
+    pub fn step(&self, lane: usize) -> f64 {
+        self.memory.get(Block::Lane, LaneLayout::STEP, lane)
+    }
+    /// Sets the step to be tried in a lane.
+    #[inline]
+    pub fn set_step(&mut self, lane: usize, step: f64) {
+        self.memory.set(Block::Lane, LaneLayout::STEP, lane, step);
+    }
+    /// Error of the last attempt in a lane over what is allowed.
+    pub fn error(&self, lane: usize) -> f64 {
+        self.memory.get(Block::Lane, LaneLayout::ERROR, lane)
+    }
+    /// How much longer the next step of a lane may be, by the error of the last attempt.
+    pub fn growth(&self, lane: usize) -> f64 {
+        self.pass.stepper.growth(self.error(lane))
     }
 
     /// Three numbers in a row of a lane at the start and at the end of the step: a value and its derivatives.
     #[inline]
     pub fn jets(&self, lane: usize, place: usize) -> [GapJet; 2] {
-        // Written out: closures over arrays are not always inlined, and this is read for every step of every lane.
-        let (start, end) = (&self.start[place..place + 3], &self.equations.reads[place..place + 3]);
-        // Machine code leaves out what is multiplied by zero, which may turn the sign of a zero: adding zero makes it positive.
-        let number = |value: &T| value.lane(lane) + 0.0;
-        [
-            GapJet { jet: [number(&start[0]), number(&start[1]), number(&start[2])] },
-            GapJet { jet: [number(&end[0]), number(&end[1]), number(&end[2])] },
-        ]
+        // A program leaves out what is multiplied by zero, which may turn the sign of a zero: adding zero makes it positive.
+        let jet = |block| GapJet { jet: [0, 1, 2].map(|k| self.memory.get(block, place + k, lane) + 0.0) };
+        [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
     /// Evaluates the derivative at the start again in the flagged lanes, and reads there.
     pub fn restart(&mut self, lanes: u32) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                let mask = T::mask(lanes);
-                self.stepper.restart_where(&mut self.equations, mask);
-                self.take_reads(mask);
-            },
-        );
+        self.choose(lanes);
+        self.is_dense = false;
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(plain) => {
+                plain.evaluate_start(pass, memory);
+                pass.take_evaluation(&mut Named::new(memory.blocks()));
+            }
+            Way::Recorded(recorded) => {
+                recorded.evaluate_start(pass, memory);
+                recorded.take_evaluation(memory);
+            }
+        }
     }
 
     /// Tries the steps of all lanes.
     pub fn attempt(&mut self) -> Attempt {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                self.set_root_tolerances();
-                let errors = self.stepper.attempt(&mut self.equations, self.steps, &self.tolerances);
-                if !self.stepper.finishes_by_itself() {
-                    self.stepper.finish(&mut self.equations);
-                }
-                self.errors = errors;
-                self.growth = growth(errors, self.order);
-                let is_good = T::flags(errors.less_than(T::from_f64(1.0 + f64::EPSILON)));
-                let (eventful, notable) = self.look_at_gaps();
-                Attempt { good: is_good, eventful, notable }
-            },
-        )
+        self.is_dense = false;
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(plain) => plain.attempt(pass, memory),
+            Way::Recorded(recorded) => recorded.attempt(pass, memory),
+        }
+        let flags = |place: usize, is_meant: fn(f64) -> bool| {
+            let numbers = memory.of_all_lanes(Block::Lane, place).iter().enumerate();
+            numbers.fold(0, |flags, (lane, number)| flags | u32::from(is_meant(*number)) << lane)
+        };
+        Attempt {
+            good: flags(LaneLayout::ERROR, |error| error < 1.0 + f64::EPSILON),
+            eventful: flags(LaneLayout::EVENTFUL, |flag| flag > 0.5),
+            notable: flags(LaneLayout::NOTABLE, |flag| flag > 0.5),
+        }
     }
 
     /// Makes the end of the step the start of the next one in the flagged lanes, and holds their loops.
     pub fn accept(&mut self, lanes: u32) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                let mask = T::mask(lanes);
-                self.stepper.accept_where(mask);
-                self.take_reads(mask);
-                self.equations.hold_loops(mask, self.stepper.start_mut());
-            },
-        );
+        self.choose(lanes);
+        self.is_dense = false;
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(plain) => {
+                pass.accept(&mut Named::new(memory.blocks()));
+                plain.hold_loops(pass, memory);
+            }
+            Way::Recorded(recorded) => {
+                recorded.accept(memory);
+                recorded.hold_loops(memory);
+            }
+        }
     }
 
     /// Begins the energy account of a lane that was loaded and evaluated.
     pub fn open_account(&mut self, lane: usize) {
-        self.energy_at_start_j.set_lane(lane, self.start[ReadLayout::ENERGY].lane(lane));
-        if let Some(place) = self.layout.kinetic() {
-            self.kinetic_at_start_j.set_lane(lane, self.start[place].lane(lane));
+        let mut set = |place, value| self.memory.set(Block::Lane, place, lane, value);
+        set(LaneLayout::LARGEST_RESIDUAL, 0.0);
+        set(LaneLayout::LARGEST_EXCHANGE, 0.0);
+        let energy_j = self.start_read(lane, ReadLayout::ENERGY);
+        self.memory.set(Block::Lane, LaneLayout::ENERGY_AT_START, lane, energy_j);
+        if let Some(place) = self.pass.reads.kinetic() {
+            let kinetic_j = self.start_read(lane, place);
+            self.memory.set(Block::Lane, LaneLayout::KINETIC_AT_START, lane, kinetic_j);
         }
-        self.largest_residual_j.set_lane(lane, 0.0);
-        self.largest_exchange_j.set_lane(lane, 0.0);
     }
 
     /// Takes the end of a step into the energy accounts of the flagged lanes.
     pub fn close_accounts(&mut self, lanes: u32) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                let layout = &self.equations.motion.layout;
-                let account = layout.account(self.stepper.start());
-                let supplied_j = account.supplied_j;
-                let mut losses_j = account.contact_loss_j + account.friction_loss_j;
-                if layout.has_dampers {
-                    losses_j += account.damping_loss_j;
-                }
-                let change_j = self.start[ReadLayout::ENERGY] - self.energy_at_start_j;
-                let residual_j = (change_j + losses_j - supplied_j).abs();
-                let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs());
-                let mask = T::mask(lanes);
-                let raise = |to: &mut T, value: T| *to = T::select(mask, to.max(value), *to);
-                raise(&mut self.largest_residual_j, residual_j);
-                raise(&mut self.largest_exchange_j, exchange_j);
-                if let Some(place) = self.layout.kinetic() {
-                    raise(&mut self.largest_exchange_j, (self.start[place] - self.kinetic_at_start_j).abs());
-                }
-            },
-        );
+        self.choose(lanes);
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(_) => pass.close_account(&mut Named::new(memory.blocks())),
+            Way::Recorded(recorded) => recorded.close_account(memory),
+        }
     }
 
     /// The energy account of a lane after its last step.
     pub fn account(&self, lane: usize) -> EnergyAccount {
-        let account = self.equations.motion.layout.account(self.stepper.start());
+        let state: Vec<f64> = (0..self.pass.layout.length()).map(|index| self.state(lane, index)).collect();
+        let account = self.pass.layout.account(&state);
+        let number = |place| self.memory.get(Block::Lane, place, lane);
         EnergyAccount {
-            at_start_j: self.energy_at_start_j.lane(lane),
-            at_end_j: self.start[ReadLayout::ENERGY].lane(lane),
-            supplied_j: account.supplied_j.lane(lane),
-            contact_loss_j: account.contact_loss_j.lane(lane),
-            friction_loss_j: account.friction_loss_j.lane(lane),
-            damping_loss_j: account.damping_loss_j.lane(lane),
-            largest_residual_j: self.largest_residual_j.lane(lane),
-            largest_exchange_j: self.largest_exchange_j.lane(lane),
-        }
-    }
-
-    #[inline(always)]
-    fn take_reads(&mut self, mask: T::Mask) {
-        for (start, end) in self.start.iter_mut().zip(&self.equations.reads) {
-            *start = T::select(mask, *end, *start);
+            at_start_j: number(LaneLayout::ENERGY_AT_START),
+            at_end_j: self.start_read(lane, ReadLayout::ENERGY),
+            supplied_j: account.supplied_j,
+            contact_loss_j: account.contact_loss_j,
+            friction_loss_j: account.friction_loss_j,
+            damping_loss_j: account.damping_loss_j,
+            largest_residual_j: number(LaneLayout::LARGEST_RESIDUAL),
+            largest_exchange_j: number(LaneLayout::LARGEST_EXCHANGE),
         }
     }
 
     /// Computes what looks inside of the step at hand need.
     pub fn prepare_dense(&mut self) {
-        T::vectorize(
-            #[inline(always)]
-            || self.stepper.prepare_dense(&mut self.equations),
-        );
-    }
-
-    /// The error of u = √δ that moves δ by the local error allowed: that over the root's size, the larger of both ends of the
-    /// step before.
-    #[inline(always)]
-    fn set_root_tolerances(&mut self) {
-        let smallest = T::from_f64(2.0 * self.local_m.sqrt());
-        for place in self.equations.motion.layout.roots.iter().flatten() {
-            // A step from u = 0 on has its size from u' h.
-            let slope = self.stepper.start_slope()[*place];
-            let root = slope.mul_add(self.steps, self.stepper.start()[*place]).abs();
-            let size = root + self.stepper.start()[*place].abs();
-            self.tolerances[*place] = T::from_f64(self.local_m) / size.max(smallest);
+        if self.is_dense {
+            return;
+        }
+        self.is_dense = true;
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(plain) => plain.prepare_dense(pass, memory),
+            Way::Recorded(recorded) => recorded.prepare_dense(pass, memory),
         }
     }
 
-    /// Lanes in which the gap of some contact may go through zero within the step in the direction of its next event (it lies
-    /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; and lanes in which a penetration
-    /// or a contact force may be a record.
-    #[inline(always)]
-    fn look_at_gaps(&self) -> (u32, u32) {
-        let h = self.steps;
-        let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));
-        let (mut eventful, mut notable) = (0, 0);
-        let (starts, ends) = (&self.start, &self.equations.reads);
-        let motion = &self.equations.motion;
-        for (contact, state) in motion.states.iter().enumerate() {
-            let place = self.layout.gap(contact);
-            let [p0, v0, a0] = [starts[place], starts[place + 1], starts[place + 2]];
-            let [p1, v1, a1] = [ends[place], ends[place + 1], ends[place + 2]];
-            let (first, last) = (fifth * v0, fifth * v1);
-            let coefficients = [
-                p0,
-                p0 + first,
-                twentieth.mul_add(a0, p0 + first + first),
-                twentieth.mul_add(a1, p1 - last - last),
-                p1 - last,
-                p1,
-            ];
-            let is_closed = T::from_f64(0.5).less_than(state.contact);
-            let highest = highest_control_value(coefficients, is_closed);
-            eventful |= !T::flags(highest.less_than(T::zero()));
-
-            let numbers = motion.dynamics.sample().play_of(contact);
-            let mut limit = coefficients[0];
-            for coefficient in &coefficients[1..] {
-                limit = limit.max(*coefficient);
-            }
-            // δ from the gap or from the root; δ̇ is below v0 or twice its values at the ends.
-            let is_root = motion.unknowns[contact].root.map_or(T::zero(), |root| root.is_unknown);
-            let is_root = T::from_f64(0.5).less_than(is_root);
-            let (depth_m, half_rate_share) = match numbers.shape {
-                PlayShape::Pin { .. } | PlayShape::Slot(_) => {
-                    let clearance_m = numbers.clearance_m;
-                    let distance_m = (clearance_m.mul_add(clearance_m, limit.max(T::zero()))).sqrt();
-                    (limit / (distance_m + clearance_m), clearance_m)
-                }
-                PlayShape::Slider(_) => (limit, T::from_f64(0.5)),
+    /// The state of one lane at `share` in [0, 1] of the step. Inside of the step it needs [`Self::prepare_dense`].
+    pub fn interpolate(&self, lane: usize, share: f64, state: &mut [f64]) {
+        for (index, value) in state.iter_mut().enumerate() {
+            let start = self.state(lane, index);
+            let found = if share <= 0.0 {
+                start
+            } else if share >= 1.0 {
+                self.memory.get(Block::End, index, lane)
+            } else {
+                let number = |place: usize| self.memory.get(Block::Stages, place, lane);
+                start + self.pass.stepper.dense_change(index, share, number)
             };
-            let depth_m = T::select(is_root, limit * limit, depth_m);
-            let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
-            let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), T::one() / (half_rate_share * pace));
-            let mut force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, state);
-            if let PlayShape::Slot(slot) = &numbers.shape {
-                force_n *= slot.end_stiffening + T::one();
-            }
-            let [deepest_m, strongest_n] = self.records[contact];
-            let is_closed = T::flags(is_closed);
-            notable |= is_closed & (T::flags(deepest_m.less_than(depth_m)) | T::flags(strongest_n.less_than(force_n)));
-
-            let place = self.layout.sliding(contact);
-            let (start, end) = (starts[place], ends[place]);
-            for speed in numbers.friction.kink_speeds_m_s().into_iter().flatten() {
-                for level in [speed, -speed] {
-                    eventful |= T::flags(((start - level) * (end - level)).less_than(T::zero()));
-                }
-            }
+            // No negative zeros: see `Self::jets`.
+            *value = found + 0.0;
         }
-        (eventful, notable)
     }
-}
 
-/// An upper limit of a polynomial of degree five, given by its Bernstein coefficients, or of its negative: the largest
-/// coefficient after two subdivisions. The value at the start itself does not count: there the sign is known up to the
-/// tolerance of the event before.
-#[inline(always)]
-fn highest_control_value<T: Real>(coefficients: [T; 6], is_negative: T::Mask) -> T {
-    let mut signed = coefficients;
-    for coefficient in &mut signed {
-        *coefficient = T::select(is_negative, -*coefficient, *coefficient);
-    }
-    let (left, right) = halves(signed);
-    let [(first, second), (third, fourth)] = [halves(left), halves(right)];
-    let mut highest = first[1];
-    for value in first[2..].iter().chain(&second[1..]).chain(&third[1..]).chain(&fourth[1..]) {
-        highest = highest.max(*value);
-    }
-    highest
-}
-
-/// The Bernstein coefficients over both halves of the interval (de Casteljau).
-#[inline(always)]
-fn halves<T: Real>(coefficients: [T; 6]) -> ([T; 6], [T; 6]) {
-    let half = T::from_f64(0.5);
-    let (mut row, mut left, mut right) = (coefficients, coefficients, coefficients);
-    for level in 1..6 {
-        for k in 0..6 - level {
-            row[k] = half * (row[k] + row[k + 1]);
+    /// Says which lanes the next routine is for.
+    fn choose(&mut self, lanes: u32) {
+        for lane in 0..self.lanes() {
+            self.memory.set(Block::Lane, LaneLayout::CHOSEN, lane, f64::from(lanes >> lane & 1));
         }
-        left[level] = row[0];
-        right[5 - level] = row[5 - level];
     }
-    (left, right)
-}
-
-/// 0.9 · error^(-1/order). The eighth root by square roots, which are correctly rounded on every processor.
-#[inline(always)]
-fn growth<T: Lanes>(errors: T, order: u32) -> T {
-    let nine_tenths = T::from_f64(0.9);
-    if order == 8 {
-        return nine_tenths / errors.sqrt().sqrt().sqrt();
-    }
-    let mut growth = errors;
-    for lane in 0..T::COUNT {
-        growth.set_lane(lane, 0.9 * libm::pow(errors.lane(lane), -1.0 / f64::from(order)));
-    }
-    growth
 }

@@ -1,7 +1,8 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run, Seated, Seats};
+use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run, Seats};
 use super::column::{Arms, Reading};
+use super::execution::Execution;
 use super::failure::RunFailure;
 use super::gap::GapJet;
 use super::motion::Motion;
@@ -11,9 +12,7 @@ use super::report::{Counters, RunReport};
 use super::resume::MotionState;
 use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
-use loosepin_math::{InstructionSet, LaneGroup, Vectors};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
-use loosepin_tape::native::Level;
 
 /// Runs one sample to the end of `window`, showing every step to `observer`.
 ///
@@ -43,17 +42,16 @@ pub(super) fn run_from(
 ) -> Result<RunReport, RunFailure> {
     let run = Run { sample: sample.clone(), arms: Arms::none(), window: *window, observer, resume };
     let mut queue = One { run: Some(run), outcome: None };
-    conduct(mechanism, &[], settings, Vectors::None, &mut queue);
+    conduct(mechanism, &[], settings, Execution::Scalar, &mut queue);
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))
 }
 
-/// Runs everything in `queue` on this thread, on the lanes of `vectors`, following `readings`. Each run has the same bits
-/// whatever the lanes.
+/// Runs everything in `queue` on this thread, following `readings`. Each run has the same bits whatever the execution.
 pub fn conduct<O: Observer>(
     mechanism: &Mechanism,
     readings: &[Reading],
     settings: &Settings,
-    vectors: Vectors,
+    execution: Execution,
     queue: &mut dyn Queue<Observer = O>,
 ) {
     if mechanism.is_ideal() {
@@ -64,38 +62,7 @@ pub fn conduct<O: Observer>(
         }
         return;
     }
-    on_vectors(mechanism, readings, settings, vectors, &mut Seats::new(queue));
-}
-
-fn on_vectors(
-    mechanism: &Mechanism,
-    readings: &[Reading],
-    settings: &Settings,
-    vectors: Vectors,
-    queue: &mut dyn Seated,
-) {
-    match vectors {
-        Vectors::None => Batch::<f64>::conduct(mechanism, readings, settings, None, queue),
-        #[cfg(target_arch = "x86_64")]
-        Vectors::Avx512(token) => on_lanes(token, Some(Level::Avx512), mechanism, readings, settings, queue),
-        #[cfg(target_arch = "x86_64")]
-        Vectors::Avx2(token) => on_lanes(token, Some(Level::Avx2), mechanism, readings, settings, queue),
-        #[cfg(target_arch = "aarch64")]
-        Vectors::Neon(token) => on_lanes(token, None, mechanism, readings, settings, queue),
-    }
-}
-
-/// The one place that names lane groups: the token proves that this processor has their instructions.
-fn on_lanes<S: InstructionSet>(
-    _token: S,
-    level: Option<Level>,
-    mechanism: &Mechanism,
-    readings: &[Reading],
-    settings: &Settings,
-    queue: &mut dyn Seated,
-) {
-    let level = level.filter(|_| settings.machine_code);
-    Batch::<LaneGroup<S>>::conduct(mechanism, readings, settings, level, queue);
+    Batch::conduct(mechanism, readings, settings, execution, &mut Seats::new(queue));
 }
 
 /// A queue of one run.

@@ -146,7 +146,7 @@ impl<'a> Pair<'a> {
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&motion));
         }
         // The scales of errors, with the size of the mechanism as the error.
-        let sizes = tolerances(&motion, sample, mechanism.size_m, rate_1_s, 1.0);
+        let sizes = tolerances(mechanism, &motion.layout, sample, mechanism.size_m, rate_1_s, 1.0);
         let scales: Vec<(usize, f64)> =
             MotionState::places(&motion.layout).map(|place| (place, sizes[place])).collect();
         let smallest_m = sample.plays.iter().map(|play| play.clearance_m).fold(f64::INFINITY, f64::min);

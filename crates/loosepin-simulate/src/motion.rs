@@ -200,7 +200,7 @@ impl<'a, T: Real> Motion<'a, T> {
 
 impl<T: Real> System<T> for Motion<'_, T> {
     #[inline(always)]
-    fn derivative(&mut self, _place: T, state: &[T], slope: &mut [T]) {
+    fn derivative(&mut self, state: &[T], slope: &mut [T]) {
         let n = self.layout.freedoms;
         self.evaluate(state[self.layout.time()], state);
         let [pace, change] = self.pace();
@@ -257,18 +257,18 @@ impl<T: Real> System<T> for Motion<'_, T> {
 /// friction, whose kinks the work of friction shows one derivative earlier than the velocities, with forces that begin as
 /// abruptly, and with actuators that meet their limits, also the energy account: the same share of `energy_j` as a length has of the
 /// size.
-pub fn tolerances<T: Real>(
-    motion: &Motion<'_, T>,
+pub fn tolerances(
+    mechanism: &Mechanism,
+    layout: &Layout,
     sample: &Sample<f64>,
     local_m: f64,
     rate_1_s: f64,
     energy_j: f64,
 ) -> Vec<f64> {
-    let mechanism = motion.dynamics.mechanism();
     let tree = &mechanism.real;
     let n = tree.free;
     let local_rad = local_m / mechanism.size_m;
-    let mut tolerances = vec![1.0; motion.layout.dimension];
+    let mut tolerances = vec![1.0; layout.dimension];
     tolerances[..n].fill(local_rad);
     for link in &tree.links {
         match link.attachment {
@@ -281,18 +281,18 @@ pub fn tolerances<T: Real>(
         tolerances[n + k] = tolerances[k] * rate_1_s;
     }
     tolerances[2 * n] = local_rad / rate_1_s;
-    for (contact, place) in motion.layout.bristles.iter().enumerate() {
+    for (contact, place) in layout.bristles.iter().enumerate() {
         if let Some(place) = place {
             tolerances[*place] = local_rad * sample.play_of(contact).friction.largest_deflection_m();
         }
     }
-    for (place, friction) in motion.layout.joint_bristles.iter().zip(&sample.frictions) {
+    for (place, friction) in layout.joint_bristles.iter().zip(&sample.frictions) {
         if let Some(place) = place {
             tolerances[*place] = local_rad * friction.law.largest_deflection_m();
         }
     }
     for ((place, control), numbers) in
-        motion.layout.error_integrals.iter().zip(&mechanism.model.controls).zip(&sample.controls)
+        layout.error_integrals.iter().zip(&mechanism.model.controls).zip(&sample.controls)
     {
         if let (Some(place), Some(_)) = (place, numbers.integral) {
             let is_length = matches!(
@@ -306,7 +306,7 @@ pub fn tolerances<T: Real>(
     let is_abrupt =
         |play: &PlayGeometry<f64>| play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset();
     if has_limits || !sample.frictions.is_empty() || sample.plays.iter().any(is_abrupt) {
-        tolerances.extend(vec![local_rad * energy_j; motion.layout.integrals()]);
+        tolerances.extend(vec![local_rad * energy_j; layout.integrals()]);
     }
     tolerances
 }

@@ -133,9 +133,7 @@ impl<'a> Step<'_, 'a> {
         let Source::Integrated { dense, view, projection, state, .. } = &mut self.source else { return None };
         dense.interpolate(1.0, state);
         if let Some(projection) = projection {
-            view.evaluate(self.end_s, state);
-            projection.keep_mass(view);
-            projection.apply(view, self.end_s, state);
+            projection.hold(view, self.end_s, state);
         }
         let contacts = (0..view.states.len()).map(|play| dense.contact(play)).collect();
         Some(MotionState::new(&view.layout, state, self.end_s, contacts))
@@ -208,9 +206,7 @@ impl<'a> Step<'_, 'a> {
                 }
                 dense.interpolate(place, state);
                 if let Some(projection) = projection {
-                    view.evaluate(time_s, state);
-                    projection.keep_mass(view);
-                    projection.apply(view, time_s, state);
+                    projection.hold(view, time_s, state);
                 }
                 if with_forces {
                     view.evaluate(time_s, state)

@@ -40,15 +40,10 @@ impl<T: Real> Projection<T> {
         mechanism.real.constraint_rows() > 0
     }
 
-    /// Keeps the mass matrix of the last evaluation: corrections are measured with it.
-    #[inline(always)]
-    pub fn keep_mass(&mut self, motion: &Motion<'_, T>) {
+    /// Projects the state in place, with the mass matrix at the state itself.
+    pub fn hold(&mut self, motion: &mut Motion<'_, T>, time_s: T, state: &mut [T]) {
+        motion.evaluate(time_s, state);
         self.mass.copy_from_slice(motion.dynamics.factored_mass());
-    }
-
-    /// Projects the state in place, with the mass matrix that was kept last.
-    #[inline(always)]
-    pub fn apply(&mut self, motion: &mut Motion<'_, T>, time_s: T, state: &mut [T]) {
         let n = motion.freedoms();
         for _ in 0..STEPS {
             motion.set_state(time_s, state);

@@ -13,8 +13,6 @@ pub struct Settings {
     /// Evaluations of the equations of motion after which a run is given up. Default: 3e8, a minute or so; the same
     /// in a study, so that a run that is given up there is given up again by itself.
     pub largest_evaluations: u64,
-    /// Whether batches may turn the equations into machine code; the bits are the same without. Default: yes.
-    pub machine_code: bool,
 }
 
 /// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
@@ -26,7 +24,7 @@ pub const EVENT_SHARE: f64 = 1e-4;
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {
-        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000, machine_code: true }
+        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000 }
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {

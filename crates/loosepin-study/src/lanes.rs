@@ -3,9 +3,8 @@
 use super::ideal_curve::IdealCurve;
 use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
-use loosepin_math::Vectors;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_simulate::{Arms, IdealReference, Observer, Queue, Run, RunFailure, RunReport, Step, conduct};
+use loosepin_simulate::{Arms, Execution, IdealReference, Observer, Queue, Run, RunFailure, RunReport, Step, conduct};
 
 impl StudyResponse {
     /// One run, alone.
@@ -16,7 +15,7 @@ impl StudyResponse {
         let mut inputs = Some((random, epistemic));
         let mut outcome = None;
         let next = || inputs.take().map(|(x, u)| (0, x, u));
-        self.run_all(self.variant(epistemic), Vectors::None, next, |_, finished| outcome = Some(finished));
+        self.run_all(self.variant(epistemic), Execution::Scalar, next, |_, finished| outcome = Some(finished));
         let finished = outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))?;
         row.copy_from_slice(&finished);
         Ok(())
@@ -27,13 +26,13 @@ impl StudyResponse {
     pub fn run_all<'i>(
         &self,
         variant: usize,
-        vectors: Vectors,
+        execution: Execution,
         next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
         finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
     ) {
         let mechanism = &self.mechanisms[variant];
         let mut queue = StudyQueue { response: self, mechanism, next, finished };
-        conduct(mechanism, &self.shared.readings, &self.settings, vectors, &mut queue);
+        conduct(mechanism, &self.shared.readings, &self.settings, execution, &mut queue);
     }
 
     /// Everything that a run needs.

@@ -7,7 +7,7 @@ use super::keep::{Keeping, KeptList};
 use super::part::{OpenRound, Part};
 use super::response::StudyResponse;
 use loosepin_bounds::{Failure, RunInputs, SampleTable};
-use loosepin_math::Vectors;
+use loosepin_simulate::Execution;
 use loosepin_store::Shard;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -144,7 +144,7 @@ pub(super) fn evaluate(
     for (index, inputs) in batch.iter().enumerate().filter(|(index, _)| is_waiting[*index]) {
         queues[response.variant(&inputs.epistemic)].0.push(index);
     }
-    let vectors = Vectors::best();
+    let execution = Execution::best();
     let parts: Vec<Vec<(usize, Row)>> = (0..rayon::current_num_threads())
         .into_par_iter()
         .with_max_len(1)
@@ -156,7 +156,7 @@ pub(super) fn evaluate(
                     let inputs = batch.get(index).filter(|_| !is_stopped())?;
                     Some((index, &inputs.random[..], &inputs.epistemic[..]))
                 };
-                response.run_all(variant, vectors, next, |index, outcome| {
+                response.run_all(variant, execution, next, |index, outcome| {
                     let row = outcome.map_err(|failure| Failure(failure.number()));
                     finished(index, &row);
                     rows.push((index, row));

@@ -5,8 +5,7 @@ use super::file::Study;
 use super::plans::problem;
 use super::response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, SampleTable};
-use loosepin_math::Vectors;
-use loosepin_simulate::RunFailure;
+use loosepin_simulate::{Execution, RunFailure};
 
 /// Runs that are timed: enough to fill the lanes of a thread more than once.
 const TIMED_RUNS: usize = 48;
@@ -31,7 +30,7 @@ pub fn time_a_run_s(study: &Study, largest_evaluations: u64) -> Result<f64, Stud
             own.take(TIMED_RUNS.div_ceil(variants)).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
         response.run_all(
             variant,
-            Vectors::best(),
+            Execution::best(),
             || waiting.next(),
             |_, outcome| match outcome {
                 Ok(_) => passed += 1.0,

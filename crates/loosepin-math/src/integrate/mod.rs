@@ -1,15 +1,13 @@
 //! Embedded Runge-Kutta pairs with error control and dense output.
 
-mod control;
 mod dop853;
 mod dormand_prince;
 mod stepper;
 mod tableau;
 mod tsitouras;
 
-pub use control::StepControl;
 pub use dop853::DOP853;
 pub use dormand_prince::DORMAND_PRINCE_5;
-pub use stepper::{Stepper, System};
+pub use stepper::{StepRows, Stepper, System};
 pub use tableau::{ErrorEstimate, Row, Tableau};
 pub use tsitouras::TSITOURAS_5;

@@ -92,14 +92,6 @@ impl<T: Real> NormalContact<T> for LiuContact<T> {
 /// loses its digits. Long, and so out of line.
 #[inline(never)]
 pub(super) fn liu_energy<T: Real>(t: T) -> T {
-    T::vectorize(
-        #[inline(always)]
-        || liu_energy_in_line(t),
-    )
-}
-
-#[inline(always)]
-fn liu_energy_in_line<T: Real>(t: T) -> T {
     /// Up to here the series is used.
     const SERIES_END: f64 = 0.25;
     /// The next term is below the last place of the sum at the end.

@@ -89,14 +89,6 @@ impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
 /// Long, and so out of line.
 #[inline(never)]
 pub fn inverse_logarithmic<T: Real>(z: T) -> T {
-    T::vectorize(
-        #[inline(always)]
-        || inverse_in_line(z),
-    )
-}
-
-#[inline(always)]
-fn inverse_in_line<T: Real>(z: T) -> T {
     let constant = T::from_f64;
     // d = -ln z - 1, and η with d = η²/2.
     let d = (-natural_logarithm(z) - T::one()).max(T::zero());

@@ -48,13 +48,8 @@ pub(super) fn penetration_m<T: Real>(
     block: &SliderBlock<T>,
     place: usize,
 ) -> T {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let corner = corner(motion, block, place);
-            corner.normal.dot(corner.reach_m) - (block.half_height_m + play.clearance_m)
-        },
-    )
+    let corner = corner(motion, block, place);
+    corner.normal.dot(corner.reach_m) - (block.half_height_m + play.clearance_m)
 }
 
 /// Normal, penetration and its rate.
@@ -65,19 +60,14 @@ pub(super) fn contact<T: Real>(
     block: &SliderBlock<T>,
     place: usize,
 ) -> ContactMotion<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
-            ContactMotion {
-                normal,
-                penetration_m: normal.dot(reach_m) - (block.half_height_m + play.clearance_m),
-                // The guide's material at the corner does not move along n against the face.
-                penetration_rate_m_s: normal.dot(velocity_m_s),
-                reaches_m: [reach_m, arm_m],
-            }
-        },
-    )
+    let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
+    ContactMotion {
+        normal,
+        penetration_m: normal.dot(reach_m) - (block.half_height_m + play.clearance_m),
+        // The guide's material at the corner does not move along n against the face.
+        penetration_rate_m_s: normal.dot(velocity_m_s),
+        reaches_m: [reach_m, arm_m],
+    }
 }
 
 /// Sliding of the slider's material on the guide's at the corner. Both forces act there, so friction has no arms of its own.
@@ -88,13 +78,8 @@ pub(super) fn sliding<T: Real>(
     place: usize,
     tangent: Vec2<T>,
 ) -> Sliding<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let material_m_s = tangent.dot(corner(motion, block, place).velocity_m_s);
-            Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
-        },
-    )
+    let material_m_s = tangent.dot(corner(motion, block, place).velocity_m_s);
+    Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
 }
 
 /// δ and its derivatives. With w the velocity of the slider's material at the corner on the guide's:
@@ -108,22 +93,17 @@ pub(super) fn gap<T: Real>(
     acceleration_m_s2: Vec2<T>,
     spin_rates_rad_s2: [T; 2],
 ) -> GapMotion<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
-            let [spin_i, spin_j] = motion.spins_rad_s;
-            let [spin_rate_i, spin_rate_j] = spin_rates_rad_s2;
-            let arm_rate_m_s = arm_m.turned() * spin_j;
-            let reach_rate_m_s = motion.eccentricity_rate_m_s + arm_rate_m_s;
-            let change_m_s2 = acceleration_m_s2
-                .plus(arm_m.turned(), spin_rate_j)
-                .plus(arm_rate_m_s.turned(), spin_j)
-                .plus(reach_m.turned(), -spin_rate_i)
-                .plus(reach_rate_m_s.turned(), -spin_i);
-            let second = (spin_i * normal.turned().dot(velocity_m_s)) + normal.dot(change_m_s2);
-            let penetration_m = normal.dot(reach_m) - (block.half_height_m + play.clearance_m);
-            GapMotion { gap: [penetration_m, normal.dot(velocity_m_s), second], penetration_acceleration_m_s2: second }
-        },
-    )
+    let Corner { arm_m, reach_m, normal, velocity_m_s } = corner(motion, block, place);
+    let [spin_i, spin_j] = motion.spins_rad_s;
+    let [spin_rate_i, spin_rate_j] = spin_rates_rad_s2;
+    let arm_rate_m_s = arm_m.turned() * spin_j;
+    let reach_rate_m_s = motion.eccentricity_rate_m_s + arm_rate_m_s;
+    let change_m_s2 = acceleration_m_s2
+        .plus(arm_m.turned(), spin_rate_j)
+        .plus(arm_rate_m_s.turned(), spin_j)
+        .plus(reach_m.turned(), -spin_rate_i)
+        .plus(reach_rate_m_s.turned(), -spin_i);
+    let second = (spin_i * normal.turned().dot(velocity_m_s)) + normal.dot(change_m_s2);
+    let penetration_m = normal.dot(reach_m) - (block.half_height_m + play.clearance_m);
+    GapMotion { gap: [penetration_m, normal.dot(velocity_m_s), second], penetration_acceleration_m_s2: second }
 }

@@ -175,14 +175,6 @@ impl<'a, T: Real> Dynamics<'a, T> {
 
     /// Poses and velocities at `time_s` for the free coordinates and rates: what contact events need, without forces.
     pub fn set_state(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
-        T::vectorize(
-            #[inline(always)]
-            || self.set_motion(time_s, free_coordinates, free_rates),
-        );
-    }
-
-    #[inline(always)]
-    fn set_motion(&mut self, time_s: T, free_coordinates: &[T], free_rates: &[T]) {
         let tree = &self.mechanism.real;
         let n = tree.free;
         self.time_s = time_s;
@@ -215,37 +207,27 @@ impl<'a, T: Real> Dynamics<'a, T> {
         states: &[PlayState<T>],
         unknowns: &[ContactUnknowns<T>],
     ) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                self.set_motion(time_s, free_coordinates, free_rates);
-                self.set_forces(states, unknowns);
-                if let Some(frictions) = &mut self.joint_frictions {
-                    frictions.begin(&self.kinematics, &self.sample.frictions);
-                }
-                self.add_bodies();
-                if self.has_elements {
-                    self.add_elements();
-                }
-                self.add_plays();
-                self.solve();
-                self.add_joint_friction();
-            },
-        );
+        self.set_state(time_s, free_coordinates, free_rates);
+        self.set_forces(states, unknowns);
+        if let Some(frictions) = &mut self.joint_frictions {
+            frictions.begin(&self.kinematics, &self.sample.frictions);
+        }
+        self.add_bodies();
+        if self.has_elements {
+            self.add_elements();
+        }
+        self.add_plays();
+        self.solve();
+        self.add_joint_friction();
     }
 
     /// Forces of springs, loads and actuators. Not every mechanism has them: out of line, or the compiler would take many times as
     /// long for the evaluation as a whole.
     #[inline(never)]
     fn add_elements(&mut self) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                self.add_springs();
-                self.add_loads();
-                self.add_controls();
-            },
-        );
+        self.add_springs();
+        self.add_loads();
+        self.add_controls();
     }
 
     /// Biases of the accelerations, and forces in the joints with play.

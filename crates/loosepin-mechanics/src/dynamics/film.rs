@@ -15,14 +15,6 @@ const CENTRED_M: f64 = 1e-150;
 /// Long, and so out of line.
 #[inline(never)]
 pub(super) fn add<T: Real>(motion: &PlayMotion<T>, film: &Film<T>, clearance_m: T, to: &mut ContactForce<T>) {
-    T::vectorize(
-        #[inline(always)]
-        || add_in_line(motion, film, clearance_m, to),
-    );
-}
-
-#[inline(always)]
-fn add_in_line<T: Real>(motion: &PlayMotion<T>, film: &Film<T>, clearance_m: T, to: &mut ContactForce<T>) {
     let e = motion.eccentricity_m;
     let length_m = e.length();
     let is_centred = length_m.less_than(T::from_f64(CENTRED_M));

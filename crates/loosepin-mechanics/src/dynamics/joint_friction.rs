@@ -151,65 +151,52 @@ impl<T: Real> JointFrictions<T> {
     /// Reads places, sliding velocities and coefficients off the motion, before forces are added.
     #[inline(never)]
     pub fn begin(&mut self, kinematics: &Kinematics<T>, frictions: &[JointFriction<T>]) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                let half = T::from_f64(0.5);
-                for ((entry, friction), bristle_m) in self.entries.iter_mut().zip(frictions).zip(&self.bristles_m) {
-                    let [first, second] = entry.slots;
-                    let (poses, twists) = (&kinematics.poses, &kinematics.twists);
-                    let own_arm = poses[second].turn(friction.second_arm_m);
-                    entry.place_m = poses[second].position_m + own_arm;
-                    let nothing = Forbidden { linear: Vec2::zero(), angular: T::zero() };
-                    if entry.is_slider {
-                        entry.line = poses[first].turn(friction.guide_direction);
-                        let gap_rate =
-                            twists[second].at(own_arm) - twists[first].at(entry.place_m - poses[first].position_m);
-                        entry.sliding_m_s = entry.line.dot(gap_rate);
-                        entry.wrench = (entry.line, T::zero());
-                        let across = entry.line.turned() * half;
-                        let turning = T::one() / friction.size_m;
-                        entry.forbidden = [
-                            Forbidden { linear: across, angular: -turning },
-                            Forbidden { linear: across, angular: turning },
-                        ];
-                    } else {
-                        entry.sliding_m_s = friction.size_m * (twists[second].angular - twists[first].angular);
-                        entry.wrench = (Vec2::zero(), friction.size_m);
-                        let (one, none) = (T::one(), T::zero());
-                        entry.forbidden = [
-                            Forbidden { linear: Vec2::new(one, none), ..nothing },
-                            Forbidden { linear: Vec2::new(none, one), ..nothing },
-                        ];
-                    }
-                    entry.applied = [T::zero(); PARTS];
-                    (entry.coefficient, entry.bristle_rate_m_s) = match bristle_m {
-                        None => (friction.law.force_n(entry.sliding_m_s, T::one()), T::zero()),
-                        Some(bristle_m) => {
-                            let force = friction.law.force_with_bristle(entry.sliding_m_s, T::one(), *bristle_m);
-                            (force.force_n, force.rate_m_s)
-                        }
-                    };
+        let half = T::from_f64(0.5);
+        for ((entry, friction), bristle_m) in self.entries.iter_mut().zip(frictions).zip(&self.bristles_m) {
+            let [first, second] = entry.slots;
+            let (poses, twists) = (&kinematics.poses, &kinematics.twists);
+            let own_arm = poses[second].turn(friction.second_arm_m);
+            entry.place_m = poses[second].position_m + own_arm;
+            let nothing = Forbidden { linear: Vec2::zero(), angular: T::zero() };
+            if entry.is_slider {
+                entry.line = poses[first].turn(friction.guide_direction);
+                let gap_rate = twists[second].at(own_arm) - twists[first].at(entry.place_m - poses[first].position_m);
+                entry.sliding_m_s = entry.line.dot(gap_rate);
+                entry.wrench = (entry.line, T::zero());
+                let across = entry.line.turned() * half;
+                let turning = T::one() / friction.size_m;
+                entry.forbidden =
+                    [Forbidden { linear: across, angular: -turning }, Forbidden { linear: across, angular: turning }];
+            } else {
+                entry.sliding_m_s = friction.size_m * (twists[second].angular - twists[first].angular);
+                entry.wrench = (Vec2::zero(), friction.size_m);
+                let (one, none) = (T::one(), T::zero());
+                entry.forbidden = [
+                    Forbidden { linear: Vec2::new(one, none), ..nothing },
+                    Forbidden { linear: Vec2::new(none, one), ..nothing },
+                ];
+            }
+            entry.applied = [T::zero(); PARTS];
+            (entry.coefficient, entry.bristle_rate_m_s) = match bristle_m {
+                None => (friction.law.force_n(entry.sliding_m_s, T::one()), T::zero()),
+                Some(bristle_m) => {
+                    let force = friction.law.force_with_bristle(entry.sliding_m_s, T::one(), *bristle_m);
+                    (force.force_n, force.rate_m_s)
                 }
-            },
-        )
+            };
+        }
     }
 
     /// Takes in a force on the body in `slot` at `point_m`, and a torque.
     #[inline(never)]
     pub fn take_force(&mut self, slot: usize, point_m: Vec2<T>, force_n: Vec2<T>, moment_n_m: T) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                for entry in &mut self.entries {
-                    if entry.moves(slot) {
-                        for part in 0..PARTS {
-                            entry.applied[part] += entry.power(part, point_m, force_n, moment_n_m);
-                        }
-                    }
+        for entry in &mut self.entries {
+            if entry.moves(slot) {
+                for part in 0..PARTS {
+                    entry.applied[part] += entry.power(part, point_m, force_n, moment_n_m);
                 }
-            },
-        )
+            }
+        }
     }
 }
 
@@ -285,86 +272,76 @@ impl<T: Real> Dynamics<'_, T> {
     /// What each unit wrench adds to accelerations and multipliers: q̈ = M⁻¹(g + Jᵀ λ) with J q̈ = 0.
     #[inline(never)]
     fn answer_unit_wrenches(&mut self, frictions: &mut JointFrictions<T>) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                let tree = &self.mechanism.real;
-                let (n, columns, rows) = (tree.free, tree.coordinates(), tree.constraint_rows());
-                let JointFrictions { entries, pushes, answers, multipliers, .. } = frictions;
-                pushes.fill(T::zero());
-                for (index, entry) in entries.iter().enumerate() {
-                    let push = &mut pushes[index * columns..(index + 1) * columns];
-                    for (slot, sign) in entry.slots.into_iter().zip([-T::one(), T::one()]) {
-                        if slot == 0 {
-                            continue;
-                        }
-                        let force = entry.wrench.0 * sign;
-                        let arm = entry.place_m - self.kinematics.poses[slot].position_m;
-                        let about_origin = entry.wrench.1 * sign + arm.cross(force);
-                        let partials = self.kinematics.partials(slot);
-                        for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
-                            let sum = turned_by(push[dependence.coordinate], about_origin, dependence.turning);
-                            push[dependence.coordinate] = force.x.mul_add(partial.x, force.y.mul_add(partial.y, sum));
-                        }
-                    }
-                    let answer = &mut answers[index * n..(index + 1) * n];
-                    answer.copy_from_slice(&push[..n]);
-                    solve_ldl(&self.mass, n, answer);
-                    if rows == 0 {
-                        continue;
-                    }
-                    let multipliers = &mut multipliers[index * rows..(index + 1) * rows];
-                    for (row, multiplier) in multipliers.iter_mut().enumerate() {
-                        let mobility = &self.gram.mobilities()[row * n..(row + 1) * n];
-                        let along = mobility.iter().zip(&push[..n]).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum));
-                        *multiplier = -along;
-                    }
-                    self.gram.solve(multipliers);
-                    self.gram.add_answer(multipliers, answer);
+        let tree = &self.mechanism.real;
+        let (n, columns, rows) = (tree.free, tree.coordinates(), tree.constraint_rows());
+        let JointFrictions { entries, pushes, answers, multipliers, .. } = frictions;
+        pushes.fill(T::zero());
+        for (index, entry) in entries.iter().enumerate() {
+            let push = &mut pushes[index * columns..(index + 1) * columns];
+            for (slot, sign) in entry.slots.into_iter().zip([-T::one(), T::one()]) {
+                if slot == 0 {
+                    continue;
                 }
-            },
-        )
+                let force = entry.wrench.0 * sign;
+                let arm = entry.place_m - self.kinematics.poses[slot].position_m;
+                let about_origin = entry.wrench.1 * sign + arm.cross(force);
+                let partials = self.kinematics.partials(slot);
+                for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
+                    let sum = turned_by(push[dependence.coordinate], about_origin, dependence.turning);
+                    push[dependence.coordinate] = force.x.mul_add(partial.x, force.y.mul_add(partial.y, sum));
+                }
+            }
+            let answer = &mut answers[index * n..(index + 1) * n];
+            answer.copy_from_slice(&push[..n]);
+            solve_ldl(&self.mass, n, answer);
+            if rows == 0 {
+                continue;
+            }
+            let multipliers = &mut multipliers[index * rows..(index + 1) * rows];
+            for (row, multiplier) in multipliers.iter_mut().enumerate() {
+                let mobility = &self.gram.mobilities()[row * n..(row + 1) * n];
+                let along = mobility.iter().zip(&push[..n]).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum));
+                *multiplier = -along;
+            }
+            self.gram.solve(multipliers);
+            self.gram.add_answer(multipliers, answer);
+        }
     }
 
     /// ρ0 of the joint `index`, and what each unit wrench adds to it.
     #[inline(never)]
     fn find_carried(&mut self, frictions: &mut JointFrictions<T>, index: usize) {
-        T::vectorize(
-            #[inline(always)]
-            || {
-                let rows = self.multipliers.len();
-                let count = frictions.entries.len();
-                if let Carrier::Cut { row } = frictions.entries[index].carrier {
-                    let entry = &frictions.entries[index];
-                    let size_m = self.sample.frictions[index].size_m;
-                    let turn_cosine = if entry.is_slider {
-                        constraints::turn_cosine(&self.mechanism.real, &self.sample.real, &self.kinematics, row)
-                    } else {
-                        T::one()
-                    };
-                    let is_slider = entry.is_slider;
-                    let parts = |multipliers: &[T]| {
-                        let [first, second] = [multipliers[row], multipliers[row + 1]];
-                        if !is_slider {
-                            return [first, second];
-                        }
-                        let (half, couple) = (first * T::from_f64(0.5), second * turn_cosine / size_m);
-                        [half - couple, half + couple]
-                    };
-                    let free = parts(&self.multipliers);
-                    for other in 0..count {
-                        let added = parts(&frictions.multipliers[other * rows..(other + 1) * rows]);
-                        frictions.influence[index * count + other] = added;
-                    }
-                    frictions.entries[index].free = free;
-                    return;
+        let rows = self.multipliers.len();
+        let count = frictions.entries.len();
+        if let Carrier::Cut { row } = frictions.entries[index].carrier {
+            let entry = &frictions.entries[index];
+            let size_m = self.sample.frictions[index].size_m;
+            let turn_cosine = if entry.is_slider {
+                constraints::turn_cosine(&self.mechanism.real, &self.sample.real, &self.kinematics, row)
+            } else {
+                T::one()
+            };
+            let is_slider = entry.is_slider;
+            let parts = |multipliers: &[T]| {
+                let [first, second] = [multipliers[row], multipliers[row + 1]];
+                if !is_slider {
+                    return [first, second];
                 }
-                for part in 0..PARTS {
-                    let carried = self.balance(frictions, index, part);
-                    frictions.entries[index].free[part] = carried;
-                }
-            },
-        )
+                let (half, couple) = (first * T::from_f64(0.5), second * turn_cosine / size_m);
+                [half - couple, half + couple]
+            };
+            let free = parts(&self.multipliers);
+            for other in 0..count {
+                let added = parts(&frictions.multipliers[other * rows..(other + 1) * rows]);
+                frictions.influence[index * count + other] = added;
+            }
+            frictions.entries[index].free = free;
+            return;
+        }
+        for part in 0..PARTS {
+            let carried = self.balance(frictions, index, part);
+            frictions.entries[index].free[part] = carried;
+        }
     }
 
     /// The balance of forces on the bodies beyond a joint of the tree along one forbidden motion: inertia minus what is applied

@@ -55,13 +55,8 @@ fn place<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Place<T> {
 /// δ = |w| - c, m, computed so that it keeps its digits near zero.
 #[inline(never)]
 pub(super) fn penetration_m<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotShape<T>) -> T {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let Place { off_m, length_m, .. } = place(motion, slot);
-            (off_m.length_squared() - play.clearance_m.squared()) / (length_m + play.clearance_m)
-        },
-    )
+    let Place { off_m, length_m, .. } = place(motion, slot);
+    (off_m.length_squared() - play.clearance_m.squared()) / (length_m + play.clearance_m)
 }
 
 /// Normal, penetration and its rate; the normal force acts at the pin's centre on both bodies.
@@ -71,18 +66,13 @@ pub(super) fn contact<T: Real>(
     play: &PlayGeometry<T>,
     slot: &SlotShape<T>,
 ) -> ContactMotion<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let Place { normal, velocity_m_s, .. } = place(motion, slot);
-            ContactMotion {
-                normal,
-                penetration_m: penetration_m(motion, play, slot),
-                penetration_rate_m_s: normal.dot(velocity_m_s),
-                reaches_m: [motion.eccentricity_m, Vec2::zero()],
-            }
-        },
-    )
+    let Place { normal, velocity_m_s, .. } = place(motion, slot);
+    ContactMotion {
+        normal,
+        penetration_m: penetration_m(motion, play, slot),
+        penetration_rate_m_s: normal.dot(velocity_m_s),
+        reaches_m: [motion.eccentricity_m, Vec2::zero()],
+    }
 }
 
 /// Sliding of the pin's material on the slot's at one common contact point, R_j - δ/2 from the pin's centre along n.
@@ -94,17 +84,11 @@ pub(super) fn sliding<T: Real>(
     normal: Vec2<T>,
     penetration_m: T,
 ) -> Sliding<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let pin_arm_m = slot.end_radius_m - play.clearance_m - penetration_m * T::from_f64(0.5);
-            let slot_arm_m = normal.dot(motion.eccentricity_m) + pin_arm_m;
-            let [spin_i, spin_j] = motion.spins_rad_s;
-            let material_m_s =
-                normal.turned().dot(motion.eccentricity_rate_m_s) + pin_arm_m * spin_j - slot_arm_m * spin_i;
-            Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [slot_arm_m, pin_arm_m] }
-        },
-    )
+    let pin_arm_m = slot.end_radius_m - play.clearance_m - penetration_m * T::from_f64(0.5);
+    let slot_arm_m = normal.dot(motion.eccentricity_m) + pin_arm_m;
+    let [spin_i, spin_j] = motion.spins_rad_s;
+    let material_m_s = normal.turned().dot(motion.eccentricity_rate_m_s) + pin_arm_m * spin_j - slot_arm_m * spin_i;
+    Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [slot_arm_m, pin_arm_m] }
 }
 
 /// The stiffness between faces and ends.
@@ -120,18 +104,13 @@ pub(super) struct Stiffening<T> {
 /// ∂(q² (3 - 2 q))/∂φ = 48 q (1 - q) |n_x n_y|; φ grows against t where n_x n_y > 0, so that the pull goes along t there.
 #[inline(never)]
 pub(super) fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Stiffening<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let Place { length_m, normal, .. } = place(motion, slot);
-            let line = motion.directions[0];
-            let (along, across) = (normal.dot(line), normal.dot(line.turned()));
-            let q = (T::from_f64(4.0) * along * along).min(T::one());
-            let share = (slot.end_stiffening * q * q).mul_add(T::from_f64(3.0) - (q + q), T::one());
-            let slope = slot.end_stiffening * T::from_f64(48.0) * q * (T::one() - q);
-            Stiffening { share, pull_1_m: slope * along * across / length_m }
-        },
-    )
+    let Place { length_m, normal, .. } = place(motion, slot);
+    let line = motion.directions[0];
+    let (along, across) = (normal.dot(line), normal.dot(line.turned()));
+    let q = (T::from_f64(4.0) * along * along).min(T::one());
+    let share = (slot.end_stiffening * q * q).mul_add(T::from_f64(3.0) - (q + q), T::one());
+    let slope = slot.end_stiffening * T::from_f64(48.0) * q * (T::one() - q);
+    Stiffening { share, pull_1_m: slope * along * across / length_m }
 }
 
 /// g = |w|² - c² and its derivatives; δ̈ from d²|w|²/dt² = 2(δ̇² + |w| δ̈). With v the pin's velocity seen from the slot and ω, α
@@ -144,22 +123,17 @@ pub(super) fn gap<T: Real>(
     acceleration_m_s2: Vec2<T>,
     spin_rate_rad_s2: T,
 ) -> GapMotion<T> {
-    T::vectorize(
-        #[inline(always)]
-        || {
-            let two = T::from_f64(2.0);
-            let Place { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, slot);
-            let (e, spin) = (motion.eccentricity_m, motion.spins_rad_s[0]);
-            let seen_m_s2 = acceleration_m_s2
-                .plus(e.turned(), -spin_rate_rad_s2)
-                .plus(e, spin.squared())
-                .plus(velocity_m_s.turned(), -(two * spin));
-            let along = off_rate_m_s.length_squared() + off_m.dot(seen_m_s2);
-            let speed = normal.dot(velocity_m_s);
-            GapMotion {
-                gap: [off_m.length_squared() - play.clearance_m.squared(), two * off_m.dot(velocity_m_s), two * along],
-                penetration_acceleration_m_s2: (along - speed * speed) / length_m,
-            }
-        },
-    )
+    let two = T::from_f64(2.0);
+    let Place { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, slot);
+    let (e, spin) = (motion.eccentricity_m, motion.spins_rad_s[0]);
+    let seen_m_s2 = acceleration_m_s2
+        .plus(e.turned(), -spin_rate_rad_s2)
+        .plus(e, spin.squared())
+        .plus(velocity_m_s.turned(), -(two * spin));
+    let along = off_rate_m_s.length_squared() + off_m.dot(seen_m_s2);
+    let speed = normal.dot(velocity_m_s);
+    GapMotion {
+        gap: [off_m.length_squared() - play.clearance_m.squared(), two * off_m.dot(velocity_m_s), two * along],
+        penetration_acceleration_m_s2: (along - speed * speed) / length_m,
+    }
 }

@@ -9,7 +9,7 @@ use super::kinematics::{Kinematics, Twist};
 use super::mobility::eliminate_free;
 use super::tree::Tree;
 use super::ways_on::{WaysOn, ways_on};
-use loosepin_math::{Dual, Real, solve_square};
+use loosepin_math::{Dual, solve_square};
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
 const NEWTON_STEPS: usize = 30;
@@ -176,14 +176,6 @@ impl<'a> IdealMotion<'a> {
 
     /// Newton's method for Φ(q, t) = 0 from the present coordinates.
     fn close(&mut self, time_s: f64) -> Result<(), SampleError> {
-        f64::vectorize(
-            #[inline(always)]
-            || self.close_here(time_s),
-        )
-    }
-
-    #[inline(always)]
-    fn close_here(&mut self, time_s: f64) -> Result<(), SampleError> {
         let tree = &self.mechanism.ideal;
         let n = tree.free;
         self.drives.take_pieces_at(self.held_s.unwrap_or(time_s));
@@ -231,14 +223,6 @@ impl<'a> IdealMotion<'a> {
     }
 
     fn set_rates_and_accelerations(&mut self) {
-        f64::vectorize(
-            #[inline(always)]
-            || self.set_rates_and_accelerations_here(),
-        );
-    }
-
-    #[inline(always)]
-    fn set_rates_and_accelerations_here(&mut self) {
         let tree = &self.mechanism.ideal;
         let (n, columns) = (tree.free, tree.coordinates());
         let mut matrix = std::mem::take(&mut self.matrix);

@@ -5,7 +5,6 @@ use crate::failure::RunFailure;
 use crate::gap::ContactStep;
 use crate::lane::LaneRun;
 use crate::reads::ReadLayout;
-use loosepin_math::Lanes;
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayGeometry, PlayShape, SliderBlock, SlotShape};
 use loosepin_mechanics::model::JointKind;
@@ -40,21 +39,21 @@ impl DepthLimit {
     }
 }
 
-impl<T: Lanes> Batch<'_, T> {
+impl Batch<'_> {
     /// No contact may be pressed deeper than [`DepthLimit`] allows, at the end of a step or, where it may be deepest, within.
     pub(super) fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
-        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let time_s = self.core.start_read(lane, ReadLayout::TIME);
         for (contact, limit) in run.depth_limits.iter().enumerate() {
-            let gap = self.core.equations.reads[self.core.layout.gap(contact)].lane(lane);
+            let gap = self.core.end_read(lane, self.core.pass.reads.gap(contact));
             if gap.is_nan() {
                 return Err(RunFailure::NotFinite { time_s });
             }
             let play = run.sample.play_of(contact);
             if let (PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }), Some(place)) =
-                (play.shape, self.core.layout.along(contact))
+                (play.shape, self.core.pass.reads.along(contact))
             {
-                let along_m = self.core.equations.reads[place].lane(lane);
+                let along_m = self.core.end_read(lane, place);
                 if !(ends_m[0] <= along_m && along_m <= ends_m[1]) {
                     return Err(RunFailure::BeyondGuide {
                         contact: self.mechanism.contact_name(contact),
@@ -73,10 +72,9 @@ impl<T: Lanes> Batch<'_, T> {
                 (true, true) => gap * gap,
                 (true, false) => measure.penetration_m(gap),
             };
-            if !is_beyond && is_notable && limit.is_of_law && self.core.equations.contact(lane, contact).0.contact > 0.0
-            {
+            if !is_beyond && is_notable && limit.is_of_law && self.core.contact(lane, contact).0.contact > 0.0 {
                 let (gap, time) = (self.gap(lane, contact), self.times(lane));
-                let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
+                let step = ContactStep { gap, time, step: self.core.step(lane), is_root };
                 depth_m = step.largest_penetration_m(measure);
                 if depth_m <= limit.penetration_m {
                     depth_m = 0.0;
@@ -91,13 +89,13 @@ impl<T: Lanes> Batch<'_, T> {
 
     /// Friction in ideal joints must have a solution at the end of a step.
     pub(super) fn check_joint_friction(&self, lane: usize) -> Result<(), RunFailure> {
-        for index in 0..self.core.layout.frictions() {
-            let residual = self.core.equations.reads[self.core.layout.friction(index)].lane(lane);
+        for index in 0..self.core.pass.reads.frictions() {
+            let residual = self.core.end_read(lane, self.core.pass.reads.friction(index));
             if !(residual <= LARGEST_RESIDUAL)
                 && let Some(run) = &self.runs[lane]
             {
                 let joint = run.sample.frictions[index].joint;
-                let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+                let time_s = self.core.start_read(lane, ReadLayout::TIME);
                 return Err(RunFailure::Jams { joint: self.mechanism.model.joints[joint.0].name.clone(), time_s });
             }
         }

@@ -12,6 +12,7 @@ pub(super) use seats::{Seat, Seated, Seats};
 
 use crate::column::{Arms, Reading};
 use crate::core::{Attempt, Core};
+use crate::execution::Execution;
 use crate::failure::RunFailure;
 use crate::gap::{ContactStep, GapJet};
 use crate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
@@ -23,11 +24,8 @@ use crate::reads::ReadLayout;
 use crate::report::{Counters, PlaySummary, RunReport};
 use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
-use loosepin_math::Lanes;
-use loosepin_math::integrate::Stepper;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
-use loosepin_tape::native::Level;
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
@@ -68,9 +66,9 @@ pub trait Queue {
 }
 
 /// The passes over all lanes.
-pub(super) struct Batch<'a, T> {
+pub(super) struct Batch<'a> {
     mechanism: &'a Mechanism,
-    core: Core<'a, T>,
+    core: Core<'a>,
     runs: Vec<Option<LaneRun>>,
     /// Equations on one lane at a time, for whoever looks inside a step.
     view: Motion<'a, f64>,
@@ -89,13 +87,13 @@ pub(super) struct Batch<'a, T> {
     is_root: Vec<bool>,
 }
 
-impl<'a, T: Lanes> Batch<'a, T> {
+impl<'a> Batch<'a> {
     /// Runs everything in `queue`.
     pub fn conduct(
         mechanism: &'a Mechanism,
         readings: &[Reading],
         settings: &Settings,
-        level: Option<Level>,
+        execution: Execution,
         queue: &mut dyn Seated,
     ) {
         let Some(first) = queue.next() else { return };
@@ -103,8 +101,8 @@ impl<'a, T: Lanes> Batch<'a, T> {
         let view = Motion::new(mechanism, &first.sample);
         let mut batch = Self {
             mechanism,
-            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings, level),
-            runs: (0..T::COUNT).map(|_| None).collect(),
+            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings, execution),
+            runs: (0..execution.lanes()).map(|_| None).collect(),
             view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
             view_state: vec![0.0; view.layout.length()],
             view,
@@ -128,7 +126,7 @@ impl<'a, T: Lanes> Batch<'a, T> {
 
     /// Puts waiting runs into the free lanes.
     fn refill(&mut self, queue: &mut dyn Seated) {
-        for lane in 0..T::COUNT {
+        for lane in 0..self.runs.len() {
             while self.runs[lane].is_none() {
                 let Some(run) = queue.next() else { break };
                 self.start(lane, run, queue);
@@ -225,10 +223,10 @@ impl<'a, T: Lanes> Batch<'a, T> {
         let restarts = std::mem::take(&mut self.restarts);
         self.restart(restarts);
         let attempt = self.core.attempt();
-        let per_attempt = self.core.stepper.evaluations_per_attempt();
+        let per_attempt = self.core.pass.stepper.evaluations_per_attempt();
         let mut accepted = 0;
         let mut events: [Option<Event>; 32] = [None; 32];
-        for lane in 0..T::COUNT {
+        for lane in 0..self.runs.len() {
             let Some(run) = &mut self.runs[lane] else { continue };
             run.counters.evaluations += per_attempt;
             let bit = 1 << lane;
@@ -239,13 +237,13 @@ impl<'a, T: Lanes> Batch<'a, T> {
                 continue;
             }
             let decision = if matches!(run.phase, Phase::Stepping) {
-                let passes_stop = self.core.equations.reads[ReadLayout::TIME].lane(lane) > run.stop_s;
+                let passes_stop = self.core.end_read(lane, ReadLayout::TIME) > run.stop_s;
                 if attempt.eventful & bit != 0 || passes_stop { self.decide(lane) } else { Decision::Accept(None) }
             } else {
                 self.decide(lane)
             };
             match decision {
-                Decision::Retry(step) => self.core.steps.set_lane(lane, step),
+                Decision::Retry(step) => self.core.set_step(lane, step),
                 Decision::SwitchAtStart(event) => {
                     if let Some(failure) = self.too_many_evaluations(lane) {
                         self.finish(lane, Err(failure), queue);
@@ -268,11 +266,11 @@ impl<'a, T: Lanes> Batch<'a, T> {
             return;
         }
         self.core.accept(accepted);
-        if self.core.equations.holds_loops() {
+        if self.view_projection.is_some() {
             self.restart(accepted);
         }
         self.core.close_accounts(accepted);
-        for lane in 0..T::COUNT {
+        for lane in 0..self.runs.len() {
             if accepted >> lane & 1 != 0 {
                 self.go_on(lane, events[lane], queue);
             }
@@ -283,7 +281,7 @@ impl<'a, T: Lanes> Batch<'a, T> {
     fn too_many_evaluations(&self, lane: usize) -> Option<RunFailure> {
         let limit = self.settings.largest_evaluations;
         let is_beyond = self.runs[lane].as_ref().is_some_and(|run| run.counters.evaluations > limit);
-        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let time_s = self.core.start_read(lane, ReadLayout::TIME);
         is_beyond.then_some(RunFailure::TooManyEvaluations { time_s, limit })
     }
 
@@ -291,7 +289,7 @@ impl<'a, T: Lanes> Batch<'a, T> {
     fn decide(&mut self, lane: usize) -> Decision {
         self.read_gaps(lane);
         let step = LaneStep {
-            step: self.core.steps.lane(lane),
+            step: self.core.step(lane),
             time: self.times(lane),
             gaps: &self.gaps,
             slidings_m_s: &self.slidings_m_s,
@@ -306,15 +304,15 @@ impl<'a, T: Lanes> Batch<'a, T> {
 
     /// Shortens the step after too large an error.
     fn reject(&mut self, lane: usize, queue: &mut dyn Seated) {
-        let error = self.core.errors.lane(lane);
-        let step = self.core.steps.lane(lane);
+        let error = self.core.error(lane);
+        let step = self.core.step(lane);
         let [time_s, pace, change] = self.times(lane)[0].jet;
         let friction = self.check_joint_friction(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         run.counters.rejections += 1;
         run.was_rejected = true;
         // An error that is not a number comes from a step far too long.
-        let factor = if error.is_finite() { self.core.growth.lane(lane).clamp(0.1, 0.9) } else { 0.1 };
+        let factor = if error.is_finite() { self.core.growth(lane).clamp(0.1, 0.9) } else { 0.1 };
         run.next = step * factor;
         let next_s = run.next * (pace + 0.5 * run.next * change).abs();
         let smallest_s = run.smallest_s.max(8.0 * f64::EPSILON * time_s);
@@ -342,9 +340,9 @@ impl<'a, T: Lanes> Batch<'a, T> {
         attempt: &Attempt,
         queue: &mut dyn Seated,
     ) -> Result<(), RunFailure> {
-        let step = self.core.steps.lane(lane);
-        let end_s = self.core.equations.reads[ReadLayout::TIME].lane(lane);
-        let start_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let step = self.core.step(lane);
+        let end_s = self.core.end_read(lane, ReadLayout::TIME);
+        let start_s = self.core.start_read(lane, ReadLayout::TIME);
         self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
         self.check_joint_friction(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
@@ -358,7 +356,7 @@ impl<'a, T: Lanes> Batch<'a, T> {
             self.note_penetrations(lane);
         }
         for (output, jets) in self.output_jets.iter_mut().enumerate() {
-            let [start, end] = self.core.jets(lane, self.core.layout.output(output));
+            let [start, end] = self.core.jets(lane, self.core.pass.reads.output(output));
             *jets = [start.jet, end.jet];
         }
         let time = self.times(lane);
@@ -385,19 +383,22 @@ impl<'a, T: Lanes> Batch<'a, T> {
     fn note_penetrations(&mut self, lane: usize) {
         let time = self.times(lane);
         for contact in 0..self.mechanism.contacts.len() {
-            let (state, is_root) = self.core.equations.contact(lane, contact);
+            let (state, is_root) = self.core.contact(lane, contact);
             if !(state.contact > 0.0) {
                 continue;
             }
             let gap = self.gap(lane, contact);
             let Some(run) = &mut self.runs[lane] else { return };
             let (numbers, summary) = (run.sample.play_of(contact), &mut run.contacts[contact]);
-            let step = ContactStep { gap, time, step: self.core.steps.lane(lane), is_root };
+            let step = ContactStep { gap, time, step: self.core.step(lane), is_root };
             let depth_m = step.largest_penetration_m(GapMeasure::of(numbers));
             summary.largest_penetration_m = summary.largest_penetration_m.max(depth_m);
-            let shares = self.core.layout.share(contact).map_or([1.0; 2], |place| {
-                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane))
-            });
+            let shares = self
+                .core
+                .pass
+                .reads
+                .share(contact)
+                .map_or([1.0; 2], |place| [self.core.start_read(lane, place), self.core.end_read(lane, place)]);
             summary.peak_force_n = summary.peak_force_n.max(step.largest_force_n(numbers, &state, shares));
             self.core.set_records(lane, contact, summary);
         }
@@ -405,9 +406,9 @@ impl<'a, T: Lanes> Batch<'a, T> {
 
     /// Closes the account of an accepted step and chooses the next one.
     fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) {
-        let step = self.core.steps.lane(lane);
-        let growth = self.core.growth.lane(lane);
-        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let step = self.core.step(lane);
+        let growth = self.core.growth(lane);
+        let time_s = self.core.start_read(lane, ReadLayout::TIME);
         let Some(run) = &mut self.runs[lane] else { return };
         run.counters.steps += 1;
         let was_searching = !matches!(run.phase, Phase::Stepping);
@@ -449,11 +450,11 @@ impl<'a, T: Lanes> Batch<'a, T> {
     }
 
     fn choose_step(&mut self, lane: usize) {
-        let time_s = self.core.stepper.start()[self.core.equations.motion.layout.time()].lane(lane);
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let time_s = self.core.state(lane, self.core.pass.layout.time());
+        let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
         if let Some(run) = &self.runs[lane] {
             let step = run.choose_step(time_s, pace);
-            self.core.steps.set_lane(lane, step);
+            self.core.set_step(lane, step);
         }
     }
 
@@ -472,7 +473,7 @@ impl<'a, T: Lanes> Batch<'a, T> {
             queue.finished(run.observer, outcome);
         }
         self.restarts &= !(1 << lane);
-        self.core.steps.set_lane(lane, 0.0);
+        self.core.set_step(lane, 0.0);
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {
@@ -480,16 +481,15 @@ impl<'a, T: Lanes> Batch<'a, T> {
     }
 
     fn gap(&self, lane: usize, contact: usize) -> [GapJet; 2] {
-        self.core.jets(lane, self.core.layout.gap(contact))
+        self.core.jets(lane, self.core.pass.reads.gap(contact))
     }
 
     fn read_gaps(&mut self, lane: usize) {
         for contact in 0..self.mechanism.contacts.len() {
-            let (state, is_root) = self.core.equations.contact(lane, contact);
+            let (state, is_root) = self.core.contact(lane, contact);
             self.gaps[contact] = self.gap(lane, contact);
-            let place = self.core.layout.sliding(contact);
-            self.slidings_m_s[contact] =
-                [&self.core.start, &self.core.equations.reads].map(|row| row[place].lane(lane));
+            let place = self.core.pass.reads.sliding(contact);
+            self.slidings_m_s[contact] = [self.core.start_read(lane, place), self.core.end_read(lane, place)];
             self.is_closed[contact] = state.contact > 0.0;
             self.is_root[contact] = is_root;
         }
@@ -497,36 +497,23 @@ impl<'a, T: Lanes> Batch<'a, T> {
 }
 
 /// Dense output of one lane.
-struct LaneDense<'s, 'a, T> {
-    core: &'s mut Core<'a, T>,
+struct LaneDense<'s, 'a> {
+    core: &'s mut Core<'a>,
     lane: usize,
     /// Evaluations that this lane's looks have cost.
     evaluations: u64,
 }
 
-impl<T: Lanes> DenseOutput for LaneDense<'_, '_, T> {
+impl DenseOutput for LaneDense<'_, '_> {
     fn interpolate(&mut self, share: f64, state: &mut [f64]) {
         if self.evaluations == 0 {
-            self.evaluations = self.core.stepper.evaluations_for_dense();
+            self.evaluations = self.core.pass.stepper.evaluations_for_dense();
             self.core.prepare_dense();
         }
-        let stepper: &Stepper<T> = &self.core.stepper;
-        if share <= 0.0 {
-            for (value, from) in state.iter_mut().zip(stepper.start()) {
-                *value = from.lane(self.lane);
-            }
-        } else if share >= 1.0 {
-            for (value, from) in state.iter_mut().zip(stepper.end()) {
-                *value = from.lane(self.lane);
-            }
-        } else {
-            stepper.interpolate_lane(self.lane, share, state);
-        }
-        // No negative zeros: see `Core::jets`.
-        state.iter_mut().for_each(|value| *value += 0.0);
+        self.core.interpolate(self.lane, share, state);
     }
 
     fn contact(&self, contact: usize) -> PlayState<f64> {
-        self.core.equations.contact(self.lane, contact).0
+        self.core.contact(self.lane, contact).0
     }
 }

@@ -6,7 +6,7 @@ use crate::gap::Crossing;
 use crate::lane::{Event, Phase};
 use crate::observer::{Onset, Separation};
 use crate::reads::ReadLayout;
-use loosepin_math::{Lanes, Real};
+use loosepin_math::Real;
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::GapMeasure;
@@ -19,11 +19,11 @@ const TOGETHER_TOLERANCES: f64 = 1e3;
 /// Share of the longest step below which time hardly moves.
 const STALLED_SHARE: f64 = 1e-7;
 
-impl<T: Lanes> Batch<'_, T> {
+impl Batch<'_> {
     /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
     pub(super) fn watch_stalling(&mut self, lane: usize) {
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
-        let step = self.core.steps.lane(lane);
+        let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
+        let step = self.core.step(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         let Some(contact) = run.root else { return };
         if step * pace.abs() > STALLED_SHARE * run.longest_s {
@@ -35,9 +35,9 @@ impl<T: Lanes> Batch<'_, T> {
             run.stalled = 0;
             run.next = STALLED_SHARE * run.longest_s;
             run.root = None;
-            let (state, _) = self.core.equations.contact(lane, contact);
+            let (state, _) = self.core.contact(lane, contact);
             self.core.set_contact(lane, contact, &state, false);
-            self.core.start[ReadLayout::TIME + 1].set_lane(lane, 1.0);
+            self.core.set_pace(lane, 1.0);
             self.restarts |= 1 << lane;
         }
     }
@@ -57,10 +57,10 @@ impl<T: Lanes> Batch<'_, T> {
         }
         run.phase = Phase::Stepping;
         run.stop_s = run.sample.next_break_s(time_s).min(run.window.end_s);
-        let place = self.core.equations.motion.layout.time();
-        self.core.stepper.start_mut()[place].set_lane(lane, time_s);
+        let place = self.core.pass.layout.time();
+        self.core.set_state(lane, place, time_s);
         if run.sample.take_pieces_at(time_s) {
-            self.core.equations.load(lane, &run.sample, &run.arms);
+            self.core.load_numbers(lane, &run.sample, &run.arms);
             // Whoever looks inside a step must see the new pieces.
             self.viewed = 0;
         }
@@ -81,10 +81,10 @@ impl<T: Lanes> Batch<'_, T> {
                 return self.choose_step(lane);
             }
         };
-        let time_s = self.core.start[ReadLayout::TIME].lane(lane);
+        let time_s = self.core.start_read(lane, ReadLayout::TIME);
         let speed_m_s = self.gap_rate_m_s(lane, contact);
-        let has_layout_root = self.core.equations.motion.layout.roots[contact].is_some();
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let has_layout_root = self.core.pass.layout.roots[contact].is_some();
+        let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
         let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, contact) } else { 0.0 };
         let is_with_another = crossing == Crossing::Onset && self.begins_with_another(lane, contact);
         let Some(run) = &mut self.runs[lane] else { return };
@@ -136,7 +136,7 @@ impl<T: Lanes> Batch<'_, T> {
         self.restarts |= 1 << lane;
         // The root begins at zero, and the time with it; without any root it goes on evenly.
         if has_root || is_even {
-            self.core.start[ReadLayout::TIME + 1].set_lane(lane, f64::from(u8::from(!has_root)));
+            self.core.set_pace(lane, f64::from(u8::from(!has_root)));
         }
         self.choose_step(lane);
     }
@@ -148,7 +148,7 @@ impl<T: Lanes> Batch<'_, T> {
         let measure = GapMeasure::of(run.sample.play_of(contact));
         self.mechanism.contacts_of(self.mechanism.contacts[contact].play).any(|other| {
             let value = self.gap(lane, other)[0].jet[0];
-            let is_root = self.core.equations.contact(lane, other).1;
+            let is_root = self.core.contact(lane, other).1;
             let penetration_m = if is_root { value * value } else { measure.penetration_m(value) };
             other != contact && penetration_m.abs() < near_m
         })
@@ -164,12 +164,9 @@ impl<T: Lanes> Batch<'_, T> {
             self.viewed = run.number;
             self.view.dynamics.sample_mut().clone_from(&run.sample);
         }
-        for (value, from) in self.view_state.iter_mut().zip(self.core.stepper.start()) {
-            // No negative zeros: see `Core::jets`.
-            *value = from.lane(lane) + 0.0;
-        }
+        self.core.interpolate(lane, 0.0, &mut self.view_state);
         for (index, state) in self.view.states.iter_mut().enumerate() {
-            *state = self.core.equations.contact(lane, index).0;
+            *state = self.core.contact(lane, index).0;
         }
         let time_s = self.view_state[self.view.layout.time()];
         self.view.evaluate(time_s, &self.view_state);
@@ -179,10 +176,10 @@ impl<T: Lanes> Batch<'_, T> {
     /// δ̇ at the start of the step.
     pub(super) fn gap_rate_m_s(&self, lane: usize, contact: usize) -> f64 {
         let [value, slope, _] = self.gap(lane, contact)[0].jet;
-        if self.core.equations.contact(lane, contact).1 {
+        if self.core.contact(lane, contact).1 {
             return 2.0 * slope;
         }
-        let pace = self.core.start[ReadLayout::TIME + 1].lane(lane);
+        let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
         let Some(run) = &self.runs[lane] else { return 0.0 };
         slope / (GapMeasure::of(run.sample.play_of(contact)).rate_share(value) * pace)
     }

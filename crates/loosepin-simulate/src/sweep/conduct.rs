@@ -2,10 +2,9 @@
 
 use super::turns::TurnsRecorder;
 use crate::{
-    Arms, Column, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Turns, Window, columns,
-    conduct, input, period_turns, section_sizes,
+    Arms, Column, Execution, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Turns, Window,
+    columns, conduct, input, period_turns, section_sizes,
 };
-use loosepin_math::Vectors;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{QuantityId, SetValues, SettingRange};
 use loosepin_result::simulation::Override;
@@ -156,7 +155,7 @@ impl SweepRuns<'_> {
         stop: &AtomicBool,
     ) -> Vec<(usize, SweepPoint)> {
         let mut queue = SweepQueue { runs: self, taken, finished, heard, stop, points: Vec::new() };
-        conduct(self.mechanism, &[], &self.plan.settings, Vectors::best(), &mut queue);
+        conduct(self.mechanism, &[], &self.plan.settings, Execution::best(), &mut queue);
         queue.points
     }
 

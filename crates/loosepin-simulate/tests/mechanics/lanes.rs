@@ -1,11 +1,10 @@
 //! Runs on lanes against runs alone: the same bits, whatever the instructions, the lane, the neighbours and the order.
 
-use loosepin_math::Vectors;
 use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::{
-    Arms, Counters, EquationPrograms, Observer, Onset, Queue, Reading, Run, RunFailure, RunReport, Separation,
+    Arms, Counters, Execution, Observer, Onset, PassPrograms, Queue, Reading, Run, RunFailure, RunReport, Separation,
     Settings, Step, Window, columns, conduct,
 };
 use loosepin_tape::native::OperationCounts;
@@ -116,9 +115,9 @@ impl Queue for Waiting<'_> {
     }
 }
 
-fn conducted(case: &Case, order: Vec<usize>, turns: f64, vectors: Vectors, settings: &Settings) -> Vec<Seen> {
+fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, settings: &Settings) -> Vec<Seen> {
     let mut waiting = Waiting { case, order, turns, seen: vec![Seen::default(); RUNS] };
-    conduct(&case.mechanism, &case.readings, settings, vectors, &mut waiting);
+    conduct(&case.mechanism, &case.readings, settings, execution, &mut waiting);
     waiting.seen
 }
 
@@ -154,15 +153,14 @@ fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set()
         let forward: Vec<usize> = (0..RUNS).collect();
         let backward: Vec<usize> = (0..RUNS).rev().collect();
         let settings = Settings::for_study();
-        let alone = conducted(&case, forward.clone(), turns, Vectors::None, &settings);
+        let alone = conducted(&case, forward.clone(), turns, Execution::Scalar, &settings);
         assert!(alone.iter().all(|seen| seen.steps.len() > 3), "{name}: the runs are long enough to tell something");
         assert!(alone.iter().any(|seen| !seen.contacts.is_empty()), "{name}: there is contact");
-        for vectors in Vectors::available() {
-            for (order, machine_code) in [(&forward, true), (&backward, true), (&backward, false)] {
-                let settings = Settings { machine_code, ..settings };
-                let together = conducted(&case, order.clone(), turns, vectors, &settings);
+        for execution in Execution::available() {
+            for order in [&forward, &backward] {
+                let together = conducted(&case, order.clone(), turns, execution, &settings);
                 for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
-                    assert_eq!(one, other, "{name}, run {index}, {}, machine code {machine_code}", vectors.name());
+                    assert_eq!(one, other, "{name}, run {index}, {}", execution.name());
                 }
             }
         }
@@ -217,17 +215,16 @@ fn identity_every_contact_law_keeps_the_energy_account_and_its_bits_in_lanes() {
     for contact in contacts() {
         let case = slider_crank_with(&contact);
         let order: Vec<usize> = (0..RUNS).collect();
-        let alone = conducted(&case, order.clone(), TURNS, Vectors::None, &settings);
+        let alone = conducted(&case, order.clone(), TURNS, Execution::Scalar, &settings);
         assert!(alone.iter().all(|seen| seen.contacts.len() > 1), "{contact}\nhas no contact");
         for seen in &alone {
             let residual = seen.report.as_ref().and_then(|report| report.energy).expect("a report").relative_residual();
             assert!(residual < ENERGY_RESIDUAL, "{contact}\nhas a residual of {residual:e}");
         }
-        for machine_code in [true, false] {
-            let settings = Settings { machine_code, ..settings };
-            let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
+        for execution in [Execution::best(), Execution::Interpreted] {
+            let together = conducted(&case, order.clone(), TURNS, execution, &settings);
             for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
-                assert_eq!(one, other, "{contact}\nrun {index}, machine code {machine_code}");
+                assert_eq!(one, other, "{contact}\nrun {index}, {}", execution.name());
             }
         }
     }
@@ -248,16 +245,15 @@ fn identity_films_of_oil_keep_the_energy_account_and_their_bits_in_lanes() {
         let friction = "friction = { coefficient = 0.06 }";
         let case = slider_crank_with(&format!("{STEEL}\n{friction}\nfilm = {{ {film}, roughness = \"9 um\" }}"));
         let order: Vec<usize> = (0..RUNS).collect();
-        let alone = conducted(&case, order.clone(), TURNS, Vectors::None, &settings);
+        let alone = conducted(&case, order.clone(), TURNS, Execution::Scalar, &settings);
         for seen in &alone {
             let residual = seen.report.as_ref().and_then(|report| report.energy).expect("a report").relative_residual();
             assert!(seen.steps.len() > 3 && residual < ENERGY_RESIDUAL, "{film}\nhas a residual of {residual:e}");
         }
-        for machine_code in [true, false] {
-            let settings = Settings { machine_code, ..settings };
-            let together = conducted(&case, order.clone(), TURNS, Vectors::best(), &settings);
+        for execution in [Execution::best(), Execution::Interpreted] {
+            let together = conducted(&case, order.clone(), TURNS, execution, &settings);
             for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
-                assert_eq!(one, other, "{film}\nrun {index}, machine code {machine_code}");
+                assert_eq!(one, other, "{film}\nrun {index}, {}", execution.name());
             }
         }
     }
@@ -269,7 +265,7 @@ fn identity_a_run_is_not_changed_by_who_looks_at_it() {
     let mut counters: Vec<Vec<Option<RunReport>>> = Vec::new();
     for readings in [case.readings.clone(), Vec::new()] {
         let case = Case { mechanism: case.mechanism.clone(), readings, turn_s: case.turn_s };
-        let seen = conducted(&case, (0..RUNS).collect(), 0.03, Vectors::best(), &Settings::for_study());
+        let seen = conducted(&case, (0..RUNS).collect(), 0.03, Execution::best(), &Settings::for_study());
         counters.push(seen.into_iter().map(|seen| seen.report).collect());
     }
     assert_eq!(counters[0], counters[1]);
@@ -313,9 +309,10 @@ fn pinned_operations_of_the_slider_crank() {
     let Case { mechanism, readings, .. } = case("slider_crank_5000");
     let nominal = mechanism.model.quantities.nominal();
     let sample = Sample::new(&mechanism, &nominal).expect("nominal");
-    let programs = EquationPrograms::new(&mechanism, &sample, &Arms::new(&mechanism, &nominal), &readings[..1]);
-    let EquationPrograms { slope, end, projection } = programs.expect("the law has a straight line");
-    assert!(projection.is_none(), "no loop of ideal joints is to be held");
+    let arms = Arms::new(&mechanism, &nominal);
+    let programs = PassPrograms::new(&mechanism, &sample, &arms, &readings[..1], &Settings::for_study());
+    let PassPrograms { slope, end, hold_loops, .. } = programs;
+    assert!(hold_loops.is_none(), "no loop of ideal joints is to be held");
     let expected = OperationCounts {
         multiply_adds: 51,
         additions: 27,

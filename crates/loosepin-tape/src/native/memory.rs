@@ -9,7 +9,8 @@ use memmap2::{Mmap, MmapMut};
 
 use super::assemble::Code;
 use super::error::NativeError;
-use super::program::{Program, check_length};
+use super::evaluate::check_length;
+use super::program::Program;
 use super::translate::{KernelSize, translate};
 use super::{LARGEST_BLOCKS, Level};
 

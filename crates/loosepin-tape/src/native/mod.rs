@@ -2,7 +2,7 @@
 //!
 //! A [`Graph`] is written down once, by the methods that the equations are made of; a [`Program`] is what some outputs need
 //! of it; a [`Kernel`] is the program as machine code for x86-64 processors, and does in one call for all lanes what
-//! [`Program::evaluate`] does one lane and one operation at a time, with the same bits. Where no machine code can be run,
+//! [`Program::evaluate`] does one operation at a time, with the same bits. Where no machine code can be run,
 //! compiling is an error and evaluating is the way.
 //!
 //! The compiler is a line of phases, each a file: order the operations (`schedule`), write them as instructions on values
@@ -38,6 +38,7 @@ mod assemble;
 mod counts;
 mod encode;
 mod error;
+mod evaluate;
 mod graph;
 mod instruction;
 mod level;

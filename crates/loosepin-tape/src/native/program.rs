@@ -4,10 +4,7 @@ use std::collections::BTreeSet;
 
 use super::error::NativeError;
 use super::graph::{Graph, Value};
-use super::node::{BinaryOperation, MaskOperation, Node, NodeIndex, Slot, UnaryOperation};
-
-/// Lanes that [`Program::evaluate`] does together, so that looking up an operation is paid once for all of them.
-const LANES_AT_ONCE: usize = 8;
+use super::node::{BinaryOperation, Node, NodeIndex, Slot, UnaryOperation};
 
 /// The operations that some outputs need, in an order in which they can be done, and where the outputs go.
 ///
@@ -69,101 +66,6 @@ impl Program {
     /// How many operations the program has; reading inputs and constants is none.
     pub fn operations(&self) -> usize {
         self.nodes.iter().filter(|node| !node.is_leaf()).count()
-    }
-
-    /// Runs the program on plain `f64` numbers, with the same bits as machine code (except for which of the numbers
-    /// "not a number" a result is). `scratch` is work space, which grows to what is needed and can be used again.
-    ///
-    /// # Errors
-    ///
-    /// [`NativeError::TooFewBlocks`] and [`NativeError::BlockTooShort`].
-    pub fn evaluate(&self, lanes: usize, blocks: &mut [&mut [f64]], scratch: &mut Vec<f64>) -> Result<(), NativeError> {
-        if blocks.len() < self.values_per_block.len() {
-            return Err(NativeError::TooFewBlocks { given: blocks.len(), needed: self.values_per_block.len() });
-        }
-        for (block, (numbers, &values)) in blocks.iter().zip(&self.values_per_block).enumerate() {
-            check_length(block, numbers, values, lanes)?;
-        }
-        let mut lane = 0;
-        while lane + LANES_AT_ONCE <= lanes {
-            self.evaluate_lanes::<LANES_AT_ONCE>(lane, lanes, blocks, scratch);
-            lane += LANES_AT_ONCE;
-        }
-        for lane in lane..lanes {
-            self.evaluate_lanes::<1>(lane, lanes, blocks, scratch);
-        }
-        Ok(())
-    }
-
-    /// Runs the program for `N` lanes from `first` on.
-    fn evaluate_lanes<const N: usize>(
-        &self,
-        first: usize,
-        lanes: usize,
-        blocks: &mut [&mut [f64]],
-        scratch: &mut Vec<f64>,
-    ) {
-        scratch.resize(self.nodes.len() * N, 0.0);
-        let (values, _) = scratch.as_chunks_mut::<N>();
-        let place = |slot: Slot| slot.index as usize * lanes + first;
-        for (index, node) in self.nodes.iter().enumerate() {
-            let (earlier, rest) = values.split_at_mut(index);
-            rest[0] = match *node {
-                Node::Input(slot) => {
-                    let numbers = &blocks[usize::from(slot.block)][place(slot)..];
-                    std::array::from_fn(|lane| numbers[lane])
-                }
-                _ => evaluate_node(*node, earlier),
-            };
-        }
-        for &(slot, node) in &self.outputs {
-            let from = place(slot);
-            blocks[usize::from(slot.block)][from..from + N].copy_from_slice(&values[node as usize]);
-        }
-    }
-}
-
-/// Refuses `numbers` that are fewer than `values` of so many `lanes`.
-pub(super) fn check_length(block: usize, numbers: &[f64], values: usize, lanes: usize) -> Result<(), NativeError> {
-    if numbers.len() < values * lanes {
-        return Err(NativeError::BlockTooShort { block, given: numbers.len(), needed: values * lanes });
-    }
-    Ok(())
-}
-
-/// The result of a node that is no input, from those of the nodes before; a mask is 1 where it holds, else 0.
-fn evaluate_node<const N: usize>(node: Node, values: &[[f64; N]]) -> [f64; N] {
-    let value = |index: NodeIndex| &values[index as usize];
-    let mask = |holds: bool| f64::from(u8::from(holds));
-    match node {
-        Node::Input(_) => [f64::NAN; N],
-        Node::Constant(bits) => [f64::from_bits(bits); N],
-        Node::Unary { operation, operand } => value(operand).map(|number| operation.apply(number)),
-        Node::Binary { operation, left, right } => {
-            let (left, right) = (value(left), value(right));
-            std::array::from_fn(|lane| operation.apply(left[lane], right[lane]))
-        }
-        Node::MulAdd { first, second, addend, signs } => {
-            let (first, second, addend) = (value(first), value(second), value(addend));
-            std::array::from_fn(|lane| signs.apply(first[lane], second[lane], addend[lane]))
-        }
-        Node::LessThan { left, right, is_negated } => {
-            let (left, right) = (value(left), value(right));
-            std::array::from_fn(|lane| mask((left[lane] < right[lane]) != is_negated))
-        }
-        Node::Always(answer) => [mask(answer); N],
-        Node::MaskBinary { operation, left, right } => {
-            let (left, right) = (value(left), value(right));
-            match operation {
-                MaskOperation::And => std::array::from_fn(|lane| left[lane] * right[lane]),
-                MaskOperation::Or => std::array::from_fn(|lane| left[lane].max(right[lane])),
-            }
-        }
-        Node::MaskNot { mask } => value(mask).map(|holds| 1.0 - holds),
-        Node::Select { mask, chosen, otherwise } => {
-            let (mask, chosen, otherwise) = (value(mask), value(chosen), value(otherwise));
-            std::array::from_fn(|lane| if mask[lane] != 0.0 { chosen[lane] } else { otherwise[lane] })
-        }
     }
 }
 

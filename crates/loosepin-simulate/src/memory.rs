@@ -1,0 +1,198 @@
+//! The numbers of all lanes while a batch runs, in blocks: what the arithmetic of a step reads and writes.
+
+use loosepin_math::integrate::StepRows;
+
+/// How many blocks there are.
+pub const BLOCKS: usize = 8;
+
+/// A block of the memory; the number is that of the block in a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Block {
+    /// Numbers of the sample and of the points of bodies.
+    Numbers,
+    /// What belongs to a lane or to one of its contacts: [`LaneLayout`].
+    Lane,
+    /// State at the start of the step.
+    Start,
+    /// Slopes and dense output: [`StepRows::stages`].
+    Stages,
+    /// Where the slope is evaluated next.
+    Point,
+    /// State at the end of the step.
+    End,
+    /// What was read at the start of the step: [`ReadLayout`].
+    StartReads,
+    /// What was read where it was read last, mostly at the end of the step.
+    EndReads,
+}
+
+/// Where everything is in [`Block::Lane`].
+#[derive(Debug, Clone, Copy)]
+pub struct LaneLayout {
+    contacts: usize,
+    tolerances: usize,
+}
+
+impl LaneLayout {
+    /// The step to be tried.
+    pub const STEP: usize = 0;
+    /// 1 in the lanes that what comes next is for, else 0.
+    pub const CHOSEN: usize = 1;
+    /// Error of the last attempt over what is allowed.
+    pub const ERROR: usize = 2;
+    /// 1 where an event may lie in the last attempt.
+    pub const EVENTFUL: usize = 3;
+    /// 1 where a penetration or a contact force of the last attempt may be a record of its run.
+    pub const NOTABLE: usize = 4;
+    /// Mechanical energy at the start of the run, J.
+    pub const ENERGY_AT_START: usize = 5;
+    /// Kinetic energy at the start of the run, J, where it is read.
+    pub const KINETIC_AT_START: usize = 6;
+    /// Largest residual of the energy account so far, J.
+    pub const LARGEST_RESIDUAL: usize = 7;
+    /// Largest exchange of the energy account so far, J.
+    pub const LARGEST_EXCHANGE: usize = 8;
+    /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
+    /// penetration is an unknown; then the records of its run.
+    const PER_CONTACT: usize = 6;
+    /// Within the numbers of a contact: whether the root is an unknown.
+    pub const HAS_ROOT: usize = 3;
+    /// Within the numbers of a contact: its largest penetration so far, m.
+    pub const DEEPEST: usize = 4;
+    /// Within the numbers of a contact: its largest normal force so far, N.
+    pub const STRONGEST: usize = 5;
+
+    /// For so many contacts and so many tolerances.
+    pub fn new(contacts: usize, tolerances: usize) -> Self {
+        Self { contacts, tolerances }
+    }
+
+    /// Where the numbers of a contact begin.
+    pub fn contact(contact: usize) -> usize {
+        Self::LARGEST_EXCHANGE + 1 + Self::PER_CONTACT * contact
+    }
+
+    /// Where the tolerances of the unknowns are.
+    pub fn tolerances(&self) -> std::ops::Range<usize> {
+        let first = Self::contact(self.contacts);
+        first..first + self.tolerances
+    }
+
+    /// Length of the block.
+    pub fn length(&self) -> usize {
+        self.tolerances().end
+    }
+}
+
+/// The blocks of one lane as numbers of any kind, or those of all lanes.
+pub type Blocks<'m, T> = [&'m mut [T]; BLOCKS];
+
+/// The blocks by what they hold.
+pub struct Named<'m, T> {
+    /// [`Block::Lane`].
+    pub lane: &'m mut [T],
+    /// The numbers of a step.
+    pub rows: StepRows<'m, T>,
+    /// [`Block::StartReads`].
+    pub start_reads: &'m mut [T],
+    /// [`Block::EndReads`].
+    pub end_reads: &'m mut [T],
+}
+
+impl<'m, T> Named<'m, T> {
+    /// Names `blocks`.
+    pub fn new(blocks: Blocks<'m, T>) -> Self {
+        let [_, lane, start, stages, point, end, start_reads, end_reads] = blocks;
+        Self { lane, rows: StepRows { start, end, point, stages }, start_reads, end_reads }
+    }
+}
+
+/// Numbers of a cache line, on which every block begins.
+const LINE: usize = 8;
+
+/// The blocks of all lanes: number i of lane l is at `i * lanes + l` of its block.
+pub struct Memory {
+    lanes: usize,
+    numbers: Vec<f64>,
+    /// Where each block begins, and where it ends.
+    places: [std::ops::Range<usize>; BLOCKS],
+}
+
+impl Memory {
+    /// Zeros for so many numbers in each block.
+    pub fn new(lanes: usize, lengths: [usize; BLOCKS]) -> Self {
+        let whole = lengths.iter().map(|length| (length * lanes).next_multiple_of(LINE)).sum::<usize>();
+        let numbers = vec![0.0; whole + LINE];
+        let mut next = numbers.as_ptr().align_offset(LINE * size_of::<f64>()).min(LINE);
+        let places = lengths.map(|length| {
+            let first = next;
+            next += (length * lanes).next_multiple_of(LINE);
+            first..first + length * lanes
+        });
+        Self { lanes, numbers, places }
+    }
+
+    /// How many lanes there are.
+    pub fn lanes(&self) -> usize {
+        self.lanes
+    }
+
+    /// Number `index` of a block in a lane.
+    #[inline]
+    pub fn get(&self, block: Block, index: usize, lane: usize) -> f64 {
+        self.numbers[self.places[block as usize].start + index * self.lanes + lane]
+    }
+
+    /// Replaces number `index` of a block in a lane.
+    #[inline]
+    pub fn set(&mut self, block: Block, index: usize, lane: usize, value: f64) {
+        self.numbers[self.places[block as usize].start + index * self.lanes + lane] = value;
+    }
+
+    /// One number of a block in all lanes.
+    #[inline]
+    pub fn of_all_lanes(&self, block: Block, index: usize) -> &[f64] {
+        let first = self.places[block as usize].start + index * self.lanes;
+        &self.numbers[first..first + self.lanes]
+    }
+
+    /// All blocks.
+    #[inline]
+    pub fn blocks(&mut self) -> Blocks<'_, f64> {
+        let mut rest = &mut self.numbers[..];
+        let mut passed = 0;
+        std::array::from_fn(|block| {
+            let place = &self.places[block];
+            let (before, behind) = std::mem::take(&mut rest).split_at_mut(place.end - passed);
+            rest = behind;
+            let first = place.start - passed;
+            passed = place.end;
+            &mut before[first..]
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_blocks_begin_on_cache_lines_and_do_not_overlap() {
+        let lengths = [3, 1, 0, 7, 2, 5, 4, 9];
+        for lanes in [1, 16] {
+            let mut memory = Memory::new(lanes, lengths);
+            for (number, block) in memory.blocks().into_iter().enumerate() {
+                assert_eq!(block.len(), lengths[number] * lanes);
+                assert_eq!(block.as_ptr().align_offset(64), 0, "block {number}");
+                block.fill(number as f64);
+            }
+            memory.set(Block::Stages, 6, lanes - 1, 0.3);
+            for (number, block) in memory.blocks().into_iter().enumerate() {
+                let others = block.iter().filter(|value| **value != number as f64).count();
+                assert_eq!(others, usize::from(number == Block::Stages as usize), "block {number}");
+            }
+            assert_eq!(memory.get(Block::Stages, 6, lanes - 1), 0.3);
+            assert_eq!(memory.of_all_lanes(Block::Stages, 6)[lanes - 1], 0.3);
+        }
+    }
+}

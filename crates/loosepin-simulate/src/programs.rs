@@ -1,0 +1,253 @@
+//! What a pass does with a lane, written down: the equations of a mechanism and the arithmetic of a step, evaluated once on
+//! [`Traced`] numbers.
+
+use super::column::{Arms, Reading};
+use super::memory::{BLOCKS, Block, LaneLayout, Named};
+use super::motion::Motion;
+use super::pass::{Pass, play_state};
+use super::projection::Projection;
+use super::settings::Settings;
+use loosepin_math::Real;
+use loosepin_math::integrate::System;
+use loosepin_mechanics::dynamics::DepthRoot;
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_tape::native::{Graph, Program, Slot, Value};
+use loosepin_tape::trace::{Traced, record};
+
+/// A pass as straight-line programs on the blocks of [`Block`]: what machine code is made of, to be counted and timed.
+#[derive(Debug, Clone)]
+pub struct PassPrograms {
+    /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`].
+    pub slope: Program,
+    /// The same, and what is read at an end of a step.
+    pub end: Program,
+    /// The points of a step at which the slope is evaluated, one after the other; the last one is its end.
+    pub points: Vec<Program>,
+    /// The error of a step, and what may have happened in it.
+    pub judgement: Program,
+    /// The further points of the dense output.
+    pub dense_points: Vec<Program>,
+    /// The dense output.
+    pub dense: Program,
+    /// What was evaluated last becomes that of the start of the step.
+    pub take_evaluation: Program,
+    /// The end of the step becomes the start of the next one.
+    pub accept: Program,
+    /// The state held on the loops of ideal joints, where there are any.
+    pub hold_loops: Option<Program>,
+    /// The energy account of a step.
+    pub account: Program,
+}
+
+impl PassPrograms {
+    /// Writes down what a batch does for runs of `mechanism` with the laws of `sample`. Numbers that are 0 or ±1 are taken into the
+    /// programs.
+    pub fn new(
+        mechanism: &Mechanism,
+        sample: &Sample<f64>,
+        arms: &Arms,
+        readings: &[Reading],
+        settings: &Settings,
+    ) -> Self {
+        let pass = Pass::new(mechanism, sample, readings.len(), settings);
+        let fixed = fixed(sample, arms);
+        let lengths = pass.block_lengths(fixed.len());
+        Tracing { mechanism, sample, arms, readings, fixed: &fixed, pass: &pass, lengths }.programs()
+    }
+}
+
+/// All numbers that the programs may read: those of the sample, then the points of the bodies.
+pub fn numbers(sample: &Sample<f64>, arms: &Arms) -> Vec<f64> {
+    let mut numbers = sample.numbers();
+    numbers.extend(arms.numbers());
+    numbers
+}
+
+/// By number: its value where the programs are to know it.
+pub fn fixed(sample: &Sample<f64>, arms: &Arms) -> Vec<Option<f64>> {
+    numbers(sample, arms).into_iter().map(|value| (value == 0.0 || value.abs() == 1.0).then_some(value)).collect()
+}
+
+/// What is written down.
+pub struct Tracing<'t> {
+    /// The mechanism.
+    pub mechanism: &'t Mechanism,
+    /// Its numbers; laws and exponents are taken from here.
+    pub sample: &'t Sample<f64>,
+    /// Where the points of bodies are.
+    pub arms: &'t Arms,
+    /// What is read at the ends of steps.
+    pub readings: &'t [Reading],
+    /// By number of [`Block::Numbers`]: its value where the programs are to know it.
+    pub fixed: &'t [Option<f64>],
+    /// The arithmetic.
+    pub pass: &'t Pass,
+    /// How many numbers a lane has in each block.
+    pub lengths: [usize; BLOCKS],
+}
+
+impl Tracing<'_> {
+    /// Writes all programs down.
+    pub fn programs(&self) -> PassPrograms {
+        let [slope, end] = [false, true].map(|with_reads| self.equations(with_reads));
+        let (points, judgement) = self.attempt();
+        let (dense_points, dense) = self.dense();
+        let hold_loops = Projection::<Traced>::is_needed(self.mechanism).then(|| {
+            self.written(|blocks| {
+                let (mut motion, _) = self.motion();
+                self.pass.hold_loops(blocks, &mut motion, &mut Projection::new(self.mechanism));
+            })
+        });
+        PassPrograms {
+            slope,
+            end,
+            points,
+            judgement,
+            dense_points,
+            dense,
+            take_evaluation: self.written(|blocks| self.pass.take_evaluation(blocks)),
+            accept: self.written(|blocks| self.pass.accept(blocks)),
+            hold_loops,
+            account: self.written(|blocks| self.pass.close_account(blocks)),
+        }
+    }
+
+    /// The slope of the state in [`Block::Point`], and the reads of an end of a step.
+    fn equations(&self, with_reads: bool) -> Program {
+        let (graph, outputs) = record(|| {
+            let (mut motion, arms) = self.motion();
+            let mut memory = self.inputs();
+            let [_, _, _, slope, point, _, _, reads] = &mut memory;
+            slope.fill(Traced::zero());
+            motion.derivative(point, slope);
+            let mut outputs = outputs(Block::Stages, &slope[..self.pass.layout.length()]);
+            if with_reads {
+                motion.read(self.readings, &arms, reads);
+                outputs.extend(self::outputs(Block::EndReads, reads));
+            }
+            outputs
+        });
+        program(&graph, &outputs)
+    }
+
+    /// The points of a step, and what is said of it.
+    fn attempt(&self) -> (Vec<Program>, Program) {
+        let (graph, (points, judgement)) = record(|| {
+            let (sample, _) = self.numbers();
+            let mut memory = self.inputs();
+            let mut blocks = Named::new(memory.each_mut().map(|block| &mut block[..]));
+            let mut points = Points::default();
+            self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
+            self.pass.look_at_gaps(&sample, &mut blocks);
+            let places = [LaneLayout::ERROR, LaneLayout::EVENTFUL, LaneLayout::NOTABLE];
+            (points.0, places.map(|place| (slot(Block::Lane, place), blocks.lane[place].value())))
+        });
+        (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &judgement))
+    }
+
+    /// The further points of the dense output, and the dense output.
+    fn dense(&self) -> (Vec<Program>, Program) {
+        let (graph, (points, dense)) = record(|| {
+            let mut memory = self.inputs();
+            let mut points = Points::default();
+            let Named { lane, mut rows, .. } = Named::new(memory.each_mut().map(|block| &mut block[..]));
+            self.pass.prepare_dense(&mut rows, lane, &mut points);
+            (points.0, changes(&memory, &self.inputs()))
+        });
+        (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &dense))
+    }
+
+    /// What `work` does with the blocks.
+    fn written(&self, work: impl FnOnce(&mut Named<'_, Traced>)) -> Program {
+        let (graph, outputs) = record(|| {
+            let mut memory = self.inputs();
+            work(&mut Named::new(memory.each_mut().map(|block| &mut block[..])));
+            changes(&memory, &self.inputs())
+        });
+        program(&graph, &outputs)
+    }
+
+    /// All blocks as they are before a program runs.
+    fn inputs(&self) -> [Vec<Traced>; BLOCKS] {
+        let mut block = 0;
+        self.lengths.map(|length| {
+            block += 1;
+            (0..length).map(|index| Traced::input(Slot { block: block - 1, index: index as u32 })).collect()
+        })
+    }
+
+    /// The numbers of the sample and of the points as inputs.
+    fn numbers(&self) -> (Sample<Traced>, Arms<Traced>) {
+        let mut index = 0;
+        let mut next = |number: &mut Traced| {
+            *number = match self.fixed[index] {
+                Some(value) => Traced::from_f64(value),
+                None => Traced::input(slot(Block::Numbers, index)),
+            };
+            index += 1;
+        };
+        let mut sample = Sample::broadcast(self.sample);
+        sample.visit(&mut next);
+        let mut arms = Arms::broadcast(self.arms);
+        arms.visit(&mut next);
+        (sample, arms)
+    }
+
+    /// The equations with their numbers and contacts as inputs; and the points of the bodies.
+    fn motion(&self) -> (Motion<'_, Traced>, Arms<Traced>) {
+        let (sample, arms) = self.numbers();
+        let mut motion = Motion::new(self.mechanism, &sample);
+        for (contact, (state, unknowns)) in motion.states.iter_mut().zip(&mut motion.unknowns).enumerate() {
+            let place = LaneLayout::contact(contact);
+            let of_lane: Vec<Traced> =
+                (0..=LaneLayout::HAS_ROOT).map(|k| Traced::input(slot(Block::Lane, place + k))).collect();
+            *state = play_state(&of_lane);
+            if let Some(root) = &mut unknowns.root {
+                *root = DepthRoot { is_unknown: of_lane[LaneLayout::HAS_ROOT], root: root.root };
+            }
+        }
+        (motion, arms)
+    }
+}
+
+/// Notes the points at which slopes are asked for. Those are computed by a program of their own and are inputs here.
+#[derive(Default)]
+struct Points(Vec<Vec<(Slot, Value)>>);
+
+impl System<Traced> for Points {
+    fn derivative(&mut self, state: &[Traced], _slope: &mut [Traced]) {
+        self.0.push(outputs(Block::Point, state));
+    }
+
+    fn derivative_at_end(&mut self, state: &[Traced], _slope: &mut [Traced]) {
+        self.0.push(outputs(Block::End, state));
+    }
+}
+
+fn slot(block: Block, index: usize) -> Slot {
+    Slot { block: block as u8, index: index as u32 }
+}
+
+fn outputs(block: Block, values: &[Traced]) -> Vec<(Slot, Value)> {
+    values.iter().enumerate().map(|(index, value)| (slot(block, index), value.value())).collect()
+}
+
+/// All numbers of `memory` that are not what they were.
+fn changes(memory: &[Vec<Traced>; BLOCKS], inputs: &[Vec<Traced>; BLOCKS]) -> Vec<(Slot, Value)> {
+    let mut changes = Vec::new();
+    for (block, (numbers, inputs)) in memory.iter().zip(inputs).enumerate() {
+        for (index, (number, input)) in numbers.iter().zip(inputs).enumerate() {
+            if number.value() != input.value() {
+                changes.push((Slot { block: block as u8, index: index as u32 }, number.value()));
+            }
+        }
+    }
+    changes
+}
+
+fn program(graph: &Graph, outputs: &[(Slot, Value)]) -> Program {
+    match Program::new(graph, outputs) {
+        Ok(program) => program,
+        Err(error) => unreachable!("each output has its own slot: {error}"),
+    }
+}
