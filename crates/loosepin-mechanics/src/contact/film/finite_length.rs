@@ -2,8 +2,8 @@
 
 use super::motion::{FilmForce, FilmMotion};
 use super::ocvirk::OcvirkFilm;
+use super::pressure::{FilmBearing, FilmPressure};
 use super::reynolds::Reynolds;
-use super::{FilmBearing, FilmDescription, FilmLaw, FilmPressure};
 use loosepin_math::{Real, factor_ldl, sin_cos, solve_ldl};
 
 /// κ, from which on a bearing counts as long: κ Λ² against 1 + X.
@@ -49,13 +49,13 @@ pub struct FiniteLengthFilm<T> {
 }
 
 impl FiniteLengthFilm<f64> {
-    /// How model files know it.
-    pub const DESCRIPTION: FilmDescription = FilmDescription {
-        name: "finite-length",
-        source: "own solution of the Reynolds equation for any length: half-Sommerfeld, after Gümbel 1914",
-        thinnest_share: THINNEST_SHARE,
-        law: |bearing| FilmLaw::FiniteLength(Self::new(bearing)),
-    };
+    /// The name used in model files, in kebab case.
+    pub const NAME: &'static str = "finite-length";
+    /// Author, year, and what it assumes.
+    pub const SOURCE: &'static str =
+        "own solution of the Reynolds equation for any length: half-Sommerfeld, after Gümbel 1914";
+    /// The thinnest film that it holds for, as a share of the clearance.
+    pub const THINNEST_SHARE: f64 = THINNEST_SHARE;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

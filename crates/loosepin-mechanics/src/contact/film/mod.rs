@@ -1,7 +1,7 @@
 //! Films of oil in a revolute joint with clearance.
 //!
-//! One film a file: a struct over [`Real`] that implements [`FilmPressure`], its `DESCRIPTION`, and one line in the list at the end
-//! of this file. [`Film`] adds what all of them share: the moments, the cap of the eccentricity, and the fading in dry contact.
+//! One film a file: a struct over [`Real`] that implements [`FilmPressure`], its `NAME`, `SOURCE` and `THINNEST_SHARE`, and one line
+//! in the list at the end of this file. [`Film`] adds what all of them share: the moments, the cap of the eccentricity, and the fading in dry contact.
 
 mod axial;
 mod finite_length;
@@ -9,6 +9,7 @@ mod motion;
 mod ocvirk;
 mod ocvirk_printed;
 mod pinkus_sternlicht;
+mod pressure;
 mod reynolds;
 #[cfg(test)]
 mod tests;
@@ -18,44 +19,9 @@ pub use motion::{FilmForce, FilmMotion};
 pub use ocvirk::OcvirkFilm;
 pub use ocvirk_printed::OcvirkPrintedFilm;
 pub use pinkus_sternlicht::PinkusSternlichtFilm;
+pub use pressure::{FilmBearing, FilmPressure};
 
 use loosepin_math::Real;
-
-/// The numbers of a film's pressure and its equation: what the equations of motion evaluate.
-pub trait FilmPressure<T: Real>: Sized {
-    /// F_r and F_t on the journal, N; zero where nothing moves (ε̇ = wε = 0).
-    fn force(&self, motion: &FilmMotion<T>) -> FilmForce<T>;
-
-    /// Shows every number.
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T));
-}
-
-/// A bearing full of oil.
-#[derive(Debug, Clone, Copy)]
-pub struct FilmBearing {
-    /// Viscosity μ of the oil, Pa s.
-    pub viscosity_pa_s: f64,
-    /// Radius R of the bearing, m.
-    pub radius_m: f64,
-    /// Length L of the bearing, m.
-    pub length_m: f64,
-    /// Radial clearance c, m.
-    pub clearance_m: f64,
-    /// The thinnest film h_min, m: the height of the roughness. Below c.
-    pub roughness_m: f64,
-}
-
-impl FilmBearing {
-    /// M = μ R L³/c², N s: the factor of infinitely short films.
-    pub fn short_factor_n_s(&self) -> f64 {
-        self.viscosity_pa_s * self.radius_m * self.length_m.powi(3) / (self.clearance_m * self.clearance_m)
-    }
-
-    /// M = μ L R³/c², N s: the factor of infinitely long films.
-    pub fn long_factor_n_s(&self) -> f64 {
-        self.viscosity_pa_s * self.length_m * self.radius_m.powi(3) / (self.clearance_m * self.clearance_m)
-    }
-}
 
 /// A film as model files, help and reports know it.
 #[derive(Debug, Clone, Copy)]
@@ -192,7 +158,12 @@ macro_rules! film_laws {
         }
 
         /// Every film.
-        pub static FILM_LAWS: &[FilmDescription] = &[$($film::<f64>::DESCRIPTION),*];
+        pub static FILM_LAWS: &[FilmDescription] = &[$(FilmDescription {
+            name: $film::NAME,
+            source: $film::SOURCE,
+            thinnest_share: $film::THINNEST_SHARE,
+            law: |bearing| FilmLaw::$variant($film::new(bearing)),
+        }),*];
 
         impl<T: Real> FilmLaw<T> {
             /// The same numbers in every lane.

@@ -1,7 +1,7 @@
 //! Ocvirk's film, its positive half wherever that is.
 
 use super::motion::{FilmForce, FilmMotion};
-use super::{FilmBearing, FilmDescription, FilmLaw, FilmPressure};
+use super::pressure::{FilmBearing, FilmPressure};
 use loosepin_math::{Real, arctangent};
 
 /// Infinitely short bearing (Ocvirk 1953; method, section 2.4), the positive half of its pressure: with h = 1 + ε cos θ, θ from the
@@ -22,13 +22,12 @@ pub struct OcvirkFilm<T> {
 }
 
 impl OcvirkFilm<f64> {
-    /// How model files know it.
-    pub const DESCRIPTION: FilmDescription = FilmDescription {
-        name: "ocvirk",
-        source: "Ocvirk 1953, infinitely short, the positive half of the film from atan2(2ε̇, wε)",
-        thinnest_share: 0.0,
-        law: |bearing| FilmLaw::Ocvirk(Self::new(bearing)),
-    };
+    /// The name used in model files, in kebab case.
+    pub const NAME: &'static str = "ocvirk";
+    /// Author, year, and what it assumes.
+    pub const SOURCE: &'static str = "Ocvirk 1953, infinitely short, the positive half of the film from atan2(2ε̇, wε)";
+    /// The thinnest film that it holds for, as a share of the clearance.
+    pub const THINNEST_SHARE: f64 = 0.0;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

@@ -1,7 +1,7 @@
 //! Ocvirk's film as it is printed.
 
 use super::motion::{FilmForce, FilmMotion};
-use super::{FilmBearing, FilmDescription, FilmLaw, FilmPressure};
+use super::pressure::{FilmBearing, FilmPressure};
 use loosepin_math::Real;
 
 /// β: where |wε| is below this times |ε̇|, the jump of F_t is spread out.
@@ -22,13 +22,12 @@ pub struct OcvirkPrintedFilm<T> {
 }
 
 impl OcvirkPrintedFilm<f64> {
-    /// How model files know it.
-    pub const DESCRIPTION: FilmDescription = FilmDescription {
-        name: "ocvirk-printed",
-        source: "Ocvirk 1953, infinitely short, the half of the film that the rotation loads",
-        thinnest_share: 0.0,
-        law: |bearing| FilmLaw::OcvirkPrinted(Self::new(bearing)),
-    };
+    /// The name used in model files, in kebab case.
+    pub const NAME: &'static str = "ocvirk-printed";
+    /// Author, year, and what it assumes.
+    pub const SOURCE: &'static str = "Ocvirk 1953, infinitely short, the half of the film that the rotation loads";
+    /// The thinnest film that it holds for, as a share of the clearance.
+    pub const THINNEST_SHARE: f64 = 0.0;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

@@ -1,7 +1,7 @@
 //! The infinitely long film of Pinkus and Sternlicht.
 
 use super::motion::{FilmForce, FilmMotion};
-use super::{FilmBearing, FilmDescription, FilmLaw, FilmPressure};
+use super::pressure::{FilmBearing, FilmPressure};
 use loosepin_math::Real;
 
 /// Infinitely long bearing with squeeze (Pinkus and Sternlicht 1961; method, section 2.4, with its corrected sign). With
@@ -23,13 +23,12 @@ pub struct PinkusSternlichtFilm<T> {
 }
 
 impl PinkusSternlichtFilm<f64> {
-    /// How model files know it.
-    pub const DESCRIPTION: FilmDescription = FilmDescription {
-        name: "pinkus-sternlicht",
-        source: "Pinkus and Sternlicht 1961, infinitely long with squeeze, half-Sommerfeld",
-        thinnest_share: 0.0,
-        law: |bearing| FilmLaw::PinkusSternlicht(Self::new(bearing)),
-    };
+    /// The name used in model files, in kebab case.
+    pub const NAME: &'static str = "pinkus-sternlicht";
+    /// Author, year, and what it assumes.
+    pub const SOURCE: &'static str = "Pinkus and Sternlicht 1961, infinitely long with squeeze, half-Sommerfeld";
+    /// The thinnest film that it holds for, as a share of the clearance.
+    pub const THINNEST_SHARE: f64 = 0.0;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

@@ -1,0 +1,60 @@
+//! The normal force laws as model files, help and reports know them.
+
+use super::line::{LINE_LAWS, LineLaw};
+use super::linear::{LINEAR_LAWS, LinearLaw};
+use super::point::{POINT_LAWS, PointLaw};
+
+/// A normal force law as model files, help and reports know it, by where its numbers come from.
+#[derive(Debug, Clone, Copy)]
+pub enum NormalDescription {
+    /// K from the materials or given with its exponent, χ from the restitution.
+    Point(&'static dyn PointLaw),
+    /// K given, D given or from the restitution and the masses that meet.
+    Linear(&'static dyn LinearLaw),
+    /// From the materials, the radii and the length of the bearing; χ from the restitution by a point-contact law.
+    Line(&'static dyn LineLaw),
+}
+
+impl NormalDescription {
+    /// Every law: point contact, linear, line contact.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let points = POINT_LAWS.iter().map(|law| Self::Point(*law));
+        let linear = LINEAR_LAWS.iter().map(|law| Self::Linear(*law));
+        points.chain(linear).chain(LINE_LAWS.iter().map(|law| Self::Line(*law)))
+    }
+
+    /// The name used in model files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Point(law) => law.name(),
+            Self::Linear(law) => law.name(),
+            Self::Line(law) => law.name(),
+        }
+    }
+
+    /// Author, year and equation.
+    pub fn source(&self) -> &'static str {
+        match self {
+            Self::Point(law) => law.source(),
+            Self::Linear(law) => law.source(),
+            Self::Line(law) => law.source(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::point_law;
+
+    #[test]
+    fn names_of_laws_differ_and_defaults_exist() {
+        let mut names: Vec<&str> = NormalDescription::all().map(|law| law.name()).collect();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), count);
+        assert!(LINE_LAWS.iter().all(|law| point_law(law.default_damping()).is_some()));
+        assert!(NormalDescription::all().all(|law| law.source().contains(|c: char| c.is_ascii_digit() || c == ':')));
+    }
+}

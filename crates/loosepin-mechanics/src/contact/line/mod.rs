@@ -1,0 +1,28 @@
+//! Line-contact laws of a cylinder in a cylinder: the list, and one law a file.
+
+mod bai_zhao;
+mod dubowsky_freudenstein;
+mod esdu;
+mod johnson;
+mod law;
+mod liu;
+mod logarithmic;
+mod pair;
+mod pereira;
+mod radzimovsky;
+#[cfg(test)]
+pub(super) mod static_table;
+
+pub use law::LineLaw;
+pub use pair::LinePair;
+
+/// Every line-contact law: the logarithmic ones, then those that hold for every penetration.
+pub static LINE_LAWS: &[&dyn LineLaw] = &[
+    &johnson::Johnson,
+    &esdu::Esdu78035,
+    &dubowsky_freudenstein::DubowskyFreudenstein,
+    &radzimovsky::Radzimovsky,
+    &liu::Liu,
+    &bai_zhao::BaiZhao,
+    &pereira::Pereira,
+];

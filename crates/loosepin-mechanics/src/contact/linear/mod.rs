@@ -1,0 +1,14 @@
+//! Linear laws, `F_N = K δ + D δ̇`: the list, and one law a file.
+
+mod anagnostopoulos;
+#[cfg(test)]
+mod delivered;
+mod exact_linear_restitution;
+mod kelvin_voigt;
+mod law;
+
+pub use law::LinearLaw;
+
+/// Every linear law.
+pub static LINEAR_LAWS: &[&dyn LinearLaw] =
+    &[&kelvin_voigt::KelvinVoigt, &anagnostopoulos::Anagnostopoulos, &exact_linear_restitution::ExactLinearRestitution];
