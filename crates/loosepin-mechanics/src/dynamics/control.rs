@@ -1,28 +1,9 @@
 //! Actuators of controls in the equations of motion.
 
+use super::element_force::ActuatorForce;
 use super::equations::Dynamics;
 use crate::model::FeedForward;
 use loosepin_math::{Real, Vec2};
-
-/// What a control reads and what its actuator does.
-#[derive(Debug, Clone, Copy)]
-pub struct ActuatorForce<T> {
-    /// The reference, rad or m.
-    pub reference: T,
-    /// Reference minus coordinate of the measured joint, rad or m.
-    pub error: T,
-    /// Torque on the journal's body, N m, or force on the slider along the guide, N; the other body gets the opposite.
-    pub effort: T,
-    /// Force on the slider, N, in the ground's frame; zero for a revolute joint.
-    pub on_second_n: Vec2<T>,
-}
-
-impl<T: Real> ActuatorForce<T> {
-    /// Of no evaluation yet.
-    pub fn none() -> Self {
-        Self { reference: T::zero(), error: T::zero(), effort: T::zero(), on_second_n: Vec2::zero() }
-    }
-}
 
 impl<T: Real> Dynamics<'_, T> {
     /// Actuators at the last evaluation, in the order of the controls of the model.

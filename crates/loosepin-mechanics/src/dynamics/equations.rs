@@ -1,10 +1,9 @@
 //! Mass matrix, forces and accelerations.
 
-use super::contact::{ContactForce, ContactUnknowns, GapMotion};
-use super::control::ActuatorForce;
+use super::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
+use super::element_force::{ActuatorForce, LoadForce};
 use super::inverse::InverseDynamics;
 use super::joint_friction::JointFrictions;
-use super::load::LoadForce;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::mechanism::{

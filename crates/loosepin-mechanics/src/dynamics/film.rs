@@ -1,6 +1,6 @@
 //! A film of oil between pin and hole (method, section 2.4).
 
-use super::contact::ContactForce;
+use super::contact_motion::ContactForce;
 use super::play::PlayMotion;
 use crate::contact::Film;
 use loosepin_math::{Real, Vec2};

@@ -1,6 +1,6 @@
 //! A spring with its damper along the line between two points.
 
-use super::spring::SpringForce;
+use super::element_force::SpringForce;
 use crate::mechanism::{Kinematics, SpringGeometry};
 use loosepin_math::Real;
 

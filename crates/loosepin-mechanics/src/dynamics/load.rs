@@ -1,22 +1,10 @@
 //! Loads in the equations of motion.
 
+use super::element_force::LoadForce;
 use super::equations::Dynamics;
 use crate::mechanism::JointPlace;
 use crate::model::{Course, LoadKind};
 use loosepin_math::{Real, Vec2};
-
-/// What a load does to its body.
-#[derive(Debug, Clone, Copy)]
-pub struct LoadForce<T> {
-    /// Slot of the body.
-    pub slot: usize,
-    /// Point of attack from the origin of the body, m, in the ground's frame.
-    pub arm_m: Vec2<T>,
-    /// Force, N, in the ground's frame.
-    pub force_n: Vec2<T>,
-    /// Torque, N m.
-    pub torque_n_m: T,
-}
 
 impl<T: Real> Dynamics<'_, T> {
     /// Loads at the last evaluation, in the order of the model.

@@ -4,8 +4,10 @@
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
 mod contact;
+mod contact_motion;
 mod control;
 mod corner;
+mod element_force;
 mod energy;
 mod equations;
 mod film;
@@ -21,10 +23,8 @@ mod spring;
 mod torsional_spring;
 
 pub use crate::contact::PlayState;
-pub use contact::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion};
-pub use control::ActuatorForce;
+pub use contact_motion::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion};
+pub use element_force::{ActuatorForce, LoadForce, SpringForce};
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
-pub use load::LoadForce;
 pub use play::PlayMotion;
-pub use spring::SpringForce;

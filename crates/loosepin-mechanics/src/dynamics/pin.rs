@@ -1,6 +1,6 @@
 //! A pin in a hole: the one contact of a revolute joint with clearance ([SC16] eqs. 1-7; method, section 2).
 
-use super::contact::{ContactMotion, GapMotion, Sliding};
+use super::contact_motion::{ContactMotion, GapMotion, Sliding};
 use super::play::PlayMotion;
 use crate::mechanism::PlayGeometry;
 use crate::model::SlidingVelocity;

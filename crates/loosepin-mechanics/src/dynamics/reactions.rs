@@ -1,6 +1,6 @@
 //! Forces in the joints, ideal ones included.
 
-use super::contact::ContactMotion;
+use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
 use crate::mechanism::{Attachment, CutKind, acceleration_at, turned_by};
 use crate::model::JointId;

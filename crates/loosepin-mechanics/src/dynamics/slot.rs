@@ -13,7 +13,7 @@
 //! The functions stand out of line: not every mechanism has them, and the compiler takes many times as long for an evaluation that
 //! holds them all.
 
-use super::contact::{ContactMotion, GapMotion, Sliding};
+use super::contact_motion::{ContactMotion, GapMotion, Sliding};
 use super::play::PlayMotion;
 use crate::mechanism::{PlayGeometry, SlotShape};
 use loosepin_math::{Real, Vec2};

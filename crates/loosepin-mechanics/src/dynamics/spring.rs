@@ -1,25 +1,11 @@
 //! Springs with their dampers in the equations of motion.
 
+use super::element_force::SpringForce;
 use super::equations::Dynamics;
 use super::linear_spring::linear_spring;
 use super::torsional_spring::torsional_spring;
 use crate::model::SpringKind;
-use loosepin_math::{Real, Vec2};
-
-/// What a spring does to its two bodies.
-#[derive(Debug, Clone, Copy)]
-pub struct SpringForce<T> {
-    /// Its ends from the origins of the bodies, m, in the ground's frame.
-    pub arms_m: [Vec2<T>; 2],
-    /// Force on the second body, N, in the ground's frame; the first gets the opposite.
-    pub on_second_n: Vec2<T>,
-    /// Torque on the second body, N m; the first gets the opposite.
-    pub moment_on_second_n_m: T,
-    /// Stored energy, J.
-    pub stored_j: T,
-    /// Power that the damper turns into heat, W.
-    pub damping_loss_w: T,
-}
+use loosepin_math::Real;
 
 impl<T: Real> Dynamics<'_, T> {
     /// The force of spring `index` of the model at the last state that was set.

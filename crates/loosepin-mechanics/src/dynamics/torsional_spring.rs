@@ -1,6 +1,6 @@
 //! A spring with its damper against the angle between two bodies.
 
-use super::spring::SpringForce;
+use super::element_force::SpringForce;
 use crate::mechanism::{Kinematics, SpringGeometry};
 use loosepin_math::{Real, Vec2};
 

@@ -1,9 +1,8 @@
 //! The numbers of controls, and the open chain along which torques are fed forward.
 
-use super::Mechanism;
 use super::error::MechanismError;
 use super::geometry::Geometry;
-use super::joint_coordinate::{JointGeometry, JointPlace};
+use super::joint_geometry::JointGeometry;
 use super::load::CourseNumbers;
 use super::tree::Tree;
 use crate::model::{Control, FeedForward, JointId, Model, QuantityId, Values};
@@ -116,11 +115,3 @@ impl KnownChain {
 pub(super) const HAS_LOOPS: &str = "the mechanism has closed loops or couplings";
 /// Why there is no chain.
 pub(super) const HAS_FREE_JOINTS: &str = "not every joint is driven or controlled";
-
-impl Mechanism {
-    /// Places of the actuator's joint and of the measured joint of each control in the real tree.
-    pub fn control_places(&self) -> Vec<[JointPlace; 2]> {
-        let place = |joint| JointPlace::new(&self.model, &self.real, joint);
-        self.model.controls.iter().map(|control| [place(control.joint), place(control.measured)]).collect()
-    }
-}

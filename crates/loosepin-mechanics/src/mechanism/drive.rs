@@ -1,6 +1,6 @@
 //! The motions that drives prescribe: position, velocity and acceleration of the driven coordinates.
 
-use super::table::TableMotion;
+use super::table::{AtTime, TableMotion, TablePiece};
 use crate::model::{DriveId, DriveLaw, Model, QuantityId, Values};
 use loosepin_math::{Dual, Real};
 use std::sync::Arc;
@@ -78,10 +78,15 @@ impl<T: Real> DriveMotion<T> {
             DriveLaw::Table { points, is_periodic } => {
                 let points = points.iter().map(|[time, value]| [number(*time), number(*value)]).collect();
                 let table = TableMotion::new(points, *is_periodic);
-                table.piece(table.index(time_s))
+                Self::piece(table.piece(table.index(time_s)))
             }
             DriveLaw::Function(function) => Self::Function(function.parameters.iter().map(|id| number(*id)).collect()),
         }
+    }
+
+    /// The motion within a piece of a table.
+    fn piece(piece: TablePiece<T>) -> Self {
+        Self::Polynomial { origin_s: piece.origin_s, coefficients: piece.coefficients.to_vec() }
     }
 
     /// Position, velocity and acceleration at `time_s`; `room` holds the steps of the function, where `law` is one.
@@ -228,7 +233,7 @@ impl Drives<f64> {
     /// Puts every table into the piece that holds `time_s`. True where there are tables.
     pub fn take_pieces_at(&mut self, time_s: f64) -> bool {
         for (index, table) in &self.schedule.tables {
-            self.motions[*index] = table.piece(table.index(time_s));
+            self.motions[*index] = DriveMotion::piece(table.piece(table.index(time_s)));
         }
         self.has_pieces()
     }
@@ -319,23 +324,5 @@ fn steps(law: &DriveLaw) -> usize {
     match law {
         DriveLaw::Function(function) => function.steps(),
         _ => 0,
-    }
-}
-
-/// Numbers that tell at which time they are, for finding the piece of a table.
-pub trait AtTime: Real {
-    /// The plain value.
-    fn plain(self) -> f64;
-}
-
-impl AtTime for f64 {
-    fn plain(self) -> f64 {
-        self
-    }
-}
-
-impl AtTime for Dual<f64> {
-    fn plain(self) -> f64 {
-        self.value
     }
 }

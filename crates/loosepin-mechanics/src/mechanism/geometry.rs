@@ -1,8 +1,9 @@
 //! The numbers of one sample, laid out for a tree: arms, angles, masses.
 
-use super::coupling::CouplingGeometry;
+use super::coupling_geometry::CouplingGeometry;
+use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree, points_of};
-use crate::model::{JointId, JointKind, Model, PointId, QuantityId, Values};
+use crate::model::{JointId, JointKind, Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2};
 
 /// Numbers of a link of the tree.
@@ -154,23 +155,6 @@ impl<T: Real> Geometry<T> {
             }
         }
     }
-}
-
-/// Cosine and sine of an angle.
-pub(super) fn direction<T: Real>(angle_rad: T) -> Vec2<T> {
-    let (sine, cosine) = angle_rad.sin_cos();
-    Vec2::new(cosine, sine)
-}
-
-/// Position of a point in its body's frame, m.
-pub fn point_m<T: Real>(model: &Model, values: &Values, point: PointId) -> Vec2<T> {
-    numbered_point_m(model, &|id| T::from_f64(values[id]), point)
-}
-
-/// Position of a point in its body's frame, m, from the numbers that `number` gives.
-pub fn numbered_point_m<T: Real>(model: &Model, number: &dyn Fn(QuantityId) -> T, point: PointId) -> Vec2<T> {
-    let [x, y] = model.bodies[point.body.0].points[point.point].position_m;
-    Vec2::new(number(x), number(y))
 }
 
 /// The joint that attaches a link, and its direction.

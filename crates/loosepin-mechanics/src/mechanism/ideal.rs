@@ -1,6 +1,6 @@
 //! The ideal motion: positions, velocities and accelerations with every clearance at zero.
 
-use super::Mechanism;
+use super::compile::Mechanism;
 use super::constraints::{self, Opening};
 use super::drive::{Drives, TimeDual, room};
 use super::error::SampleError;
@@ -70,7 +70,7 @@ impl<'a> IdealMotion<'a> {
             right_hand_side: vec![0.0; n],
             room: vec![Dual::constant(Dual::constant(0.0)); room(&mechanism.model)],
             pivot_ratio: 1.0,
-            rows: mechanism.ideal_rows.clone(),
+            rows: mechanism.ideal_rows().to_vec(),
         };
         motion.close(0.0)?;
         motion.set_rates_and_accelerations();

@@ -4,40 +4,10 @@
 //! s = d·e of the slider along the guide, d the direction of its line and e from the guide's point to the slider's; a pin in a
 //! slot likewise.
 
-use super::geometry::numbered_point_m;
+use super::joint_geometry::JointGeometry;
 use super::kinematics::{Kinematics, acceleration_at, moved};
-use super::tree::{Tree, points_of};
-use crate::model::{JointId, JointKind, Model, QuantityId};
+use super::tree::{JointPlace, Tree};
 use loosepin_math::{Real, Vec2};
-
-/// Where a joint is in a tree.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct JointPlace {
-    /// Slots of bearing and journal, or of guide and slider.
-    pub slots: [usize; 2],
-    /// Whether its coordinate is a position along a line: of a prismatic joint or a slot.
-    pub is_prismatic: bool,
-}
-
-impl JointPlace {
-    /// The place of `joint` in `tree`.
-    pub fn new(model: &Model, tree: &Tree, joint: JointId) -> Self {
-        let kind = &model.joints[joint.0].kind;
-        Self {
-            slots: points_of(kind).map(|point| tree.slot_of_body[point.body.0]),
-            is_prismatic: matches!(kind, JointKind::Prismatic { .. } | JointKind::Slot { .. }),
-        }
-    }
-}
-
-/// Numbers of a joint of which the coordinate is read.
-#[derive(Debug, Clone, Copy)]
-pub struct JointGeometry<T> {
-    /// Its points in the frames of its two bodies, m.
-    pub arms_m: [Vec2<T>; 2],
-    /// Direction of the line of a prismatic joint in the frame of the guide; zero for a revolute one.
-    pub line: Vec2<T>,
-}
 
 /// Motion of the slider of a prismatic joint against its guide, in the ground's frame.
 #[derive(Debug, Clone, Copy)]
@@ -48,38 +18,6 @@ struct Sliding<T> {
 }
 
 impl<T: Real> JointGeometry<T> {
-    /// Of no joint.
-    pub fn none() -> Self {
-        Self { arms_m: [Vec2::zero(); 2], line: Vec2::zero() }
-    }
-
-    /// Lays out the numbers that `number` gives for the quantities of `joint`.
-    pub fn new(model: &Model, joint: JointId, number: &dyn Fn(QuantityId) -> T) -> Self {
-        let kind = &model.joints[joint.0].kind;
-        Self {
-            arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
-            line: match kind {
-                JointKind::Prismatic { guide_angle_rad: line_rad, .. }
-                | JointKind::Slot { slot_angle_rad: line_rad, .. } => {
-                    let (sine, cosine) = number(*line_rad).sin_cos();
-                    Vec2::new(cosine, sine)
-                }
-                _ => Vec2::zero(),
-            },
-        }
-    }
-
-    /// The same numbers in every lane.
-    pub fn broadcast(from: &JointGeometry<f64>) -> Self {
-        Self { arms_m: from.arms_m.map(Vec2::from_f64), line: Vec2::from_f64(from.line) }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.arms_m.iter_mut().for_each(|arm| arm.visit(visit));
-        self.line.visit(visit);
-    }
-
     #[inline(always)]
     fn sliding(&self, [i, j]: [usize; 2], kinematics: &Kinematics<T>) -> Sliding<T> {
         let poses = &kinematics.poses;

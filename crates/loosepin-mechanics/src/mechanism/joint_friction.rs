@@ -1,6 +1,6 @@
 //! The numbers of friction in ideal joints.
 
-use super::geometry::point_m;
+use super::points::point_m;
 use super::tree::points_of;
 use crate::contact::FrictionLaw;
 use crate::model::{JointId, JointKind, Model, Values};

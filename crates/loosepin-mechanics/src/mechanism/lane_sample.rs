@@ -2,7 +2,7 @@
 
 use super::contact_place::{PlayShape, SliderBlock, SlotShape};
 use super::control::ControlGeometry;
-use super::coupling::CouplingGeometry;
+use super::coupling_geometry::CouplingGeometry;
 use super::drive::Drives;
 use super::geometry::{CutGeometry, Geometry, LinkGeometry};
 use super::joint_friction::JointFriction;

@@ -1,7 +1,7 @@
 //! The numbers of loads.
 
-use super::geometry::point_m;
-use super::joint_coordinate::JointGeometry;
+use super::joint_geometry::JointGeometry;
+use super::points::point_m;
 use crate::model::{Course, Load, LoadKind, Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2, sin_cos};
 

@@ -5,240 +5,51 @@
 
 mod assembly;
 mod cam;
+mod compile;
 mod complaint;
 pub mod constraints;
 mod contact_place;
 mod control;
 mod coupling;
+mod coupling_geometry;
 mod drive;
 mod error;
+mod gap_measure;
 mod geometry;
 mod ideal;
 mod initial;
 mod joint_coordinate;
 mod joint_friction;
+mod joint_geometry;
 mod kinematics;
 mod lane_sample;
 mod load;
 mod mobility;
 mod pieces;
+mod points;
 mod sample;
 mod spring;
+mod start;
 mod table;
 mod tree;
 mod ways_on;
 
+pub use compile::Mechanism;
 pub use constraints::RowOwner;
-pub use contact_place::{ContactPlace, GapMeasure, PlayShape, SliderBlock, SlotShape};
+pub use contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
 pub use control::{ControlGeometry, KnownChain};
-pub use coupling::{CouplingGeometry, CouplingNumbers};
+pub use coupling_geometry::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
-pub use geometry::{CutGeometry, Geometry, LinkGeometry, numbered_point_m, point_m};
+pub use gap_measure::GapMeasure;
+pub use geometry::{CutGeometry, Geometry, LinkGeometry};
 pub use ideal::IdealMotion;
-pub use joint_coordinate::{JointGeometry, JointPlace};
 pub use joint_friction::JointFriction;
+pub use joint_geometry::JointGeometry;
 pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use load::{CourseNumbers, LoadGeometry};
+pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};
-pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, Link, Tree, bodies_of, points_of};
+pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree, bodies_of, points_of};
 pub use ways_on::WaysOn;
-
-use crate::model::{BodyId, JointId, Model, Values};
-use initial::StartEquations;
-use loosepin_math::Vec2;
-use mobility::Mobility;
-
-/// A compiled mechanism: topology and nominal start, no state. Many runs share one.
-#[derive(Debug, Clone)]
-pub struct Mechanism {
-    /// The model it was compiled from.
-    pub model: Model,
-    /// The tree in which every joint is ideal.
-    pub ideal: Tree,
-    /// The tree in which joints with play are force elements.
-    pub real: Tree,
-    /// Joints with play, in file order.
-    pub plays: Vec<JointId>,
-    /// Places where the bodies of joints with play may touch, joint by joint.
-    pub contacts: Vec<ContactPlace>,
-    /// Largest distance of two points of one body, m: the size against which lengths are judged.
-    pub size_m: f64,
-    /// Degrees of freedom with all clearances at zero.
-    pub degrees_of_freedom: usize,
-    /// Degrees of freedom that move dynamically: those that play opens, without the driven ones.
-    pub dynamic_freedoms: usize,
-    /// Joints and couplings that repeat what others impose already, with the number of their redundant constraints.
-    pub redundant: Vec<(RowOwner, usize)>,
-    /// Angles of all bodies of the model in the other configurations that close the loops at the start, rad.
-    pub other_assemblies_rad: Vec<Vec<f64>>,
-    /// Along what its controls feed inverse dynamics forward.
-    pub known_chain: Option<KnownChain>,
-    /// Coordinates of the ideal tree at the start of the nominal mechanism.
-    ideal_start: Vec<f64>,
-    /// Independent constraint rows of the ideal tree.
-    ideal_rows: Vec<usize>,
-}
-
-impl Mechanism {
-    /// Compiles `model` with `values`: which joints have play is decided by their clearances there.
-    ///
-    /// # Errors
-    /// See [`MechanismError`].
-    pub fn new(model: &Model, values: &Values) -> Result<Self, MechanismError> {
-        let has_play =
-            |joint: JointId| model.joints[joint.0].kind.play().is_some_and(|(clearance, _)| values[clearance] > 0.0);
-        let driven_loop =
-            |error: DrivenLoop| MechanismError::DrivenLoop { joint: model.joints[error.joint.0].name.clone() };
-        let ideal = Tree::new(model, |_| true).map_err(driven_loop)?;
-        let real = Tree::new(model, |joint| !has_play(joint)).map_err(driven_loop)?;
-        let size_m = size_m(model, values);
-        let geometry = Geometry::new(model, &ideal, values);
-        let numbers = initial::initial_numbers(model, values);
-        let equations = StartEquations::new(model, &ideal, &geometry, &numbers);
-        let assembly = assembly::assemble(&equations, values, size_m)?;
-        let Mobility { degrees_of_freedom, redundant, independent_rows } =
-            mobility::count(model, &ideal, &geometry, &assembly.coordinates)?;
-        let by_body = |angles: &Vec<f64>| ideal.slot_of_body.iter().map(|&slot| angles[slot]).collect();
-        let plays: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect();
-        let mut mechanism = Self {
-            model: model.clone(),
-            contacts: contact_place::contact_places(model, &plays),
-            plays,
-            size_m,
-            degrees_of_freedom,
-            dynamic_freedoms: 0,
-            redundant,
-            other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
-            known_chain: KnownChain::new(model, values)?,
-            ideal_start: assembly.coordinates,
-            ideal_rows: independent_rows,
-            ideal,
-            real,
-        };
-        let mut kinematics = Kinematics::new(&mechanism.ideal);
-        kinematics.set_positions(&mechanism.ideal, &geometry, &mechanism.ideal_start);
-        let real_geometry = Geometry::new(model, &mechanism.real, values);
-        let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
-        mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start);
-        let rows_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
-        if rows_repeat && let Some(joint) = model.joints.iter().find(|joint| joint.friction.is_some()) {
-            return Err(MechanismError::CarriedNotDetermined { joint: joint.name.clone() });
-        }
-        Ok(mechanism)
-    }
-
-    /// The same mechanism with every clearance at zero: its real tree is the ideal one.
-    pub fn without_play(&self) -> Self {
-        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), dynamic_freedoms: 0, ..self.clone() }
-    }
-
-    /// Whether the drives alone determine the motion: they move every freedom, and no joint has play.
-    pub fn is_ideal(&self) -> bool {
-        self.plays.is_empty() && self.is_driven()
-    }
-
-    /// Whether the drives move every freedom that the mechanism has with all clearances at zero. Otherwise forces do, from
-    /// the initial state that the model gives.
-    pub fn is_driven(&self) -> bool {
-        self.degrees_of_freedom == self.model.drives.len()
-    }
-
-    /// Coordinates and rates of the real tree at time zero: ideal positions and velocities of the sample, journals centred.
-    ///
-    /// # Errors
-    /// The sample cannot close, or does not fit the initial state.
-    pub fn start(&self, sample: &Sample<f64>) -> Result<(Vec<f64>, Vec<f64>), SampleError> {
-        if self.is_driven() {
-            let ideal = IdealMotion::new(self, &sample.ideal, &sample.drives)?;
-            return Ok(self.real_coordinates(ideal.kinematics(), &sample.real));
-        }
-        Ok(self.real_coordinates(&initial::initial_kinematics(self, sample)?, &sample.real))
-    }
-
-    /// Index in `contacts` of the first contact of the joint with play `play`, and of the first one behind them.
-    pub fn contacts_of(&self, play: usize) -> std::ops::Range<usize> {
-        let behind = |play: usize| self.contacts.iter().filter(|contact| contact.play < play).count();
-        behind(play)..behind(play + 1)
-    }
-
-    /// What the contact `contact` is called: the name of its joint, for a slider with its corner.
-    pub fn contact_name(&self, contact: usize) -> String {
-        let ContactPlace { play, place } = self.contacts[contact];
-        contact_place::contact_name(&self.model, self.plays[play], place)
-    }
-
-    /// Independent constraint rows of the ideal tree, as many as it has free coordinates.
-    pub fn ideal_rows(&self) -> &[usize] {
-        &self.ideal_rows
-    }
-
-    /// Coordinates and rates of the real tree when its bodies are where `ideal` kinematics puts them.
-    pub fn real_coordinates(&self, ideal: &Kinematics<f64>, real: &Geometry<f64>) -> (Vec<f64>, Vec<f64>) {
-        let tree = &self.real;
-        let (mut coordinates, mut rates) = (vec![0.0; tree.coordinates()], vec![0.0; tree.coordinates()]);
-        let slot_of = |body: BodyId| self.ideal.slot_of_body[body.0];
-        for (link, numbers) in tree.links.iter().zip(&real.links) {
-            let own_slot = slot_of(link.body);
-            let parent_slot = match link.parent_slot {
-                0 => 0,
-                slot => slot_of(tree.links[slot - 1].body),
-            };
-            let (own, parent) = (ideal.poses[own_slot], ideal.poses[parent_slot]);
-            let (own_twist, parent_twist) = (ideal.twists[own_slot], ideal.twists[parent_slot]);
-            match link.attachment {
-                Attachment::Free { first } => {
-                    coordinates[first] = own.position_m.x;
-                    coordinates[first + 1] = own.position_m.y;
-                    coordinates[first + 2] = own.angle_rad;
-                    rates[first] = own_twist.linear.x;
-                    rates[first + 1] = own_twist.linear.y;
-                    rates[first + 2] = own_twist.angular;
-                }
-                Attachment::Revolute { coordinate, .. } => {
-                    coordinates[coordinate] = own.angle_rad;
-                    rates[coordinate] = own_twist.angular;
-                }
-                Attachment::DrivenRevolute { coordinate, forward, .. } => {
-                    let sign = if forward { 1.0 } else { -1.0 };
-                    coordinates[coordinate] = sign * (own.angle_rad - parent.angle_rad);
-                    rates[coordinate] = sign * (own_twist.angular - parent_twist.angular);
-                }
-                Attachment::Prismatic { coordinate, forward, .. } => {
-                    let sign = if forward { 1.0 } else { -1.0 };
-                    let line = parent.angle_rad + numbers.parent_angle_rad;
-                    let (sine, cosine) = loosepin_math::sin_cos(line);
-                    let direction = Vec2::new(cosine, sine) * sign;
-                    let own_arm = own.turn(numbers.own_arm_m);
-                    let parent_arm = parent.turn(numbers.parent_arm_m);
-                    let gap = own.position_m + own_arm - parent.position_m - parent_arm;
-                    coordinates[coordinate] = direction.dot(gap);
-                    let gap_rate = own_twist.at(own_arm) - parent_twist.at(parent_arm);
-                    rates[coordinate] = direction.dot(gap_rate) + parent_twist.angular * direction.turned().dot(gap);
-                }
-                Attachment::Rigid { .. } => {}
-            }
-        }
-        (coordinates, rates)
-    }
-}
-
-/// Largest distance of two points of one body, m; of the points of the ground, only those that joints use count.
-fn size_m(model: &Model, values: &Values) -> f64 {
-    let mut size_m = 0.0_f64;
-    for body in &model.bodies {
-        let points: Vec<Vec2<f64>> = body
-            .points
-            .iter()
-            .map(|point| Vec2::new(values[point.position_m[0]], values[point.position_m[1]]))
-            .collect();
-        for (index, first) in points.iter().enumerate() {
-            for second in &points[index + 1..] {
-                size_m = size_m.max((*first - *second).length());
-            }
-        }
-    }
-    // A mechanism of points only (sliders) has no size of its own: a centimetre keeps the tolerances sensible.
-    if size_m > 0.0 { size_m } else { 0.01 }
-}

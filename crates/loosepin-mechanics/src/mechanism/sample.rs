@@ -1,15 +1,17 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
+use super::compile::Mechanism;
 use super::contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
 use super::control::ControlGeometry;
 use super::drive::Drives;
 use super::error::SampleError;
-use super::geometry::{Geometry, direction, point_m};
+use super::geometry::Geometry;
 use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
+use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
-use super::{Mechanism, tree::points_of};
+use super::tree::points_of;
 use crate::contact::{
     Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact,
     compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,

@@ -1,7 +1,7 @@
 //! The numbers of springs with their dampers.
 
-use super::geometry::point_m;
 use super::pieces::Pieces;
+use super::points::point_m;
 use crate::model::{Elasticity, Model, Spring, SpringCurve, SpringKind, Values};
 use loosepin_math::{Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline};
 

@@ -1,7 +1,5 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
-use super::coupling::CouplingPlace;
-use super::joint_coordinate::JointPlace;
 use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PointId};
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
@@ -132,6 +130,29 @@ impl CutKind {
         matches!(self, Self::Prismatic | Self::Rigid)
     }
 }
+
+/// Where a joint is in a tree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointPlace {
+    /// Slots of bearing and journal, or of guide and slider.
+    pub slots: [usize; 2],
+    /// Whether its coordinate is a position along a line: of a prismatic joint or a slot.
+    pub is_prismatic: bool,
+}
+
+impl JointPlace {
+    /// The place of `joint` in `tree`.
+    pub fn new(model: &Model, tree: &Tree, joint: JointId) -> Self {
+        let kind = &model.joints[joint.0].kind;
+        Self {
+            slots: points_of(kind).map(|point| tree.slot_of_body[point.body.0]),
+            is_prismatic: matches!(kind, JointKind::Prismatic { .. } | JointKind::Slot { .. }),
+        }
+    }
+}
+
+/// Places of the first and the second joint of a coupling.
+pub type CouplingPlace = [JointPlace; 2];
 
 /// The spanning tree. Slot 0 is the ground, slot i + 1 is `links[i]`; a parent comes before its children.
 ///

@@ -1,0 +1,49 @@
+//! The numbers of a joint of which the coordinate is read.
+
+use super::points::numbered_point_m;
+use super::tree::points_of;
+use crate::model::{JointId, JointKind, Model, QuantityId};
+use loosepin_math::{Real, Vec2};
+
+/// Numbers of a joint of which the coordinate is read.
+#[derive(Debug, Clone, Copy)]
+pub struct JointGeometry<T> {
+    /// Its points in the frames of its two bodies, m.
+    pub arms_m: [Vec2<T>; 2],
+    /// Direction of the line of a prismatic joint in the frame of the guide; zero for a revolute one.
+    pub line: Vec2<T>,
+}
+
+impl<T: Real> JointGeometry<T> {
+    /// Of no joint.
+    pub fn none() -> Self {
+        Self { arms_m: [Vec2::zero(); 2], line: Vec2::zero() }
+    }
+
+    /// Lays out the numbers that `number` gives for the quantities of `joint`.
+    pub fn new(model: &Model, joint: JointId, number: &dyn Fn(QuantityId) -> T) -> Self {
+        let kind = &model.joints[joint.0].kind;
+        Self {
+            arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
+            line: match kind {
+                JointKind::Prismatic { guide_angle_rad: line_rad, .. }
+                | JointKind::Slot { slot_angle_rad: line_rad, .. } => {
+                    let (sine, cosine) = number(*line_rad).sin_cos();
+                    Vec2::new(cosine, sine)
+                }
+                _ => Vec2::zero(),
+            },
+        }
+    }
+
+    /// The same numbers in every lane.
+    pub fn broadcast(from: &JointGeometry<f64>) -> Self {
+        Self { arms_m: from.arms_m.map(Vec2::from_f64), line: Vec2::from_f64(from.line) }
+    }
+
+    /// Shows every number.
+    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.arms_m.iter_mut().for_each(|arm| arm.visit(visit));
+        self.line.visit(visit);
+    }
+}
