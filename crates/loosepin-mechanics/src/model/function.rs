@@ -1,11 +1,8 @@
 //! Functions of time and of joints, written as expressions in a model file and evaluated inside the equations of motion.
 
-use super::file::ModelReader;
-use super::problem::ModelProblem;
 use super::quantity::QuantityId;
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Written};
-use loosepin_text::units::{Dimension, ExpressionProblem, Names, Op, parse_expression, run};
+use loosepin_text::units::{Dimension, Names, Op, run};
 
 /// Largest exponent of a power in a function.
 const LARGEST_EXPONENT: f64 = 32.0;
@@ -52,7 +49,7 @@ enum Step {
 
 /// What a function cannot do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Beyond {
+pub(super) enum Beyond {
     /// An inverse trigonometric function.
     Inverse,
     /// A power whose exponent is no whole or half number that is written out.
@@ -98,7 +95,7 @@ impl Function {
     }
 
     /// From the operations of an expression, whose last result is its value. The largest slots are the variables.
-    fn compile(ops: &[Op], dimension: Dimension, variables: usize) -> Result<Self, Beyond> {
+    pub(super) fn compile(ops: &[Op], dimension: Dimension, variables: usize) -> Result<Self, Beyond> {
         let mut function = Self { steps: Vec::new(), parameters: Vec::new(), dimension };
         let mut stack: Vec<usize> = Vec::new();
         for op in ops {
@@ -193,9 +190,9 @@ fn half_power<N: Real>(base: N, halves: i32) -> N {
 }
 
 /// Parameters and variables together.
-struct FunctionNames<'n> {
-    parameters: &'n dyn Names,
-    variables: &'n [Variable],
+pub(super) struct FunctionNames<'n> {
+    pub parameters: &'n dyn Names,
+    pub variables: &'n [Variable],
 }
 
 impl Names for FunctionNames<'_> {
@@ -209,75 +206,11 @@ impl Names for FunctionNames<'_> {
     }
 }
 
-/// What is written where a value that may change is due.
-pub(super) enum Changing {
-    /// A value without variables.
-    Constant(QuantityId),
-    /// A function of the variables.
-    Function(Function),
-}
-
-impl ModelReader {
-    /// Reads an expression over parameters and `variables`. One without variables is a quantity like any other.
-    pub fn changing(
-        &mut self,
-        entry: &Entry<'_>,
-        dimension: Dimension,
-        rule: loosepin_text::units::Rule,
-        variables: &[Variable],
-    ) -> Option<Changing> {
-        let Written::Text(text) = self.reader.written(entry)? else {
-            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
-        };
-        let names = FunctionNames { parameters: &self.parameters, variables };
-        let expression = match parse_expression(text, &names) {
-            Ok(expression) => expression,
-            Err(error) => {
-                let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
-                if !is_echo {
-                    let span = self.reader.inside(entry, text, &error.span);
-                    self.reader.complain(&error.problem, span);
-                }
-                return None;
-            }
-        };
-        let reads_variables = |slot: &usize| usize::MAX - slot < variables.len();
-        let read: Vec<usize> = expression.reads.iter().copied().filter(reads_variables).collect();
-        if read.is_empty() {
-            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
-        }
-        for slot in read {
-            let (name, _) = variables[usize::MAX - slot];
-            if self.parameters.find(name).is_some() {
-                let problem = ModelProblem::NameTaken { entry: entry.path.describe(), name };
-                self.reader.complain(&problem, entry.span);
-                return None;
-            }
-        }
-        let slots: Vec<usize> = expression.reads.iter().copied().filter(|slot| !reads_variables(slot)).collect();
-        self.parameters.mark_used(&slots);
-        if !self.reader.measures(entry, expression.dimension, dimension) {
-            return None;
-        }
-        match Function::compile(&expression.ops, dimension, variables.len()) {
-            Ok(function) => Some(Changing::Function(function)),
-            Err(beyond) => {
-                let entry_words = entry.path.describe();
-                let problem = match beyond {
-                    Beyond::Inverse => ModelProblem::InverseFunction { entry: entry_words },
-                    Beyond::Exponent => ModelProblem::ExponentOfFunction { entry: entry_words },
-                };
-                self.reader.complain(&problem, entry.span);
-                None
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use loosepin_math::Dual;
+    use loosepin_text::units::parse_expression;
 
     struct Nothing;
     impl Names for Nothing {

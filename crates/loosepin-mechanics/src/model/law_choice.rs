@@ -1,9 +1,10 @@
 //! Another normal force law in a contact of a model: a law is no number, so it is chosen before a mechanism is compiled.
 
+use super::ids::ContactId;
+use super::path_error::PathError;
+use super::topology::{JointKind, Model, Stiffness};
 use thiserror::Error;
 
-use super::setting::PathError;
-use super::topology::{ContactId, JointKind, Model, Stiffness};
 use crate::contact::{NormalDescription, point_law};
 use loosepin_text::diagnostics::{Code, Problem, nearest_name};
 

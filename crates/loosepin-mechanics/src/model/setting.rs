@@ -1,14 +1,15 @@
 //! Values set from outside: `--set path=value`, and the inputs of a study.
 
+use super::law_choice::LawError;
+use super::path_error::PathError;
+use super::quantity::{Origin, QuantityError, QuantityId};
+use super::topology::{Joint, Model};
 use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::law_choice::LawError;
-use super::quantity::{Origin, QuantityError, QuantityId};
-use super::topology::{Joint, Model};
 use loosepin_text::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
-use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity, quoted};
+use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
 
 /// A quantity with the value that it is to have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,41 +29,6 @@ pub struct SettingRange {
     pub from_si: f64,
     /// The last value, SI; another than the first.
     pub to_si: f64,
-}
-
-/// Why a path names no quantity that can be set.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum PathError {
-    /// The model has no such quantity.
-    #[error("the model has no quantity '{path}'")]
-    Unknown {
-        /// The path.
-        path: String,
-        /// The nearest quantity that can be set.
-        nearest: Option<String>,
-    },
-    /// The play of a joint that has none.
-    #[error("'{path}': joint '{joint}' has no play")]
-    NoPlay {
-        /// The path.
-        path: String,
-        /// The joint.
-        joint: String,
-    },
-    /// The quantity follows from others.
-    #[error("'{path}' is given by an expression and cannot be set")]
-    Expression {
-        /// The path.
-        path: String,
-        /// Paths of the quantities that it depends on.
-        depends_on: Vec<String>,
-    },
-    /// The quantity fixes the unit of others, or the kind of a joint.
-    #[error("'{path}' cannot be set")]
-    Fixed {
-        /// The path.
-        path: String,
-    },
 }
 
 /// Why a setting cannot be read.
@@ -144,32 +110,6 @@ pub enum SettingError {
         /// The range.
         rule: &'static str,
     },
-}
-
-impl Problem for PathError {
-    fn code(&self) -> Code {
-        match self {
-            Self::Unknown { .. } | Self::NoPlay { .. } => Code::UnknownPath,
-            Self::Expression { .. } | Self::Fixed { .. } => Code::NotSettable,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::Unknown { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
-            Self::Unknown { .. } => {
-                Some("paths follow the model file, for example joint.gudgeon.radial_clearance".to_owned())
-            }
-            Self::NoPlay { .. } => {
-                Some("give it a clearance in the model file, with what a joint with play needs".to_owned())
-            }
-            Self::Expression { depends_on, .. } => Some(format!("it depends on {}", quoted(depends_on))),
-            Self::Fixed { path } if path.ends_with(".radial_clearance") => {
-                Some("a joint with play needs bearing_radius and contact in the model file".to_owned())
-            }
-            Self::Fixed { .. } => Some("it fixes the unit of the stiffness; change both in the model file".to_owned()),
-        }
-    }
 }
 
 impl Problem for SettingError {

@@ -1,12 +1,7 @@
 //! Springs with their dampers.
 
-use super::file::ModelReader;
-use super::problem::ModelProblem;
+use super::ids::{BodyId, PointId};
 use super::quantity::QuantityId;
-use super::spring_keys::{LINEAR_SPRING_KEYS, SPRING_KINDS, TORSIONAL_SPRING_KEYS};
-use super::topology::{BodyId, JointKind, PointId};
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::Dimension;
 
 /// A spring with its damper between two bodies.
 #[derive(Debug, Clone)]
@@ -76,108 +71,6 @@ impl SpringKind {
         match *self {
             Self::Linear { first, second } => [first.body, second.body],
             Self::Torsional { first, second } => [first, second],
-        }
-    }
-}
-
-impl ModelReader {
-    /// Reads the table of springs.
-    pub fn read_springs(&mut self, entry: &Entry<'_>) {
-        for entry in self.reader.named(entry, "a spring") {
-            self.remember(&entry);
-            let spring = self.spring(&entry);
-            self.springs.extend(spring);
-        }
-    }
-
-    fn spring(&mut self, entry: &Entry<'_>) -> Option<Spring> {
-        let kinds: Vec<(&'static str, bool)> =
-            SPRING_KINDS.iter().map(|(kind, _)| (*kind, *kind == "linear")).collect();
-        let is_linear = self.reader.tag(entry, "kind", &kinds)?;
-        let keys = if is_linear { &LINEAR_SPRING_KEYS } else { &TORSIONAL_SPRING_KEYS };
-        let table = self.reader.table(entry, keys)?;
-        let kind = if is_linear { self.linear_spring(&table) } else { self.torsional_spring(&table) };
-        let elasticity = self.elasticity(&table, is_linear);
-        let damping = self.quantity(&table, "damping");
-        let kind = kind?;
-        let [first, second] = kind.bodies();
-        if first == second {
-            let body = self.bodies[first.0].name.clone();
-            self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
-            return None;
-        }
-        Some(Spring { name: entry.name.to_owned(), kind, elasticity: elasticity?, damping })
-    }
-
-    fn elasticity(&mut self, table: &Table<'_>, is_linear: bool) -> Option<Elasticity> {
-        let free_key = if is_linear { "free_length" } else { "free_angle" };
-        let Some(key) = ["points", "csv"].into_iter().find(|key| table.has(key)) else {
-            if let Some(found) = table.get("curve") {
-                let problem =
-                    ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key: "curve", beside: "stiffness" };
-                self.reader.complain(&problem, found.key_span);
-            }
-            let stiffness = self.quantity(table, "stiffness");
-            let free = self.quantity(table, free_key);
-            let preload = self.quantity_or(table, "preload", 0.0);
-            return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
-        };
-        if let Some(found) = table.get("preload") {
-            let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key: "preload", beside: key };
-            self.reader.complain(&problem, found.key_span);
-        }
-        let curve = match table.get("curve") {
-            Some(entry) => {
-                let choices = [("monotone", SpringCurve::Monotone), ("spline", SpringCurve::Spline)];
-                self.reader.choice(&entry, &choices)
-            }
-            None => Some(SpringCurve::Monotone),
-        };
-        let columns = if is_linear {
-            [("length", Dimension::LENGTH), ("force", Dimension::FORCE)]
-        } else {
-            [("angle", Dimension::ANGLE), ("torque", Dimension::TORQUE)]
-        };
-        let points = self.table_points(table, columns)?;
-        Some(Elasticity::Table { points, curve: curve? })
-    }
-
-    fn linear_spring(&mut self, table: &Table<'_>) -> Option<SpringKind> {
-        let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
-        Some(SpringKind::Linear { first: first?, second: second? })
-    }
-
-    fn torsional_spring(&mut self, table: &Table<'_>) -> Option<SpringKind> {
-        let entry = table.path.describe();
-        let Some(joint_entry) = table.get("joint") else {
-            let missing: Vec<&'static str> = ["first", "second"].into_iter().filter(|key| !table.has(key)).collect();
-            if !missing.is_empty() {
-                self.reader.complain(&ModelProblem::NoBodies { entry }, table.span);
-                return None;
-            }
-            let [first, second] = ["first", "second"].map(|key| {
-                let entry = table.get(key)?;
-                let name = self.reader.text(&entry)?.to_owned();
-                self.body(&entry, &name)
-            });
-            return Some(SpringKind::Torsional { first: first?, second: second? });
-        };
-        for key in ["first", "second"] {
-            if let Some(found) = table.get(key) {
-                let problem = ModelProblem::KeyWithoutEffect { entry: entry.clone(), key, beside: "joint" };
-                self.reader.complain(&problem, found.key_span);
-            }
-        }
-        let name = self.reader.text(&joint_entry)?.to_owned();
-        let joint = self.named(&joint_entry, "joint", &name, |file| &file.joint_names)?;
-        match &self.joints[joint.0].kind {
-            JointKind::Revolute { bearing, journal, .. } => {
-                Some(SpringKind::Torsional { first: bearing.body, second: journal.body })
-            }
-            _ => {
-                self.reader.complain(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span);
-                None
-            }
         }
     }
 }

@@ -1,44 +1,20 @@
 //! Bodies, joints, contacts, drives and outputs of a model, referring to numbers by [`QuantityId`].
 
-use std::collections::HashMap;
-use std::sync::Arc;
-
 use super::control::Control;
 use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
+use super::ids::{Axis, BodyId, ContactId, JointId, PointId};
 use super::initial::InitialValue;
 use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
 use loosepin_text::diagnostics::{Complaint, Place, Source, Span};
 use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
-
-/// Index of a body in [`Model::bodies`]; 0 is the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct BodyId(pub usize);
-
-/// Index of a joint in [`Model::joints`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct JointId(pub usize);
-
-/// Index of a contact in [`Model::contacts`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ContactId(pub usize);
-
-/// Index of a drive in [`Model::drives`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct DriveId(pub usize);
-
-/// A point of a body: `body`, and the index in [`Body::points`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct PointId {
-    /// The body that carries the point.
-    pub body: BodyId,
-    /// Index in [`Body::points`].
-    pub point: usize,
-}
 
 /// A planar mechanism with its nominal values, checked and in SI.
 #[derive(Debug, Clone)]
@@ -427,15 +403,6 @@ pub enum OutputKind {
     },
     /// Path of a point: two columns, x and y, m.
     Path(PointId),
-}
-
-/// An axis of the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Axis {
-    /// Horizontal.
-    X,
-    /// Vertical, gravity along -y.
-    Y,
 }
 
 /// A component of a force.

@@ -7,7 +7,7 @@ const FREQUENCY_DOC: &str = "oscillations in a second";
 const PHASE_DOC: &str = "phase at time zero, 0 for the middle on the way up; 0 deg if left out";
 const JOINT_DOC: &str = "the joint whose angle (or position) and speed the expression reads";
 
-pub(super) static HARMONIC_FORCE_KEYS: Keys = Keys::new(
+pub(in crate::model) static HARMONIC_FORCE_KEYS: Keys = Keys::new(
     "a force that goes up and down: mean + amplitude sin(360 deg frequency time + phase)",
     &[
         optional("mean", quantity(D::FORCE, Rule::Finite), "\"0 N\"", "its middle; 0 N if left out"),
@@ -17,7 +17,7 @@ pub(super) static HARMONIC_FORCE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static HARMONIC_TORQUE_KEYS: Keys = Keys::new(
+pub(in crate::model) static HARMONIC_TORQUE_KEYS: Keys = Keys::new(
     "a torque that goes up and down: mean + amplitude sin(360 deg frequency time + phase)",
     &[
         optional("mean", quantity(D::TORQUE, Rule::Finite), "\"0 N m\"", "its middle; 0 N m if left out"),
@@ -27,7 +27,7 @@ pub(super) static HARMONIC_TORQUE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static FORCE_KEYS: Keys = Keys::new(
+pub(in crate::model) static FORCE_KEYS: Keys = Keys::new(
     "a force on a point of a body",
     &[
         required("kind", Kind::Choice(&["force"]), "\"force\"", "the kind of load"),
@@ -49,7 +49,7 @@ pub(super) static FORCE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static TORQUE_KEYS: Keys = Keys::new(
+pub(in crate::model) static TORQUE_KEYS: Keys = Keys::new(
     "a torque on a body",
     &[
         required("kind", Kind::Choice(&["torque"]), "\"torque\"", "the kind of load"),
@@ -64,4 +64,4 @@ pub(super) static TORQUE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static LOAD_KINDS: &[(&str, &Keys)] = &[("force", &FORCE_KEYS), ("torque", &TORQUE_KEYS)];
+pub(in crate::model) static LOAD_KINDS: &[(&str, &Keys)] = &[("force", &FORCE_KEYS), ("torque", &TORQUE_KEYS)];

@@ -1,50 +1,12 @@
 //! Named parameters: each is read after those that its expression uses.
 
+use super::reader::ModelReader;
+use crate::model::problem::ModelProblem;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
-use super::file::ModelReader;
-use super::problem::ModelProblem;
 use loosepin_text::document::{Entry, Written};
-use loosepin_text::units::{Dimension, Names, Rule, is_parameter_name, is_reserved_name, referenced_names};
-
-/// The parameters read so far.
-#[derive(Debug, Default)]
-pub(super) struct Parameters {
-    /// Slot and dimension of each.
-    known: HashMap<String, (usize, Dimension)>,
-    /// In file order.
-    order: Vec<String>,
-    /// Those that were complained about: whoever uses them is not complained about again.
-    broken: HashSet<String>,
-    used: HashSet<usize>,
-}
-
-impl Names for Parameters {
-    fn find(&self, name: &str) -> Option<(usize, Dimension)> {
-        self.known.get(name).copied()
-    }
-    fn all(&self) -> Vec<&str> {
-        self.order.iter().map(String::as_str).collect()
-    }
-}
-
-impl Parameters {
-    /// Whether a parameter of this name was complained about.
-    pub fn is_broken(&self, name: &str) -> bool {
-        self.broken.contains(name)
-    }
-
-    /// Notes that expressions use these slots.
-    pub fn mark_used(&mut self, slots: &[usize]) {
-        self.used.extend(slots);
-    }
-
-    /// Names of those that no expression uses, in file order.
-    pub fn unused(&self) -> impl Iterator<Item = &String> {
-        self.order.iter().filter(|name| self.known.get(*name).is_some_and(|(slot, _)| !self.used.contains(slot)))
-    }
-}
+use loosepin_text::units::{Rule, is_parameter_name, is_reserved_name, referenced_names};
 
 impl ModelReader {
     /// Reads the table of parameters.

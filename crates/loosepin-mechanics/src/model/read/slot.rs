@@ -1,9 +1,9 @@
 //! A pin in a slot.
 
-use super::file::ModelReader;
 use super::guide::PlayKeys;
-use super::keys::SLOT_LINE_KEYS;
-use super::topology::{JointKind, SlotClearance};
+use super::reader::ModelReader;
+use crate::model::keys::SLOT_LINE_KEYS;
+use crate::model::topology::{JointKind, SlotClearance};
 use loosepin_text::document::Table;
 
 impl ModelReader {

@@ -1,6 +1,6 @@
 //! The keys of couplings.
 
-use super::table_points::CSV;
+use super::table::CSV;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -31,7 +31,7 @@ const fn second(doc: &'static str) -> Key {
     required("second", Kind::Reference("joint"), "\"output\"", doc)
 }
 
-pub(super) static GEARS_KEYS: Keys = Keys::new(
+pub(in crate::model) static GEARS_KEYS: Keys = Keys::new(
     "two gears in mesh, on revolute joints with one body in common, which carries both",
     &[
         required("kind", Kind::Choice(&["gears"]), "\"gears\"", "the kind of coupling"),
@@ -50,7 +50,7 @@ pub(super) static GEARS_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["radii", "teeth"]]);
 
-pub(super) static BELT_KEYS: Keys = Keys::new(
+pub(in crate::model) static BELT_KEYS: Keys = Keys::new(
     "a belt or a chain without slip around two wheels, on revolute joints with one body in common, which carries both",
     &[
         required("kind", Kind::Choice(&["belt"]), "\"belt\"", "the kind of coupling"),
@@ -69,7 +69,7 @@ pub(super) static BELT_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["radii", "teeth"]]);
 
-pub(super) static RACK_KEYS: Keys = Keys::new(
+pub(in crate::model) static RACK_KEYS: Keys = Keys::new(
     "a rack and its pinion, on a prismatic and a revolute joint with one body in common, which carries both",
     &[
         required("kind", Kind::Choice(&["rack"]), "\"rack\"", "the kind of coupling"),
@@ -86,7 +86,7 @@ pub(super) static RACK_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static RATIO_KEYS: Keys = Keys::new(
+pub(in crate::model) static RATIO_KEYS: Keys = Keys::new(
     "the angle or position of the second joint is a multiple of that of the first",
     &[
         required("kind", Kind::Choice(&["ratio"]), "\"ratio\"", "the kind of coupling"),
@@ -97,10 +97,10 @@ pub(super) static RATIO_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static COUPLING_KINDS: &[(&str, &Keys)] =
+pub(in crate::model) static COUPLING_KINDS: &[(&str, &Keys)] =
     &[("gears", &GEARS_KEYS), ("belt", &BELT_KEYS), ("rack", &RACK_KEYS), ("ratio", &RATIO_KEYS)];
 
-pub(super) static CAM_KEYS: Keys = Keys::new(
+pub(in crate::model) static CAM_KEYS: Keys = Keys::new(
     "a cam: the follower goes along a smooth profile over the angle (or position) of the cam's joint, again and again, each time from \
      where the last one ended",
     &[

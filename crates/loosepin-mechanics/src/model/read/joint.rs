@@ -1,13 +1,14 @@
 //! Joints.
 
-use super::file::ModelReader;
-use super::keys::{
+use super::reader::ModelReader;
+use crate::contact::NormalDescription;
+use crate::model::ids::{BodyId, ContactId, JointId, PointId};
+use crate::model::keys::{
     GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS, SLOT_KEYS,
 };
-use super::problem::ModelProblem;
-use super::quantity::{Origin, QuantityId};
-use super::topology::{BodyId, Clearance, ContactId, Joint, JointFriction, JointId, JointKind, PointId};
-use crate::contact::NormalDescription;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::{Origin, QuantityId};
+use crate::model::topology::{Clearance, Joint, JointFriction, JointKind};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Expression, Rule, run};
 

@@ -1,23 +1,30 @@
 //! The keys of a model file.
 
-use super::control_keys::CONTROL_KEYS;
-use super::coupling_keys::{CAM_KEYS, COUPLING_KINDS};
-use super::drive_keys::DRIVE_KEYS;
-use super::load_keys::LOAD_KINDS;
-use super::spring_keys::SPRING_KINDS;
+pub(super) mod control;
+pub(super) mod coupling;
+pub(super) mod drive;
+pub(super) mod load;
+pub(super) mod spring;
+mod table;
+
 use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use control::CONTROL_KEYS;
+use coupling::{CAM_KEYS, COUPLING_KINDS};
+use drive::DRIVE_KEYS;
+use load::LOAD_KINDS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
+use spring::SPRING_KINDS;
 
 const POINTS: Kind = Kind::Values(&Kind::Vector);
 const POINTS_DOC: &str = "named points in the frame of the body";
 
-pub(super) static GROUND_KEYS: Keys = Keys::new(
+pub(in crate::model) static GROUND_KEYS: Keys = Keys::new(
     "the ground: points that do not move",
     &[optional("points", POINTS, "{ o = [\"0 mm\", \"0 mm\"] }", POINTS_DOC)],
 );
 
-pub(super) static BODY_KEYS: Keys = Keys::new(
+pub(in crate::model) static BODY_KEYS: Keys = Keys::new(
     "a rigid body",
     &[
         required("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of the body"),
@@ -48,7 +55,7 @@ fn film_law_names() -> Vec<&'static str> {
     FILM_LAWS.iter().map(|law| law.name).collect()
 }
 
-pub(super) static FILM_KEYS: Keys = Keys::new(
+pub(in crate::model) static FILM_KEYS: Keys = Keys::new(
     "a film of oil between pin and hole",
     &[
         optional(
@@ -133,14 +140,17 @@ static FRICTION: [Key; 12] = [
     ),
 ];
 
-pub(super) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &FRICTION);
+pub(in crate::model) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &FRICTION);
 
-pub(super) static JOINT_FRICTION_KEYS: Keys = Keys::new("friction of an ideal joint", FRICTION.split_at(11).0);
+pub(in crate::model) static JOINT_FRICTION_KEYS: Keys =
+    Keys::new("friction of an ideal joint", FRICTION.split_at(11).0);
 
-pub(super) const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
-pub(super) const POISSON_RATIO: [&str; 3] = ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
+pub(in crate::model) const YOUNGS_MODULUS: [&str; 3] =
+    ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
+pub(in crate::model) const POISSON_RATIO: [&str; 3] =
+    ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
 
-pub(super) static CONTACT_KEYS: Keys = Keys::new(
+pub(in crate::model) static CONTACT_KEYS: Keys = Keys::new(
     "contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent",
     &[
         optional(
@@ -222,7 +232,7 @@ pub(super) static CONTACT_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
+pub(in crate::model) static REVOLUTE_KEYS: Keys = Keys::new(
     "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
     &[
         required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
@@ -257,7 +267,7 @@ pub(super) static REVOLUTE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static GUIDE_KEYS: Keys = Keys::new(
+pub(in crate::model) static GUIDE_KEYS: Keys = Keys::new(
     "the line of a guide",
     &[
         required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
@@ -272,7 +282,7 @@ pub(super) static GUIDE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static SLOT_LINE_KEYS: Keys = Keys::new(
+pub(in crate::model) static SLOT_LINE_KEYS: Keys = Keys::new(
     "the line of a slot",
     &[
         required("point", Kind::Point, "\"yoke.middle\"", "the middle of the slot"),
@@ -280,7 +290,7 @@ pub(super) static SLOT_LINE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static SLIDER_KEYS: Keys = Keys::new(
+pub(in crate::model) static SLIDER_KEYS: Keys = Keys::new(
     "the point that stays on the line of a guide",
     &[
         required("point", Kind::Point, "\"slider.pin\"", "the point"),
@@ -293,7 +303,7 @@ pub(super) static SLIDER_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
+pub(in crate::model) static PRISMATIC_KEYS: Keys = Keys::new(
     "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
@@ -339,7 +349,7 @@ pub(super) static PRISMATIC_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static SLOT_KEYS: Keys = Keys::new(
+pub(in crate::model) static SLOT_KEYS: Keys = Keys::new(
     "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
@@ -372,7 +382,7 @@ pub(super) static SLOT_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static RIGID_KEYS: Keys = Keys::new(
+pub(in crate::model) static RIGID_KEYS: Keys = Keys::new(
     "two points coincide and the bodies do not turn against each other",
     &[
         required("kind", Kind::Choice(&["rigid"]), "\"rigid\"", "the kind of joint"),
@@ -387,10 +397,10 @@ pub(super) static RIGID_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static JOINT_KINDS: &[(&str, &Keys)] =
+pub(in crate::model) static JOINT_KINDS: &[(&str, &Keys)] =
     &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("slot", &SLOT_KEYS), ("rigid", &RIGID_KEYS)];
 
-pub(super) static ASSEMBLY_KEYS: Keys = Keys::new(
+pub(in crate::model) static ASSEMBLY_KEYS: Keys = Keys::new(
     "how loops close that can close in two ways",
     &[required(
         "guess",
@@ -415,7 +425,7 @@ pub const CYCLE_NUMBERS: [Key; 3] = [
     ),
 ];
 
-pub(super) static CYCLE_KEYS: Keys = Keys::new(
+pub(in crate::model) static CYCLE_KEYS: Keys = Keys::new(
     "what is run and recorded; every number can be overridden",
     &[
         optional(
@@ -437,7 +447,7 @@ pub(super) static CYCLE_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["drive", "duration"]]);
 
-pub(super) static INITIAL_BODY_KEYS: Keys = Keys::new(
+pub(in crate::model) static INITIAL_BODY_KEYS: Keys = Keys::new(
     "where a body is at time zero and how it moves, seen from the ground",
     &[
         optional("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "angle of its x axis"),
@@ -447,7 +457,7 @@ pub(super) static INITIAL_BODY_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static INITIAL_JOINT_KEYS: Keys = Keys::new(
+pub(in crate::model) static INITIAL_JOINT_KEYS: Keys = Keys::new(
     "where a joint is at time zero and how it moves",
     &[
         optional(
@@ -462,7 +472,7 @@ pub(super) static INITIAL_JOINT_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static INITIAL_KEYS: Keys = Keys::new(
+pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
     "the state at time zero of a mechanism that its drives do not move alone",
     &[
         optional(
@@ -481,7 +491,7 @@ pub(super) static INITIAL_KEYS: Keys = Keys::new(
 );
 
 /// What an output may measure.
-pub(super) const MEASURES: [&str; 8] = [
+pub(in crate::model) const MEASURES: [&str; 8] = [
     "position_of",
     "velocity_of",
     "acceleration_of",
@@ -492,7 +502,7 @@ pub(super) const MEASURES: [&str; 8] = [
     "path_of",
 ];
 
-pub(super) static OUTPUT_KEYS: Keys = Keys::new(
+pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
     "a column of the results, seen from the ground",
     &[
         optional(MEASURES[0], Kind::Point, "\"slider.pin\"", "a coordinate of a point"),
@@ -515,7 +525,7 @@ pub(super) static OUTPUT_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&MEASURES]);
 
-pub(super) static MODEL_KEYS: Keys = Keys::new(
+pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
     "a planar mechanism with its nominal values",
     &[
         required("name", Kind::Text, "\"worn pin\"", "name of the mechanism"),

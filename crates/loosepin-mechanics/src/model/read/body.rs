@@ -1,8 +1,8 @@
 //! Bodies and their points.
 
-use super::file::{ModelReader, UNREAD};
-use super::keys::{BODY_KEYS, GROUND_KEYS};
-use super::topology::{Body, Point};
+use super::reader::{ModelReader, UNREAD};
+use crate::model::keys::{BODY_KEYS, GROUND_KEYS};
+use crate::model::topology::{Body, Point};
 use loosepin_text::document::{Entry, Table};
 
 impl ModelReader {

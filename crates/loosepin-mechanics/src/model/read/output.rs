@@ -1,9 +1,10 @@
 //! Outputs.
 
-use super::file::ModelReader;
-use super::keys::{MEASURES, OUTPUT_KEYS};
-use super::problem::ModelProblem;
-use super::topology::{Axis, Component, Output, OutputKind};
+use super::reader::ModelReader;
+use crate::model::ids::Axis;
+use crate::model::keys::{MEASURES, OUTPUT_KEYS};
+use crate::model::problem::ModelProblem;
+use crate::model::topology::{Component, Output, OutputKind};
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 use loosepin_text::units::ReadableUnit;
 

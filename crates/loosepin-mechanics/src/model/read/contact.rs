@@ -1,14 +1,15 @@
 //! Contacts between pin and hole.
 
-use super::file::{ModelReader, UNREAD};
-use super::keys::{CONTACT_KEYS, FILM_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
-use super::problem::ModelProblem;
-use super::quantity::{Origin, QuantityId};
-use super::topology::{Contact, ContactId, Friction, Lubrication, SlidingVelocity, Stiffness};
+use super::reader::{ModelReader, UNREAD};
 use crate::contact::{
     FILM_LAWS, FRICTION_LAWS, FilmDescription, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw,
 };
 use crate::contact::{friction_law, point_law};
+use crate::model::ids::ContactId;
+use crate::model::keys::{CONTACT_KEYS, FILM_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::{Origin, QuantityId};
+use crate::model::topology::{Contact, Friction, Lubrication, SlidingVelocity, Stiffness};
 use loosepin_text::document::{Entry, Keys, Table};
 use loosepin_text::units::{Dimension, Rule};
 

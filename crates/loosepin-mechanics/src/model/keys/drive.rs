@@ -1,6 +1,6 @@
 //! The keys of drives and of the motions that they prescribe.
 
-use super::table_points::CSV;
+use super::table::CSV;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -10,7 +10,7 @@ const fn kind(choice: &'static [&'static str], example: &'static str) -> Key {
     required("kind", Kind::Choice(choice), example, "the kind of motion")
 }
 
-pub(super) static POLYNOMIAL_KEYS: Keys = Keys::new(
+pub(in crate::model) static POLYNOMIAL_KEYS: Keys = Keys::new(
     "c0 + c1 time + c2 time^2 + ...",
     &[
         kind(&["polynomial"], "\"polynomial\""),
@@ -23,7 +23,7 @@ pub(super) static POLYNOMIAL_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static HARMONIC_KEYS: Keys = Keys::new(
+pub(in crate::model) static HARMONIC_KEYS: Keys = Keys::new(
     "mean + amplitude sin(360 deg frequency time + phase)",
     &[
         kind(&["harmonic"], "\"harmonic\""),
@@ -39,7 +39,7 @@ pub(super) static HARMONIC_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static CYCLOIDAL_KEYS: Keys = Keys::new(
+pub(in crate::model) static CYCLOIDAL_KEYS: Keys = Keys::new(
     "a rise without a jump of the acceleration, between two rests",
     &[
         kind(&["cycloidal"], "\"cycloidal\""),
@@ -50,7 +50,7 @@ pub(super) static CYCLOIDAL_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static TABLE_KEYS: Keys = Keys::new(
+pub(in crate::model) static TABLE_KEYS: Keys = Keys::new(
     "a cubic spline through points, whose acceleration does not jump between them",
     &[
         kind(&["table"], "\"table\""),
@@ -72,7 +72,7 @@ pub(super) static TABLE_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["points", "csv"]]);
 
-pub(super) static EXPRESSION_KEYS: Keys = Keys::new(
+pub(in crate::model) static EXPRESSION_KEYS: Keys = Keys::new(
     "an expression over time",
     &[
         kind(&["expression"], "\"expression\""),
@@ -80,7 +80,7 @@ pub(super) static EXPRESSION_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static MOTION_KINDS: &[(&str, &Keys)] = &[
+pub(in crate::model) static MOTION_KINDS: &[(&str, &Keys)] = &[
     ("polynomial", &POLYNOMIAL_KEYS),
     ("harmonic", &HARMONIC_KEYS),
     ("cycloidal", &CYCLOIDAL_KEYS),
@@ -88,7 +88,7 @@ pub(super) static MOTION_KINDS: &[(&str, &Keys)] = &[
     ("expression", &EXPRESSION_KEYS),
 ];
 
-pub(super) static DRIVE_KEYS: Keys = Keys::new(
+pub(in crate::model) static DRIVE_KEYS: Keys = Keys::new(
     "a joint that is moved: at constant speed, or by a motion",
     &[
         required("joint", Kind::Reference("joint"), "\"main\"", "an ideal revolute or a prismatic joint"),

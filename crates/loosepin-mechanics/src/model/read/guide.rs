@@ -1,11 +1,12 @@
 //! The play of a slider in its guide.
 
-use super::file::ModelReader;
 use super::joint::is_literal_zero;
-use super::problem::ModelProblem;
-use super::quantity::{Origin, QuantityId};
-use super::topology::{ContactId, GuideClearance, SlidingVelocity, Stiffness};
+use super::reader::ModelReader;
 use crate::contact::NormalDescription;
+use crate::model::ids::ContactId;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::{Origin, QuantityId};
+use crate::model::topology::{GuideClearance, SlidingVelocity, Stiffness};
 use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, Rule};
 

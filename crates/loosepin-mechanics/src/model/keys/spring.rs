@@ -1,6 +1,6 @@
 //! The keys of springs.
 
-use super::table_points::CSV;
+use super::table::CSV;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -12,7 +12,7 @@ const CURVE: Key = optional(
      stiffness' slope",
 );
 
-pub(super) static LINEAR_SPRING_KEYS: Keys = Keys::new(
+pub(in crate::model) static LINEAR_SPRING_KEYS: Keys = Keys::new(
     "a spring with its damper between points of two bodies; it pulls where it is longer than its free length",
     &[
         required("kind", Kind::Choice(&["linear"]), "\"linear\"", "the kind of spring"),
@@ -49,7 +49,7 @@ pub(super) static LINEAR_SPRING_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["stiffness", "points", "csv"], &["free_length", "points", "csv"]]);
 
-pub(super) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
+pub(in crate::model) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
     "a spring with its damper that turns two bodies back to their free angle",
     &[
         required("kind", Kind::Choice(&["torsional"]), "\"torsional\"", "the kind of spring"),
@@ -92,5 +92,5 @@ pub(super) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["stiffness", "points", "csv"], &["free_angle", "points", "csv"]]);
 
-pub(super) static SPRING_KINDS: &[(&str, &Keys)] =
+pub(in crate::model) static SPRING_KINDS: &[(&str, &Keys)] =
     &[("linear", &LINEAR_SPRING_KEYS), ("torsional", &TORSIONAL_SPRING_KEYS)];

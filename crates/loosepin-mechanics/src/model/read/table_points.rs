@@ -1,19 +1,11 @@
 //! Tables of points: in the file itself, or in a CSV file beside it.
 
-use super::file::{ModelReader, UNREAD};
-use super::problem::ModelProblem;
-use super::quantity::{Origin, Quantity, QuantityId};
+use super::reader::{ModelReader, UNREAD};
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::{Origin, Quantity, QuantityId};
 use loosepin_text::diagnostics::{Complaint, Place, Source};
-use loosepin_text::document::{Entry, Key, Kind, Table, optional, read_beside};
+use loosepin_text::document::{Entry, Table, read_beside};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
-
-/// The key of a table in a file of its own.
-pub(super) const CSV: Key = optional(
-    "csv",
-    Kind::Text,
-    "\"profile.csv\"",
-    "a CSV file in place of points, its path from the folder of this file; two columns, with their units in the header: time [s], angle [deg]",
-);
 
 /// A cubic spline needs two intervals to have a bend.
 const LEAST_POINTS: usize = 3;

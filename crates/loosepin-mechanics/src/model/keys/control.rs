@@ -1,13 +1,13 @@
 //! The keys of controls.
 
-use super::drive_keys::MOTION_KINDS;
+use super::drive::MOTION_KINDS;
 use loosepin_text::document::{Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// What feeds forward the torques that the references need.
-pub(super) const INVERSE_DYNAMICS: &str = "inverse dynamics";
+pub(in crate::model) const INVERSE_DYNAMICS: &str = "inverse dynamics";
 
-pub(super) static CONTROL_KEYS: Keys = Keys::new(
+pub(in crate::model) static CONTROL_KEYS: Keys = Keys::new(
     "a controlled joint: its actuator turns or pushes by the error of a joint against a reference, by the integral of the error and by its rate",
     &[
         required(

@@ -1,0 +1,74 @@
+//! The input of a mechanism over its cycle.
+
+use super::cycle::CycleSpan;
+use super::drive::{Drive, DriveLaw};
+use super::quantity::{QuantityId, Values};
+use super::topology::Model;
+use loosepin_math::Real;
+
+/// The input of a mechanism over its cycle: an angle that grows evenly with time, start + speed · t.
+///
+/// Where a drive turns at constant speed it is the angle of that drive; else the phase of the cycle, which grows by 2π over
+/// a period or a duration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleInput {
+    /// Name of the drive, or `cycle`.
+    pub name: String,
+    /// Whether it is the angle of a drive.
+    pub is_drive: bool,
+    /// At time zero, rad.
+    pub start_rad: f64,
+    /// rad/s; zero where the drive stands still.
+    pub speed_rad_s: f64,
+}
+
+impl CycleInput {
+    /// The angle at `time_s`, rad.
+    pub fn angle_rad(&self, time_s: f64) -> f64 {
+        self.start_rad + self.speed_rad_s * time_s
+    }
+
+    /// Duration of a turn, s.
+    pub fn turn_s(&self) -> f64 {
+        std::f64::consts::TAU / self.speed_rad_s.abs()
+    }
+}
+
+/// What the phase of a cycle that counts no drive is called.
+const PHASE: &str = "cycle";
+
+impl Model {
+    /// The input of the cycle that counts by `span`.
+    pub fn input(&self, span: CycleSpan, values: &Values) -> CycleInput {
+        if let CycleSpan::Turns(drive) = span
+            && let Drive { name, law: DriveLaw::Constant { speed, start }, .. } = &self.drives[drive.0]
+        {
+            let (start_rad, speed_rad_s) = (values[*start], values[*speed]);
+            return CycleInput { name: name.clone(), is_drive: true, start_rad, speed_rad_s };
+        }
+        let speed_rad_s =
+            self.period_s(span, &|id| values[id]).map_or(0.0, |period_s| std::f64::consts::TAU / period_s);
+        CycleInput { name: PHASE.to_owned(), is_drive: false, start_rad: 0.0, speed_rad_s }
+    }
+
+    /// The input of the model's own cycle.
+    pub fn cycle_input(&self, values: &Values) -> CycleInput {
+        self.input(self.cycle.span, values)
+    }
+
+    /// Duration of a period, s, with the numbers that `number` gives; none where the turns of a drive are counted.
+    pub fn period_s<T: Real>(&self, span: CycleSpan, number: &dyn Fn(QuantityId) -> T) -> Option<T> {
+        match span {
+            CycleSpan::Turns(_) => None,
+            CycleSpan::Duration(duration_s) => Some(number(duration_s)),
+            CycleSpan::Periods(drive) => match &self.drives[drive.0].law {
+                DriveLaw::Harmonic { frequency, .. } => Some(T::one() / number(*frequency)),
+                DriveLaw::Table { points, .. } => {
+                    let ([first, _], [last, _]) = (points.first()?, points.last()?);
+                    Some(number(*last) - number(*first))
+                }
+                _ => None,
+            },
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Reading controlled joints.
+
+use super::drive::Driven;
+use super::function::Changing;
+use super::reader::ModelReader;
+use crate::model::control::{Control, FeedForward};
+use crate::model::ids::JointId;
+use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
+use crate::model::keys::control::{CONTROL_KEYS, INVERSE_DYNAMICS};
+use crate::model::load::Course;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::QuantityId;
+use crate::model::topology::JointKind;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule};
+
+/// What the coordinate of a joint measures, and what acts along it.
+fn coordinate_and_effort(kind: &JointKind) -> Option<(Dimension, Dimension)> {
+    match kind {
+        JointKind::Revolute { .. } => Some((Dimension::ANGLE, Dimension::TORQUE)),
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } => Some((Dimension::LENGTH, Dimension::FORCE)),
+        JointKind::Rigid { .. } => None,
+    }
+}
+
+impl ModelReader {
+    /// Reads the table of controls.
+    pub fn read_controls(&mut self, entry: &Entry<'_>) {
+        for entry in self.reader.named(entry, "a control") {
+            self.remember(&entry);
+            let control = self.reader.table(&entry, &CONTROL_KEYS).and_then(|table| self.control(&entry, &table));
+            self.controls.extend(control);
+        }
+    }
+
+    fn control(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Control> {
+        let joint_entry = table.get("joint")?;
+        let joint = self.moving_joint(&joint_entry)?;
+        let name = self.joints[joint.0].name.clone();
+        if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
+            let other = format!("drive '{}'", other.name);
+            let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
+            self.reader.complain(&problem, joint_entry.span);
+            return None;
+        }
+        if let Some(other) = self.controls.iter().find(|control| control.joint == joint) {
+            let other = format!("control '{}'", other.name);
+            let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
+            self.reader.complain(&problem, joint_entry.span);
+            return None;
+        }
+        let measured = match table.get("measured") {
+            Some(entry) => self.moving_joint(&entry)?,
+            None => joint,
+        };
+        let (_, effort) = coordinate_and_effort(&self.joints[joint.0].kind)?;
+        let (coordinate, _) = coordinate_and_effort(&self.joints[measured.0].kind)?;
+        let mut gain = |key: &str, dimension: Dimension| {
+            table.get(key).map(|entry| self.quantity_of(&entry, dimension, Rule::NonNegative))
+        };
+        let by_error = effort.over(coordinate);
+        let proportional = gain("proportional", by_error).flatten();
+        let integral = gain("integral", by_error.over(Dimension::TIME));
+        let derivative = gain("derivative", by_error.times(Dimension::TIME));
+        let limit = table.get("limit").map(|entry| self.quantity_of(&entry, effort, Rule::Positive));
+        let feed_forward = self.feed_forward(table, effort, joint, measured);
+        let driven = Driven::new(measured, coordinate);
+        let reference = match table.get("motion") {
+            Some(motion) => self.motion(&motion, &driven),
+            None => self.constant_speed(entry, table, &driven),
+        };
+        Some(Control {
+            name: entry.name.to_owned(),
+            joint,
+            measured,
+            proportional: proportional?,
+            integral: present(integral)?,
+            derivative: present(derivative)?,
+            feed_forward: feed_forward?,
+            limit: present(limit)?,
+            reference: reference?,
+        })
+    }
+
+    /// A joint that has a coordinate.
+    pub(super) fn moving_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
+        let name = self.reader.text(entry)?.to_owned();
+        let joint = self.named(entry, "joint", &name, |file| &file.joint_names)?;
+        if coordinate_and_effort(&self.joints[joint.0].kind).is_none() {
+            let problem = ModelProblem::DoesNotMove { entry: entry.path.describe(), joint: name };
+            self.reader.complain(&problem, entry.span);
+            return None;
+        }
+        Some(joint)
+    }
+
+    fn feed_forward(
+        &mut self,
+        table: &Table<'_>,
+        effort: Dimension,
+        joint: JointId,
+        measured: JointId,
+    ) -> Option<FeedForward> {
+        let Some(entry) = table.get("feed_forward") else { return Some(FeedForward::None) };
+        if entry.is_text() && self.reader.text(&entry) == Some(INVERSE_DYNAMICS) {
+            if joint != measured {
+                let (key, beside) = ("measured", "feed_forward = \"inverse dynamics\"");
+                let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key, beside };
+                self.reader.complain(&problem, table.get(key).map_or(entry.span, |found| found.key_span));
+                return None;
+            }
+            return Some(FeedForward::InverseDynamics);
+        }
+        let variables = self.variables(Some(measured));
+        Some(FeedForward::Course(match self.changing(&entry, effort, Rule::Finite, &variables)? {
+            Changing::Constant(id) => Course::Constant(id),
+            Changing::Function(function) => Course::Function(function),
+        }))
+    }
+
+    /// Where nothing is given of the initial state, controlled joints start on their references, and as fast.
+    pub fn initial_of_controls(&self) -> Vec<InitialValue> {
+        let both = self.controls.iter().enumerate().flat_map(|(index, control)| {
+            let of = match self.joints[control.measured.0].kind {
+                JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(control.measured),
+                _ => InitialOf::JointAngle(control.measured),
+            };
+            let path = format!("control.{}", control.name);
+            [false, true].map(|is_rate| InitialValue {
+                path: path.clone(),
+                of,
+                is_rate,
+                number: InitialNumber::Reference { control: index },
+            })
+        });
+        both.collect()
+    }
+}
+
+/// What is not there is right; what is there and could not be read is not.
+fn present(found: Option<Option<QuantityId>>) -> Option<Option<QuantityId>> {
+    match found {
+        None => Some(None),
+        Some(id) => id.map(Some),
+    }
+}

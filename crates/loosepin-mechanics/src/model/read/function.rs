@@ -1,0 +1,73 @@
+//! Reading expressions over variables.
+
+use super::reader::ModelReader;
+use crate::model::function::{Beyond, Function, FunctionNames, Variable};
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::QuantityId;
+use loosepin_text::document::{Entry, Written};
+use loosepin_text::units::{Dimension, ExpressionProblem, Names, parse_expression};
+
+/// What is written where a value that may change is due.
+pub(super) enum Changing {
+    /// A value without variables.
+    Constant(QuantityId),
+    /// A function of the variables.
+    Function(Function),
+}
+
+impl ModelReader {
+    /// Reads an expression over parameters and `variables`. One without variables is a quantity like any other.
+    pub fn changing(
+        &mut self,
+        entry: &Entry<'_>,
+        dimension: Dimension,
+        rule: loosepin_text::units::Rule,
+        variables: &[Variable],
+    ) -> Option<Changing> {
+        let Written::Text(text) = self.reader.written(entry)? else {
+            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
+        };
+        let names = FunctionNames { parameters: &self.parameters, variables };
+        let expression = match parse_expression(text, &names) {
+            Ok(expression) => expression,
+            Err(error) => {
+                let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
+                if !is_echo {
+                    let span = self.reader.inside(entry, text, &error.span);
+                    self.reader.complain(&error.problem, span);
+                }
+                return None;
+            }
+        };
+        let reads_variables = |slot: &usize| usize::MAX - slot < variables.len();
+        let read: Vec<usize> = expression.reads.iter().copied().filter(reads_variables).collect();
+        if read.is_empty() {
+            return self.quantity_of(entry, dimension, rule).map(Changing::Constant);
+        }
+        for slot in read {
+            let (name, _) = variables[usize::MAX - slot];
+            if self.parameters.find(name).is_some() {
+                let problem = ModelProblem::NameTaken { entry: entry.path.describe(), name };
+                self.reader.complain(&problem, entry.span);
+                return None;
+            }
+        }
+        let slots: Vec<usize> = expression.reads.iter().copied().filter(|slot| !reads_variables(slot)).collect();
+        self.parameters.mark_used(&slots);
+        if !self.reader.measures(entry, expression.dimension, dimension) {
+            return None;
+        }
+        match Function::compile(&expression.ops, dimension, variables.len()) {
+            Ok(function) => Some(Changing::Function(function)),
+            Err(beyond) => {
+                let entry_words = entry.path.describe();
+                let problem = match beyond {
+                    Beyond::Inverse => ModelProblem::InverseFunction { entry: entry_words },
+                    Beyond::Exponent => ModelProblem::ExponentOfFunction { entry: entry_words },
+                };
+                self.reader.complain(&problem, entry.span);
+                None
+            }
+        }
+    }
+}

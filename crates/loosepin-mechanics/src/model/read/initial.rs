@@ -1,0 +1,102 @@
+//! Reading the initial state.
+
+use super::reader::ModelReader;
+use crate::model::ids::{Axis, BodyId};
+use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
+use crate::model::keys::{INITIAL_BODY_KEYS, INITIAL_JOINT_KEYS, INITIAL_KEYS};
+use crate::model::problem::ModelProblem;
+use crate::model::topology::JointKind;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule};
+
+/// Keys of positions and of their rates, with what both measure.
+const COORDINATES: [(&str, bool, Dimension); 4] = [
+    ("angle", false, Dimension::ANGLE),
+    ("angular_velocity", true, Dimension::ANGULAR_VELOCITY),
+    ("position", false, Dimension::LENGTH),
+    ("velocity", true, Dimension::VELOCITY),
+];
+
+impl ModelReader {
+    /// Reads the initial state.
+    pub fn read_initial(&mut self, entry: &Entry<'_>) -> Vec<InitialValue> {
+        let Some(table) = self.reader.table(entry, &INITIAL_KEYS) else { return Vec::new() };
+        self.remember(entry);
+        let mut values = Vec::new();
+        if let Some(bodies) = table.get("body") {
+            for entry in self.reader.any_keys(&bodies) {
+                self.initial_body(&entry, &mut values);
+            }
+        }
+        if let Some(joints) = table.get("joint") {
+            for entry in self.reader.any_keys(&joints) {
+                self.initial_joint(&entry, &mut values);
+            }
+        }
+        values
+    }
+
+    fn initial_body(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
+        self.remember(entry);
+        let table = self.reader.table(entry, &INITIAL_BODY_KEYS);
+        let (Some(table), Some(body)) = (table, self.body(&entry.at_key(), entry.name)) else { return };
+        if body == BodyId(0) {
+            self.reader.complain(&ModelProblem::InitialOfGround, entry.key_span);
+            return;
+        }
+        for (key, is_rate, dimension) in COORDINATES {
+            let Some(entry) = table.get(key) else { continue };
+            if matches!(key, "angle" | "angular_velocity") {
+                self.initial_value(&entry, InitialOf::BodyAngle(body), is_rate, dimension, values);
+                continue;
+            }
+            let Some(pair) = self.reader.pair(&entry) else { continue };
+            for (mut element, (axis, name)) in pair.into_iter().zip([(Axis::X, "x"), (Axis::Y, "y")]) {
+                element.path = entry.path.join(name);
+                self.initial_value(&element, InitialOf::BodyPosition(body, axis), is_rate, dimension, values);
+            }
+        }
+    }
+
+    fn initial_joint(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
+        self.remember(entry);
+        let table = self.reader.table(entry, &INITIAL_JOINT_KEYS);
+        let joint = self.named(&entry.at_key(), "joint", entry.name, |file| &file.joint_names);
+        let (Some(table), Some(joint)) = (table, joint) else { return };
+        let of = match self.joints[joint.0].kind {
+            JointKind::Revolute { .. } => InitialOf::JointAngle(joint),
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(joint),
+            JointKind::Rigid { .. } => {
+                let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
+                self.reader.complain(&problem, entry.key_span);
+                return;
+            }
+        };
+        for (key, is_rate, dimension) in COORDINATES {
+            let fits = matches!(key, "angle" | "angular_velocity") == matches!(of, InitialOf::JointAngle(_));
+            match table.get(key) {
+                Some(entry) if fits => self.initial_value(&entry, of, is_rate, dimension, values),
+                Some(entry) => self.refuse_coordinate(&table, &entry, key),
+                None => {}
+            }
+        }
+    }
+
+    fn refuse_coordinate(&mut self, table: &Table<'_>, entry: &Entry<'_>, key: &'static str) {
+        let problem = ModelProblem::WrongCoordinate { entry: table.path.describe(), key };
+        self.reader.complain(&problem, entry.key_span);
+    }
+
+    fn initial_value(
+        &mut self,
+        entry: &Entry<'_>,
+        of: InitialOf,
+        is_rate: bool,
+        dimension: Dimension,
+        values: &mut Vec<InitialValue>,
+    ) {
+        let value = self.quantity_of(entry, dimension, Rule::Finite);
+        let number = value.map(InitialNumber::Given);
+        values.extend(number.map(|number| InitialValue { path: entry.path.dotted(), of, is_rate, number }));
+    }
+}

@@ -1,0 +1,160 @@
+//! From the text of a model file to a model, with all its complaints at once.
+
+mod body;
+mod contact;
+mod control;
+mod coupling;
+mod cycle;
+mod drive;
+mod function;
+mod guide;
+mod initial;
+mod joint;
+mod load;
+mod output;
+mod parameter;
+mod parameters;
+mod reader;
+mod slot;
+mod spring;
+mod table_points;
+
+use crate::model::ids::BodyId;
+use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};
+use crate::model::problem::ModelProblem;
+use crate::model::topology::{Guess, Model};
+use loosepin_text::diagnostics::{Complaint, Complaints, Source};
+use loosepin_text::document::{Entry, Table, describe_path, json_schema, parse_toml, read_source, source_from_bytes};
+use loosepin_text::units::{Dimension, Rule};
+use reader::{ModelReader, UNREAD};
+use std::path::Path;
+use std::sync::Arc;
+
+/// The JSON Schema of a model file, for editors.
+pub fn model_schema() -> serde_json::Value {
+    json_schema("loosepin model", &MODEL_KEYS)
+}
+
+impl Model {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, each with its place.
+    pub fn from_path(path: &Path) -> Result<Model, Complaints> {
+        Model::from_source(read_source(path)?)
+    }
+
+    /// Reads a model from text that is reported as `name`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, each with its place.
+    pub fn from_text(name: &str, text: &str) -> Result<Model, Complaints> {
+        Model::from_source(Source::new(name, text))
+    }
+
+    /// Reads a model from bytes that are reported as `name`.
+    ///
+    /// # Errors
+    /// As [`Model::from_text`]; bytes that are not UTF-8.
+    pub fn from_bytes(name: &str, bytes: Vec<u8>) -> Result<Model, Complaints> {
+        Model::from_source(source_from_bytes(name, bytes)?)
+    }
+
+    /// Reads a model from a text with its name and, where [`Source::with_files`] gave them, the tables that it may name: no other
+    /// file is opened then.
+    ///
+    /// # Errors
+    /// As [`Model::from_text`].
+    pub fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
+        let toml = parse_toml(&source)?;
+        let mut file = ModelReader::new(&source);
+        let root = file.reader.root(toml.get_ref(), &MODEL_KEYS);
+        file.read(&root)
+    }
+}
+
+impl ModelReader {
+    fn read(mut self, root: &Table<'_>) -> Result<Model, Complaints> {
+        let name = root.get("name").and_then(|entry| self.reader.text(&entry)).unwrap_or_default().to_owned();
+        if let Some(entry) = root.get("parameter") {
+            self.read_parameters(&entry);
+        }
+        let gravity_m_s2 = self.quantity(root, "gravity").unwrap_or(UNREAD);
+        for (key, read) in [
+            ("body", ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
+            ("contact", ModelReader::read_contacts),
+            ("joint", ModelReader::read_joints),
+            ("coupling", ModelReader::read_couplings),
+            ("cam", ModelReader::read_cams),
+            ("spring", ModelReader::read_springs),
+            ("load", ModelReader::read_loads),
+            ("drive", ModelReader::read_drives),
+            ("control", ModelReader::read_controls),
+        ] {
+            if let Some(entry) = root.get(key) {
+                read(&mut self, &entry);
+            }
+        }
+        let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
+        let initial = match root.get("initial") {
+            Some(entry) => self.read_initial(&entry),
+            None => self.initial_of_controls(),
+        };
+        let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
+        let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
+        self.warn_of_unused();
+        match cycle {
+            Some(cycle) if !self.reader.complaints.has_errors() => Ok(Model {
+                name,
+                quantities: self.quantities,
+                gravity_m_s2,
+                bodies: self.bodies,
+                contacts: self.contacts,
+                joints: self.joints,
+                couplings: self.couplings,
+                springs: self.springs,
+                loads: self.loads,
+                drives: self.drives,
+                controls: self.controls,
+                guesses,
+                initial,
+                cycle,
+                outputs,
+                warnings: self.warnings,
+                source: self.reader.source,
+                tables: self.tables,
+                places: self.places,
+            }),
+            // What looks unused may be so only because of an error, so warnings wait until there is none.
+            _ => Err(self.reader.complaints),
+        }
+    }
+
+    fn warn_of_unused(&mut self) {
+        let contacts = self.contact_names.iter().map(|(name, _)| name);
+        let unused_contacts = contacts.filter(|name| !self.used_contacts.contains(name));
+        let mut paths: Vec<String> = unused_contacts.map(|name| format!("contact.{name}")).collect();
+        paths.extend(self.parameters.unused().map(|name| format!("parameter.{name}")));
+        for path in paths {
+            let place = self.places.get(&path).map(|span| self.reader.place(*span));
+            let problem = ModelProblem::Unused { entry: describe_path(&path) };
+            self.warnings.push(Complaint::warning(&problem, place));
+        }
+    }
+
+    fn read_guesses(&mut self, entry: &Entry<'_>) -> Vec<Guess> {
+        let Some(guess) = self.reader.table(entry, &ASSEMBLY_KEYS).and_then(|assembly| assembly.get("guess")) else {
+            return Vec::new();
+        };
+        let mut guesses = Vec::new();
+        for entry in self.reader.any_keys(&guess) {
+            let angle_rad = self.quantity_of(&entry, Dimension::ANGLE, Rule::Finite);
+            match self.body(&entry.at_key(), entry.name) {
+                Some(BodyId(0)) => self.reader.complain(&ModelProblem::GuessOfGround, entry.key_span),
+                Some(body) => guesses.extend(angle_rad.map(|angle_rad| Guess { body, angle_rad })),
+                None => {}
+            }
+        }
+        guesses
+    }
+}

@@ -1,0 +1,42 @@
+//! The parameters read so far.
+
+use loosepin_text::units::{Dimension, Names};
+use std::collections::{HashMap, HashSet};
+
+/// The parameters read so far.
+#[derive(Debug, Default)]
+pub(super) struct Parameters {
+    /// Slot and dimension of each.
+    pub known: HashMap<String, (usize, Dimension)>,
+    /// In file order.
+    pub order: Vec<String>,
+    /// Those that were complained about: whoever uses them is not complained about again.
+    pub broken: HashSet<String>,
+    used: HashSet<usize>,
+}
+
+impl Names for Parameters {
+    fn find(&self, name: &str) -> Option<(usize, Dimension)> {
+        self.known.get(name).copied()
+    }
+    fn all(&self) -> Vec<&str> {
+        self.order.iter().map(String::as_str).collect()
+    }
+}
+
+impl Parameters {
+    /// Whether a parameter of this name was complained about.
+    pub fn is_broken(&self, name: &str) -> bool {
+        self.broken.contains(name)
+    }
+
+    /// Notes that expressions use these slots.
+    pub fn mark_used(&mut self, slots: &[usize]) {
+        self.used.extend(slots);
+    }
+
+    /// Names of those that no expression uses, in file order.
+    pub fn unused(&self) -> impl Iterator<Item = &String> {
+        self.order.iter().filter(|name| self.known.get(*name).is_some_and(|(slot, _)| !self.used.contains(slot)))
+    }
+}
