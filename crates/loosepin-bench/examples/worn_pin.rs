@@ -215,19 +215,17 @@ fn words(study: &Study, treatments: &[TreatmentComparison], truths: &[Truth], di
         page,
         "# What bands promise and what they hold\n\n\
          <!-- Written by `just campaign worn-pin {mechanisms} --write docs/worn-pin.md`; do not edit. -->\n\n\
-         Whoever takes an unmeasured play for a random one promises too much; whoever takes scatter for an interval, too little; \
-         kept apart they give a band that holds and is no wider than it must be. That is the claim of D. Sun and G. Chen, European \
-         Journal of Mechanics A/Solids 58 (2016) 256-261. Here it is put to the test on \
-         [the worn pin](../cases/slider_crank_worn_pin/README.md): crank and rod scatter, the radial play (0.1 to 0.5 mm) and the \
-         restitution (0.7 to 0.9) are fixed but unknown.\n\n\
-         * **Bands.** The study of the case, asked for its single numbers and for {POSES} poses: at most {} values of the unknown \
-         pair, {} mechanisms at each. Each treatment gives a central {:.0} % band; the interval-only one has everything in it that \
-         it knows of.\n\
-         * **Truth.** {VALUES} values of the pair that the study has not run (Sobol' points with another seed, none nearer than {:.1} % \
-         of the box to one that was run), and {mechanisms} mechanisms at each with random numbers of their own. Where {:.0} % are \
-         inside, the standard error of the share is {}.\n\
-         * **Short** is a share that lies {STANDARD_ERRORS} of its standard errors below {:.0} %.\n\n\
-         Bands as they were attained, not widened by their numerical error. The same on every machine.\n\n",
+         Is a band as good as it promises? D. Sun and G. Chen, European Journal of Mechanics A/Solids 58 (2016) 256-261, say: random \
+         plays promise too much, interval-only bands are too wide, and the mixed treatment is right. This page tests it on \
+         [the worn pin](../cases/slider_crank_worn_pin/README.md): crank and rod lengths are random, the radial play (0.1 to 0.5 mm) and \
+         the restitution (0.7 to 0.9) are unknown.\n\n\
+         * **Bands.** The study of the case, for its single numbers and for {POSES} poses: at most {} values of the unknown pair, {} \
+         mechanisms at each. Each treatment gives a central {:.0} % band; the interval-only band holds all its values.\n\
+         * **Truth.** {VALUES} other values of the pair (Sobol' points with another seed, at least {:.1} % of the box away from those of \
+         the study), and {mechanisms} mechanisms at each with other random numbers. At {:.0} % inside, the standard error of the share \
+         is {}.\n\
+         * **Short**: the share is {STANDARD_ERRORS} standard errors or more below {:.0} %.\n\n\
+         The bands are not widened by their numerical error. The numbers are the same on every machine.\n\n",
         study.sampling.outer,
         study.sampling.inner,
         100.0 * promised,
