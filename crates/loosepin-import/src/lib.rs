@@ -16,6 +16,7 @@
 
 pub mod templates;
 
+mod dxf;
 mod error;
 mod links;
 mod options;

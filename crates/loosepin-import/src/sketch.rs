@@ -1,10 +1,7 @@
 //! The lines and circles of a drawing, in its own unit.
 
-use dxf::Drawing;
-use dxf::entities::EntityType;
-use dxf::enums::Units;
-
 use super::ImportOptions;
+use super::dxf::{Drawing, Entity, Shape as Drawn, Vertex};
 use super::error::ImportError;
 use loosepin_text::units::{Dimension, format_number, parse_unit};
 
@@ -43,21 +40,17 @@ pub(super) struct Sketch {
     pub ignored: usize,
 }
 
-/// A vertex with its height over the plane.
-type Vertex = [f64; 3];
-
 impl Sketch {
     /// Reads a drawing.
-    pub fn read(mut bytes: &[u8], options: &ImportOptions) -> Result<Self, ImportError> {
-        let drawing =
-            Drawing::load(&mut bytes).map_err(|error| ImportError::NoDrawing { reason: error.to_string() })?;
+    pub fn read(bytes: &[u8], options: &ImportOptions) -> Result<Self, ImportError> {
+        let drawing = Drawing::read(bytes).map_err(|error| ImportError::NoDrawing { reason: error.to_string() })?;
         // A file without any section is read as a drawing without anything in it.
-        if drawing.entities().next().is_none() {
+        if drawing.entities.is_empty() {
             return Err(ImportError::Nothing { what: "line, polyline or circle" });
         }
         let unit = match &options.unit {
             Some(text) => text.trim().to_owned(),
-            None => unit_of(drawing.header.default_drawing_units)?.to_owned(),
+            None => unit_of(drawing.insertion_unit)?.to_owned(),
         };
         let metres = match parse_unit(&unit) {
             Ok(measured) if measured.dimension == Dimension::LENGTH => measured.value_si,
@@ -71,33 +64,29 @@ impl Sketch {
             ignored: 0,
         };
         let mut height = None;
-        for entity in drawing.entities() {
-            let on_ground = entity.common.layer.eq_ignore_ascii_case(GROUND_LAYER);
-            match &entity.specific {
-                EntityType::Line(line) => {
-                    let vertices = [&line.p1, &line.p2].map(|p| [p.x, p.y, p.z]);
-                    sketch.add_shape("line", &vertices, false, on_ground, &mut height)?;
+        for entity in &drawing.entities {
+            let on_ground = entity.layer.eq_ignore_ascii_case(GROUND_LAYER);
+            match &entity.shape {
+                Drawn::Line(ends) => sketch.add_shape("line", ends, false, on_ground, &mut height)?,
+                Drawn::Polyline { vertices, is_closed, .. } => {
+                    let vertices = sketch.in_drawing("the polyline", entity, vertices)?;
+                    sketch.add_shape("polyline", &vertices, *is_closed, on_ground, &mut height)?;
                 }
-                EntityType::LwPolyline(polyline) => {
-                    // Such a polyline lies in a plane of its own height, which is no part of its vertices.
-                    let vertices: Vec<Vertex> = polyline.vertices.iter().map(|v| [v.x, v.y, 0.0]).collect();
-                    sketch.add_shape("polyline", &vertices, polyline.is_closed(), on_ground, &mut None)?;
+                // Such a polyline lies in a plane of its own height, which is no part of its vertices.
+                Drawn::FlatPolyline { vertices, is_closed } => {
+                    let vertices = sketch.in_drawing("the polyline", entity, vertices)?;
+                    sketch.add_shape("polyline", &vertices, *is_closed, on_ground, &mut None)?;
                 }
-                EntityType::Polyline(polyline) => {
-                    let vertices: Vec<Vertex> =
-                        polyline.vertices().map(|v| [v.location.x, v.location.y, v.location.z]).collect();
-                    sketch.add_shape("polyline", &vertices, polyline.is_closed(), on_ground, &mut height)?;
-                }
-                EntityType::Circle(circle) => {
-                    let centre = [circle.center.x, circle.center.y, circle.center.z];
+                Drawn::Circle { centre, radius } => {
+                    let centre = sketch.in_drawing("the circle", entity, &[*centre])?[0];
                     let centre = sketch.in_plane("the circle", centre, &mut height)?;
-                    if !(circle.radius > 0.0 && circle.radius.is_finite()) {
+                    if !(*radius > 0.0 && radius.is_finite()) {
                         let place = sketch.place(centre);
                         return Err(ImportError::NoSize { what: "circle", place, size: "radius" });
                     }
-                    sketch.circles.push(Circle { centre, radius: circle.radius, on_ground });
+                    sketch.circles.push(Circle { centre, radius: *radius, on_ground });
                 }
-                _ => sketch.ignored += 1,
+                Drawn::Other => sketch.ignored += 1,
             }
         }
         if sketch.shapes.iter().all(|shape| shape.on_ground) {
@@ -107,6 +96,21 @@ impl Sketch {
             return Err(ImportError::Nothing { what: "circle" });
         }
         Ok(sketch)
+    }
+
+    /// Vertices of an entity, which may be written in a frame of its own, in the frame of the drawing.
+    fn in_drawing(&self, what: &'static str, entity: &Entity, vertices: &[Vertex]) -> Result<Vec<Vertex>, ImportError> {
+        let in_drawing = |vertex: &Vertex| {
+            entity.in_drawing(*vertex).ok_or_else(|| {
+                let place = self.place([vertex[0], vertex[1]]);
+                ImportError::NotPlanar {
+                    what,
+                    place,
+                    why: "lies in a plane that is tilted against that of the drawing",
+                }
+            })
+        };
+        vertices.iter().map(in_drawing).collect()
     }
 
     fn add_shape(
@@ -164,16 +168,43 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     libm::hypot(b[0] - a[0], b[1] - a[1])
 }
 
-fn unit_of(units: Units) -> Result<&'static str, ImportError> {
-    Ok(match units {
-        Units::Unitless => return Err(ImportError::NoUnit),
-        Units::Millimeters => "mm",
-        Units::Centimeters => "cm",
-        Units::Meters => "m",
-        Units::Inches => "in",
-        Units::Feet => "ft",
-        Units::Microns => "um",
-        Units::Kilometers => "km",
-        other => return Err(ImportError::ForeignUnit { unit: format!("{other:?}") }),
-    })
+/// The units that $INSUNITS numbers from 0 (DXF Reference, "HEADER Section Group Codes"): the name, and the symbol where models
+/// know the unit.
+const INSERTION_UNITS: [(&str, Option<&str>); 25] = [
+    ("Unitless", None),
+    ("Inches", Some("in")),
+    ("Feet", Some("ft")),
+    ("Miles", None),
+    ("Millimeters", Some("mm")),
+    ("Centimeters", Some("cm")),
+    ("Meters", Some("m")),
+    ("Kilometers", Some("km")),
+    ("Microinches", None),
+    ("Mils", Some("mil")),
+    ("Yards", None),
+    ("Angstroms", None),
+    ("Nanometers", Some("nm")),
+    ("Microns", Some("um")),
+    ("Decimeters", Some("dm")),
+    ("Decameters", None),
+    ("Hectometers", None),
+    ("Gigameters", None),
+    ("AstronomicalUnits", None),
+    ("LightYears", None),
+    ("Parsecs", None),
+    ("USSurveyFeet", None),
+    ("USSurveyInch", None),
+    ("USSurveyYard", None),
+    ("USSurveyMile", None),
+];
+
+fn unit_of(number: i64) -> Result<&'static str, ImportError> {
+    if number == 0 {
+        return Err(ImportError::NoUnit);
+    }
+    match usize::try_from(number).ok().and_then(|number| INSERTION_UNITS.get(number)) {
+        Some((_, Some(symbol))) => Ok(symbol),
+        Some((name, None)) => Err(ImportError::ForeignUnit { unit: (*name).to_owned() }),
+        None => Err(ImportError::ForeignUnit { unit: format!("unit {number} of $INSUNITS") }),
+    }
 }

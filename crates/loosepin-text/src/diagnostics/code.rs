@@ -481,8 +481,8 @@ value that was not measured."
 whole turns so that the first of them lies in the first recorded turn. Record more turns, or cut the table."
 
     NotADrawing "E1101" "a drawing cannot be read"
-"`loosepin import` reads DXF files, as text or binary, of any version since R10. The reason is that of the reader, with the line of \
-the file."
+"`loosepin import` reads DXF files, as text or binary, of any version since R10. The reason begins with the line of the file, or with \
+the byte of a binary file."
 
     DrawingNotAMechanism "E1102" "a drawing is not a sketch of a mechanism"
 "Lines and polylines are links, circles are joints. Every circle is met by a link, every link meets a circle, and what stands in \
