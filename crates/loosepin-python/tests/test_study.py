@@ -2,6 +2,7 @@
 
 import csv
 import json
+import shutil
 import tomllib
 
 import loosepin as lp
@@ -39,6 +40,10 @@ def test_identity_samples_are_the_runs(desk, result):
     for name in table.column_names:
         np.testing.assert_array_equal(result.samples[name], table[name].to_numpy(), err_msg=name)
         assert result.samples.units[name].encode() == table.schema.field(name).metadata[b"unit"]
+    assert json.loads(pyarrow.parquet.read_metadata(desk / "command/runs.parquet").metadata[b"units"]) == dict(result.samples.units)
+    nullable = {field.name for field in table.schema if field.nullable}
+    assert nullable == {field.name for field in table.schema if field.type == pyarrow.float64()}
+    assert {str(field.type) for field in table.schema} == {"uint64", "double", "string"}
     assert list(result.samples.inputs) == ["parameter.crank_length", "parameter.rod_length", "joint.gudgeon.radial_clearance"]
     assert list(result.samples.outputs) == ["slider total maximum_absolute"]
     assert list(result.samples.to_pandas().columns) == table.column_names
@@ -50,6 +55,17 @@ def test_identity_a_finished_folder_is_read_again(desk, result):
     assert again.summary == result.summary
     np.testing.assert_array_equal(again.samples["reason"], result.samples["reason"])
     assert told == []
+
+
+def test_compressed_runs_of_an_earlier_state_are_refused(desk, result, tmp_path):
+    shutil.copytree(desk / "command", tmp_path / "earlier")
+    runs = tmp_path / "earlier/runs.parquet"
+    pyarrow.parquet.write_table(pyarrow.parquet.read_table(runs), runs, compression="zstd")
+    with pytest.raises(lp.LoosepinError) as refused:
+        lp.Study.load(desk / "study.toml").run(tmp_path / "earlier", progress=False)
+    assert refused.value.code == "E0902"
+    assert "the runs are compressed by ZSTD; this version reads runs that are not compressed" in str(refused.value)
+    assert "pyarrow and pandas read the file as it is" in str(refused.value)
 
 
 def test_identity_a_dict_on_more_threads_without_a_folder_is_the_file(desk, result):

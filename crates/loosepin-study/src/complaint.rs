@@ -181,18 +181,24 @@ impl Problem for FilesError {
     fn code(&self) -> Code {
         match self {
             Self::Results(error) => error.code(),
-            Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => Code::NoResults,
+            Self::Layout { .. }
+            | Self::OtherFormat { .. }
+            | Self::ForeignColumn { .. }
+            | Self::CompressedRuns { .. } => Code::NoResults,
             Self::Json { .. }
             | Self::Csv { .. }
             | Self::UnequalColumns { .. }
             | Self::RepeatedColumn { .. }
-            | Self::Parquet { .. }
-            | Self::Arrow { .. } => Code::ResultNotStorable,
+            | Self::Parquet { .. } => Code::ResultNotStorable,
         }
     }
 
     fn hint(&self) -> Option<String> {
         match self {
+            Self::CompressedRuns { .. } => Some(
+                "run the study again, or use the version that wrote it; pyarrow and pandas read the file as it is"
+                    .to_owned(),
+            ),
             Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => {
                 Some("run the study again, or use the version that wrote it".to_owned())
             }
@@ -201,8 +207,7 @@ impl Problem for FilesError {
             | Self::Csv { .. }
             | Self::UnequalColumns { .. }
             | Self::RepeatedColumn { .. }
-            | Self::Parquet { .. }
-            | Self::Arrow { .. } => None,
+            | Self::Parquet { .. } => None,
         }
     }
 }

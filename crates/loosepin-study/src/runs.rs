@@ -45,4 +45,9 @@ impl RunData {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+
+    /// Whether a row may be without a value.
+    pub fn is_nullable(&self) -> bool {
+        matches!(self, RunData::F64(_))
+    }
 }

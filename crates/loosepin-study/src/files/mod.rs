@@ -1,6 +1,7 @@
 //! The files that a study leaves behind. `docs/files.md` describes them; everything but `timing.json` repeats byte for
 //! byte.
 
+mod arrow_schema;
 mod bounds_table;
 mod json;
 mod runs_table;
@@ -100,11 +101,11 @@ pub enum FilesError {
         /// What it said.
         source: parquet::errors::ParquetError,
     },
-    /// The Arrow library refused.
-    #[error("the runs cannot be laid out as columns: {source}")]
-    Arrow {
-        /// What it said.
-        source: arrow::error::ArrowError,
+    /// The runs are compressed, as earlier versions wrote them.
+    #[error("the runs are compressed by {codec}; this version reads runs that are not compressed")]
+    CompressedRuns {
+        /// What compressed them.
+        codec: String,
     },
 }
 
