@@ -1,21 +1,17 @@
-//! The graph of a surrogate that is made of networks.
-
-use prost::Message;
+//! The graph of a surrogate that is made of networks. Numbers of fields are those of `onnx.proto`.
 
 use super::super::fitted::{Fitted, Form};
 use super::super::input::Input;
 use super::super::modes::Modes;
 use super::OnnxMetadata;
-use super::messages::{
-    Attribute, Dimension, Entry, Graph, Length, Model, Node, OperatorSet, Shape, Tensor, TensorKind, Value, ValueKind,
-};
+use super::protobuf::Message;
 
 /// Version of the layout (of 2022), and of the operators that are used.
 const IR_VERSION: i64 = 8;
 const OPERATOR_SET: i64 = 17;
 /// `TensorProto.DOUBLE` and `AttributeProto.INT`.
-const DOUBLE: i32 = 11;
-const INTEGER_ATTRIBUTE: i32 = 2;
+const DOUBLE: i64 = 11;
+const INTEGER_ATTRIBUTE: i64 = 2;
 
 /// A matrix by rows.
 struct Matrix {
@@ -126,7 +122,7 @@ pub(crate) fn model(
         step("Less", &["inputs", "least"], "is_below"),
         step("Greater", &["inputs", "largest"], "is_above"),
         step("Or", &["is_below", "is_above"], "is_beyond"),
-        Node { attribute: vec![to_double()], ..step("Cast", &["is_beyond"], "beyond") },
+        step("Cast", &["is_beyond"], "beyond").message(5, to_double()),
         step("MatMul", &["beyond", "ones"], "inputs_beyond"),
         step("Greater", &["inputs_beyond", "zero"], "is_outside"),
         step("Sub", &["inputs", "input_centre"], "centred"),
@@ -142,50 +138,56 @@ pub(crate) fn model(
         step("Add", &["deviation_from_mean_curve", "mean_curve"], "learned"),
         step("Where", &["is_outside", "no_answer", "learned"], "values"),
     ];
-    let graph = Graph {
-        node,
-        name: name.to_owned(),
-        initializer,
-        input: vec![value("inputs", inputs.len())],
-        output: vec![value("values", places)],
-    };
-    let model = Model {
-        ir_version: IR_VERSION,
-        producer_name: "loosepin".to_owned(),
-        producer_version: env!("CARGO_PKG_VERSION").to_owned(),
-        graph: Some(graph),
-        opset_import: vec![OperatorSet { domain: String::new(), version: OPERATOR_SET }],
-        metadata_props: metadata.into_iter().map(|(key, value)| Entry { key, value }).collect(),
-    };
-    model.encode_to_vec()
+    // GraphProto: node, name, initializer, input, output
+    let graph = Message::default()
+        .messages(1, node)
+        .text(2, name)
+        .messages(5, initializer)
+        .message(11, value("inputs", inputs.len()))
+        .message(12, value("values", places));
+    // OperatorSetIdProto: version; StringStringEntryProto: key, value
+    let operators = Message::default().integer(2, OPERATOR_SET);
+    let metadata = metadata.iter().map(|(key, value)| Message::default().text(1, key).text(2, value));
+    // ModelProto: ir_version, producer_name, producer_version, graph, opset_import, metadata_props
+    Message::default()
+        .integer(1, IR_VERSION)
+        .text(2, "loosepin")
+        .text(3, env!("CARGO_PKG_VERSION"))
+        .message(7, graph)
+        .message(8, operators)
+        .messages(14, metadata)
+        .into_bytes()
 }
 
-fn vector(name: &str, values: Vec<f64>) -> Tensor {
-    Tensor { dims: vec![values.len() as i64], data_type: DOUBLE, name: name.to_owned(), double_data: values }
+fn vector(name: &str, values: Vec<f64>) -> Message {
+    tensor(name, &[values.len() as i64], &values)
 }
 
-fn matrix(name: &str, matrix: Matrix) -> Tensor {
-    let dims = vec![matrix.rows as i64, matrix.columns as i64];
-    Tensor { dims, data_type: DOUBLE, name: name.to_owned(), double_data: matrix.values }
+fn matrix(name: &str, matrix: Matrix) -> Message {
+    tensor(name, &[matrix.rows as i64, matrix.columns as i64], &matrix.values)
 }
 
-fn step(operator: &str, from: &[&str], to: &str) -> Node {
-    Node {
-        input: from.iter().map(|&name| name.to_owned()).collect(),
-        output: vec![to.to_owned()],
-        op_type: operator.to_owned(),
-        attribute: Vec::new(),
-    }
+/// TensorProto: dims, data_type, name, double_data
+fn tensor(name: &str, dims: &[i64], values: &[f64]) -> Message {
+    Message::default().integers(1, dims).integer(2, DOUBLE).text(8, name).doubles(10, values)
 }
 
-fn to_double() -> Attribute {
-    Attribute { name: "to".to_owned(), i: i64::from(DOUBLE), kind: INTEGER_ATTRIBUTE }
+/// NodeProto: input, output, op_type
+fn step(operator: &str, from: &[&str], to: &str) -> Message {
+    Message::default().texts(1, from).text(2, to).text(4, operator)
+}
+
+/// AttributeProto: name, i, type
+fn to_double() -> Message {
+    Message::default().text(1, "to").integer(3, DOUBLE).integer(20, INTEGER_ATTRIBUTE)
 }
 
 /// A table with any number of rows.
-fn value(name: &str, columns: usize) -> Value {
-    let dim = [Length::Open("batch".to_owned()), Length::Value(columns as i64)];
-    let shape = Shape { dim: dim.into_iter().map(|length| Dimension { length: Some(length) }).collect() };
-    let tensor = TensorKind { element: DOUBLE, shape: Some(shape) };
-    Value { name: name.to_owned(), kind: Some(ValueKind { tensor: Some(tensor) }) }
+fn value(name: &str, columns: usize) -> Message {
+    // TensorShapeProto.Dimension: dim_value or dim_param
+    let dims = [Message::default().text(2, "batch"), Message::default().integer(1, columns as i64)];
+    // TypeProto.Tensor: elem_type, shape
+    let tensor = Message::default().integer(1, DOUBLE).message(2, Message::default().messages(1, dims));
+    // ValueInfoProto: name, type
+    Message::default().text(1, name).message(2, Message::default().message(1, tensor))
 }

@@ -10,7 +10,7 @@
 //! surrogate answers in comes out as not-a-number. The spread of the error and what is left of the runs are not part of the graph.
 
 mod graph;
-mod messages;
+mod protobuf;
 
 pub(super) use graph::{Layers, model};
 
