@@ -14,7 +14,7 @@ use loosepin::uncertainty::{
 };
 use std::sync::Arc;
 
-use super::known_bounds::KnownCase;
+use super::known_bounds::{KnownCase, USUAL_EXCESS};
 
 /// A range: both ends.
 type Range = (f64, f64);
@@ -97,27 +97,6 @@ pub fn pairings() -> Vec<KnownCase> {
     kinds.flat_map(|(first, &a)| Kind::ALL[first..].iter().map(move |&b| pairing(a, b))).collect()
 }
 
-/// Probability boxes alone, from runs at few distributions weighted for all others: beside a normal variable, two of them, and one
-/// beside what no polynomial follows, sin(40 Z)/2 with a mean of 0 and a variance of 1/8.
-pub fn box_weighted() -> Vec<KnownCase> {
-    let weighted = |case: KnownCase| KnownCase { name: format!("{}, weighted", case.name), is_weighted: true, ..case };
-    let box_alone = pairing(Kind::Random, Kind::ProbabilityBox);
-    let two = pairing(Kind::ProbabilityBox, Kind::ProbabilityBox);
-    let deviation = |s: f64| s.hypot(0.125_f64.sqrt());
-    let rough = KnownCase {
-        name: "random and p-box, rough".to_owned(),
-        random: vec![Distribution::Normal { mean: 0.0, standard_deviation: 1.0 }, box_alone.random[1].clone()],
-        statistics: vec![
-            (Statistic::Mean, BOX_MEAN),
-            (Statistic::StandardDeviation, (deviation(BOX_DEVIATION.0), deviation(BOX_DEVIATION.1))),
-        ],
-        function: Arc::new(|x: &[f64], _: &[f64]| x[1] + 0.5 * (40.0 * x[0]).sin()),
-        sampling: [64, 256],
-        ..pairing(Kind::Random, Kind::ProbabilityBox)
-    };
-    [box_alone, two, rough].map(weighted).into()
-}
-
 fn interval((lower, upper): Range) -> Interval {
     Interval::try_new(lower, upper).unwrap_or_else(|error| panic!("[{lower}, {upper}]: {error}"))
 }
@@ -178,7 +157,7 @@ fn pairing(a: Kind, b: Kind) -> KnownCase {
         levels,
         function: Arc::new(function),
         sampling: [128, 128],
-        is_weighted: false,
+        most_excess: USUAL_EXCESS,
     }
 }
 

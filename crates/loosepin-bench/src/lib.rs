@@ -8,7 +8,6 @@ pub mod diagram;
 pub mod equations;
 pub mod known_bounds;
 pub mod known_pairings;
-pub mod known_weights;
 pub mod precision;
 
 use std::fmt;

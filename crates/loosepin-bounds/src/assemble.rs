@@ -1,13 +1,11 @@
 //! From the finished table to bounds.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use rayon::prelude::*;
 
 use super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds, Reading};
 use super::combine::{Parts, QuantileJob};
 use super::index::probability_of_index;
-use super::measure::{Event, Measure, MeasureKind, Sought};
+use super::measure::{Event, Measure, MeasureKind};
 use super::plan::{DoubleLoop, PlanError};
 use super::pool::{Pool, PoolPoint};
 use super::probability_box::ProbabilityBox;
@@ -50,7 +48,7 @@ impl DoubleLoop {
             return Err(PlanError::NoRuns);
         }
         self.check_points(&pool)?;
-        let pool = pool.with_polynomials(self.inner_basis()).with_weights(self, table);
+        let pool = pool.with_polynomials(self.inner_basis());
         let evidence = Evidence::new(self, &pool, table);
         let mut levels = evidence.levels();
         let pairs = levels.first().map(|level| level.pairs.clone()).unwrap_or_default();
@@ -64,7 +62,6 @@ impl DoubleLoop {
             .map(|request| ProbabilityBox::new(&evidence, table, request.column))
             .collect();
         let comparisons = TreatmentComparison::all(&evidence, table);
-        let [told, untold] = [&evidence.told, &evidence.untold].map(|count| count.load(Ordering::Relaxed));
         Ok(Bounds {
             reading: problem.reading,
             pairs,
@@ -72,7 +69,6 @@ impl DoubleLoop {
             percentiles: evidence.percentiles(),
             boxes,
             comparisons,
-            reweighted: pool.reweighted(told, untold),
             outer_points: pool.points.iter().map(|point| point.epistemic.clone()).collect(),
             centre_point: self.centre_point(),
             runs: table.len(),
@@ -89,9 +85,6 @@ pub(super) struct Evidence<'a> {
     pub table: &'a SampleTable,
     /// Outer points in the search box.
     pub places: Vec<Place>,
-    /// How many bounds weighted runs have told the furthest place of, and how many they were worth too little for.
-    told: AtomicUsize,
-    untold: AtomicUsize,
 }
 
 /// A part of the epistemic box, and the outer points in it.
@@ -103,8 +96,7 @@ pub(super) struct Part<'a> {
 impl<'a> Evidence<'a> {
     /// The runs of `pool`, gathered from `table`.
     pub fn new(plan: &'a DoubleLoop, pool: &'a Pool, table: &'a SampleTable) -> Self {
-        let [told, untold] = [0; 2].map(AtomicUsize::new);
-        Self { plan, pool, table, places: plan.outer_places(pool), told, untold }
+        Self { plan, pool, table, places: plan.outer_places(pool) }
     }
 }
 
@@ -282,10 +274,7 @@ impl Evidence<'_> {
         let optimisation = if self.plan.epistemic_box().dimensions() == 0 || estimate.value.is_infinite() {
             0.0
         } else {
-            let attained = (witness, estimate.value);
-            let further = self
-                .furthest_of_pool(samples, measure, direction, (witness, estimate.value, sampling), part)
-                .unwrap_or_else(|| modelled.furthest(search, samples, direction, attained, part));
+            let further = modelled.furthest(search, samples, direction, (witness, estimate.value), part);
             (sign * (further - estimate.value)).max(0.0)
         };
         // What the search concedes ends where no response goes; the sampling error keeps what it needs.
@@ -301,34 +290,6 @@ impl Evidence<'_> {
             guarantee,
         };
         bound.within_responses(samples, direction)
-    }
-}
-
-impl Evidence<'_> {
-    /// How far the statistic may go where the runs of all outer points are weighted for every u; nothing where they are not or cannot
-    /// tell.
-    fn furthest_of_pool(
-        &self,
-        samples: &[&Sample],
-        measure: &Measure,
-        direction: Direction,
-        (witness, value, sampling): (usize, f64, f64),
-        part: &Part<'_>,
-    ) -> Option<f64> {
-        let pooled = samples.get(witness)?.pooled()?;
-        let (attained, confidence) = ((witness, value), self.plan.confidence());
-        let beyond = pooled.furthest(measure.sought, direction, attained, part.region, confidence).ok();
-        let count = if beyond.is_some() { &self.told } else { &self.untold };
-        count.fetch_add(1, Ordering::Relaxed);
-        let gain = beyond?.gain;
-        let sign = direction.sign();
-        let is_square = measure.sought == Sought::Variance;
-        let of_square = |square: f64| if is_square { square.max(0.0).sqrt() } else { square };
-        let further = of_square(if is_square { value * value } else { value } + sign * gain);
-        // The sampling error comes on top.
-        let by_all = pooled.outermost(measure.sought, direction, witness, confidence);
-        let by_all = by_all.map_or(further, |square| of_square(square) - sign * sampling);
-        Some(if direction.is_beyond(by_all, further) { by_all } else { further })
     }
 }
 

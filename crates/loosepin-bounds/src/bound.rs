@@ -1,7 +1,6 @@
 //! Bounds and what stands behind them. The shape of a result never depends on its value.
 
 use super::probability_box::ProbabilityBox;
-use super::reweighting::Reweighted;
 use super::search::Direction;
 use super::second_order::StatisticPercentiles;
 use super::statistic::Statistic;
@@ -170,8 +169,6 @@ pub struct Bounds {
     pub boxes: Vec<ProbabilityBox>,
     /// One entry for each compared column, in their order.
     pub comparisons: Vec<TreatmentComparison>,
-    /// Where runs were weighted for other values of the epistemic inputs: how.
-    pub reweighted: Option<Reweighted>,
     /// Values of the epistemic inputs at every outer point, in the order of the outer index.
     pub outer_points: Vec<Vec<f64>>,
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.

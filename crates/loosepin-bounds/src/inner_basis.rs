@@ -117,14 +117,6 @@ impl Design {
         Some(Self { axes: axes.to_vec(), degree, terms, per_replicate, rows, without: without?, rest })
     }
 
-    /// The polynomial with these coefficients at `coordinates`.
-    pub fn value(&self, coefficients: &[f64], coordinates: &[f64]) -> f64 {
-        let values: Vec<Vec<f64>> =
-            coordinates.iter().zip(&self.axes).map(|(&t, axis)| axis.values(t, self.degree)).collect();
-        let term = |term: &Vec<usize>| term.iter().zip(&values).map(|(&k, values)| values[k]).product::<f64>();
-        self.terms.iter().zip(coefficients).map(|(exponents, c)| c * term(exponents)).sum()
-    }
-
     /// Fits `values`, one for each inner point.
     pub fn fit(&self, values: &[f64]) -> CrossFit {
         let size = self.terms.len();

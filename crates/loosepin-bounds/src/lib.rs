@@ -42,7 +42,6 @@ mod quantile;
 mod random_inputs;
 mod random_set;
 mod refinement;
-mod reweighting;
 mod sample;
 mod search;
 mod search_box;
@@ -70,9 +69,8 @@ pub use pinching::{PinchedInput, Pinching};
 pub use plan::{DoubleLoop, PlanError};
 pub use probability_box::ProbabilityBox;
 pub use problem::MOST_OUTER;
-pub use problem::{NotReweighted, Problem, ProblemError, Request, Reweightable, Sampling};
+pub use problem::{Problem, ProblemError, Request, Sampling};
 pub use refinement::{Assessment, Goal, Refinement, Standing};
-pub use reweighting::Reweighted;
 pub use second_order::{Percentile, StatisticPercentiles};
 pub use simultaneous::SimultaneousBand;
 pub use statistic::Statistic;
@@ -95,8 +93,6 @@ mod noisy_cases;
 mod parameter_cases;
 #[cfg(test)]
 mod periodic_cases;
-#[cfg(test)]
-mod reweighting_cases;
 #[cfg(test)]
 mod second_order_cases;
 #[cfg(test)]

@@ -45,20 +45,10 @@ impl Event {
     }
 }
 
-/// What of a response is measured.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Sought {
-    Mean,
-    Variance,
-    Quantile(f64),
-    Probability(Event),
-}
-
 /// A statistic at every outer point.
 #[derive(Debug, Clone)]
 pub(super) struct Measure {
     pub kind: MeasureKind,
-    pub sought: Sought,
     /// With every failed run taken as low as possible, and as high as possible.
     pub low: Vec<Estimate>,
     pub high: Vec<Estimate>,
@@ -106,15 +96,14 @@ impl Measure {
         Some(match statistic {
             Statistic::Mean => {
                 let at: Vec<Estimate> = samples.iter().map(|sample| mean(sample, confidence)).collect();
-                Self::plain(Sought::Mean, at.clone(), at, confidence)
+                Self::plain(at.clone(), at, confidence)
             }
             Statistic::StandardDeviation => {
                 let variances: Vec<Estimate> = samples.iter().map(|sample| variance(sample, confidence)).collect();
                 let at: Vec<Estimate> = variances.iter().copied().map(standard_deviation).collect();
                 let target = target(&variances, confidence);
                 let target_errors = errors(&variances);
-                let (kind, sought) = (MeasureKind::Deviation, Sought::Variance);
-                Self { kind, sought, low: at.clone(), high: at, target_errors, target, margin: None }
+                Self { kind: MeasureKind::Deviation, low: at.clone(), high: at, target_errors, target, margin: None }
             }
             Statistic::Quantile(probability) => {
                 let (low, high) = samples
@@ -122,7 +111,7 @@ impl Measure {
                     .map(|sample| quantile(sample, confidence, probability))
                     .map(|at| (at.low, at.high))
                     .unzip();
-                Self::plain(Sought::Quantile(probability), low, high, confidence)
+                Self::plain(low, high, confidence)
             }
             Statistic::ProbabilityAbove(limit) => Self::probability(samples, Event::Above(limit), confidence),
             Statistic::ProbabilityBelow(limit) => Self::probability(samples, Event::Below(limit), confidence),
@@ -146,17 +135,16 @@ impl Measure {
                 }
             })
             .unzip();
-        let sought = Sought::Probability(event);
         if let Some(target) = index_target(samples, event, &low, confidence) {
             let target_errors = vec![(0.0, 0.0); low.len()];
             let kind = MeasureKind::SmoothProbability(event);
-            return Self { kind, sought, low, high, target_errors, target, margin: None };
+            return Self { kind, low, high, target_errors, target, margin: None };
         }
         let mut target = target(&low, confidence);
         target.resolutions = target.resolutions.map(|resolution| resolution.max(PROBABILITY_RESOLUTION));
         let margin = Margin::new(samples, event, confidence);
         let target_errors = errors(&low);
-        Self { kind: MeasureKind::Probability(event), sought, low, high, target_errors, target, margin }
+        Self { kind: MeasureKind::Probability(event), low, high, target_errors, target, margin }
     }
 
     /// What is searched for its extremes.
@@ -164,10 +152,10 @@ impl Measure {
         [Some(self.target), self.margin.map(|margin| margin.target)].into_iter().flatten().collect()
     }
 
-    fn plain(sought: Sought, low: Vec<Estimate>, high: Vec<Estimate>, confidence: &Confidence) -> Self {
+    fn plain(low: Vec<Estimate>, high: Vec<Estimate>, confidence: &Confidence) -> Self {
         let target = target(&low, confidence);
         let target_errors = errors(&low);
-        Self { kind: MeasureKind::Plain, sought, low, high, target_errors, target, margin: None }
+        Self { kind: MeasureKind::Plain, low, high, target_errors, target, margin: None }
     }
 }
 

@@ -309,16 +309,10 @@ impl DoubleLoop {
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
         let is_curve = self.searched().len() > MOST_LOCATED_TARGETS;
         let outer = if is_curve { outer } else { outer.with_polynomials(self.inner_basis()) };
-        let outer = outer.with_weights(self, table);
         let rest = self.problem.sampling.outer.saturating_sub(outer.points.len());
         if self.epistemic_box.dimensions() > 0 && rest > 0 {
             let count = rest.min(self.points_per_round(self.problem.sampling.outer, &self.first_outer));
-            let places = if self.problem.sampling.reweighting {
-                self.next_reweighted(table, &outer, count)
-            } else {
-                self.next_outer(table, &outer, count)
-            };
-            for place in places {
+            for place in self.next_outer(table, &outer, count) {
                 let point = (outer.points.len() + runs.len() / self.inner_runs()) as u32;
                 runs.extend(self.runs_at(round, point, self.epistemic_box.values_at(&place)));
             }
@@ -342,24 +336,12 @@ impl DoubleLoop {
     pub fn first_round_runs(&self) -> usize {
         let mixture = if self.has_mixture() { self.problem.sampling.mixture } else { 0 };
         let extreme = if self.has_extremes() { self.first_extreme.len() } else { 0 };
-        self.first_places().count().saturating_mul(self.inner_runs()).saturating_add(mixture + extreme)
-    }
-
-    /// The outer points of the first round.
-    fn first_places(&self) -> impl Iterator<Item = &Place> {
-        let (structural, each) = (
-            structural_point_count(self.epistemic_box.dimensions()),
-            self.first_outer.len() / self.epistemic_box.combinations(),
-        );
-        // Weights see what lies between corners and centre.
-        let is_first =
-            move |&(index, _): &(usize, &Place)| !self.problem.sampling.reweighting || index % each < structural;
-        self.first_outer.iter().enumerate().filter(is_first).map(|(_, place)| place)
+        self.first_outer.len().saturating_mul(self.inner_runs()).saturating_add(mixture + extreme)
     }
 
     fn first_round(&self) -> Vec<RunInputs> {
         let mut runs: Vec<RunInputs> = Vec::new();
-        for (point, place) in self.first_places().enumerate() {
+        for (point, place) in self.first_outer.iter().enumerate() {
             runs.extend(self.runs_at(0, point as u32, self.epistemic_box.values_at(place)));
         }
         if self.has_mixture() {
@@ -372,7 +354,7 @@ impl DoubleLoop {
         runs
     }
 
-    pub(super) fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.outer_places(pool);
         let searched = self.searched();
         // Quantiles of several elements together end where the probabilities of all of them add up. For curves, whose targets are
@@ -519,11 +501,7 @@ impl DoubleLoop {
 
     /// Polynomials on the inner points; nothing where these are too few.
     pub(super) fn inner_basis(&self) -> Option<&InnerBasis> {
-        self.known_inner_basis().as_deref()
-    }
-
-    fn known_inner_basis(&self) -> &Option<Arc<InnerBasis>> {
-        self.inner_basis.get_or_init(|| inner_basis(&self.problem, &self.inner_sobol).map(Arc::new))
+        self.inner_basis.get_or_init(|| inner_basis(&self.problem, &self.inner_sobol).map(Arc::new)).as_deref()
     }
 
     /// Polynomials of all inputs on the points of the probability-only treatment, or on those of the double loop where that is the same;
@@ -539,28 +517,6 @@ impl DoubleLoop {
             InnerBasis::new(&axes, &points, self.problem.sampling.replicates).map(Arc::new)
         };
         self.mixture_basis.get_or_init(basis).as_deref()
-    }
-
-    /// Places of the first outer points.
-    pub(super) fn first_outer(&self) -> &[Place] {
-        &self.first_outer
-    }
-
-    /// The same, to be kept.
-    pub(super) fn inner_basis_shared(&self) -> Option<Arc<InnerBasis>> {
-        self.known_inner_basis().clone()
-    }
-
-    /// Points of the unit cube of the random inputs, replicate by replicate, `count` in each: first those of the inner runs.
-    pub(super) fn inner_cube(&self, count: usize) -> Vec<Vec<f64>> {
-        let replicates = self.problem.sampling.replicates;
-        let sampling = Sampling { inner: count * replicates, ..self.problem.sampling };
-        inner_points(&sampling, &self.inner_sobol).map(|(_, _, at)| at).collect()
-    }
-
-    /// In what a response may be smooth, random input by random input.
-    pub(super) fn random_axes(&self) -> Vec<Axis> {
-        random_axes(&self.problem).collect()
     }
 
     pub(super) fn candidates(&self) -> &[Vec<f64>] {

@@ -28,8 +28,6 @@ pub(super) struct PoolPoint {
     pub random: Vec<f64>,
     /// Number of runs.
     pub runs: usize,
-    /// Where they lie in the table, in the order of the samples.
-    pub rows: Vec<usize>,
     samples: Vec<Sample>,
 }
 
@@ -63,7 +61,6 @@ impl Pool {
                     epistemic: first.epistemic.clone(),
                     random: if count == 1 { first.random.clone() } else { Vec::new() },
                     runs: count,
-                    rows,
                     samples: slots.keys().map(sample).collect(),
                 }
             })
@@ -83,22 +80,6 @@ impl Pool {
         }
         columns.par_iter_mut().for_each(|samples| smooth(basis, samples));
         self
-    }
-
-    /// Number of columns.
-    pub fn columns(&self) -> usize {
-        self.slots.len()
-    }
-
-    /// The columns.
-    pub fn column_numbers(&self) -> impl Iterator<Item = usize> + '_ {
-        self.slots.keys().copied()
-    }
-
-    /// The sample of `column` at each point, to be told more.
-    pub fn samples_mut(&mut self, column: usize) -> impl Iterator<Item = &mut Sample> {
-        let slot = self.slots.get(&column).copied();
-        self.points.iter_mut().filter_map(move |point| point.samples.get_mut(slot?))
     }
 
     /// The sample of `column` at each point; none for a column that was not gathered.

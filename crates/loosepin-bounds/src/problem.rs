@@ -39,9 +39,6 @@ pub struct Sampling {
     pub seed: u64,
     /// Confidence of each sampling error, in (0, 1). Default: 0.99.
     pub confidence: f64,
-    /// Whether the runs at few u are weighted for all others, where nothing but parameters of distributions is epistemic
-    /// ([`Reweightable`]). Default: no.
-    pub reweighting: bool,
 }
 
 impl Default for Sampling {
@@ -54,7 +51,6 @@ impl Default for Sampling {
             extreme: 128,
             seed: 1,
             confidence: 0.99,
-            reweighting: false,
         }
     }
 }
@@ -274,9 +270,6 @@ pub enum ProblemError {
         /// Random and epistemic inputs together.
         inputs: usize,
     },
-    /// Runs cannot be weighted for other values of the epistemic inputs.
-    #[error("runs weighted for other values of the epistemic inputs: {0}")]
-    NotReweighted(#[from] NotReweighted),
     /// A copula of another number of inputs.
     #[error("correlations of {found} random inputs; there are {expected}")]
     OtherCopula {
@@ -285,89 +278,6 @@ pub enum ProblemError {
         /// Random inputs.
         expected: usize,
     },
-}
-
-/// Why runs cannot be weighted for other values of the epistemic inputs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum NotReweighted {
-    /// There is nothing epistemic.
-    #[error("no parameter of a distribution is epistemic")]
-    NothingEpistemic,
-    /// An epistemic input that the response knows.
-    #[error("epistemic input {epistemic}, counted from 0, is no parameter of a distribution")]
-    NoParameter {
-        /// Its position.
-        epistemic: usize,
-    },
-    /// A parameter that is not known by an interval or a list.
-    #[error("epistemic input {epistemic}, counted from 0, is known by more than an interval or a list")]
-    OtherKnowledge {
-        /// Its position.
-        epistemic: usize,
-    },
-    /// Values of an input have probabilities of their own.
-    #[error("random input {random}, counted from 0, has no density")]
-    NoDensity {
-        /// Its position.
-        random: usize,
-    },
-    /// Random inputs go together.
-    #[error("random inputs are correlated")]
-    Correlated,
-    /// An interval may hold another value for each sample.
-    #[error("intervals are not read as fixed but unknown alone")]
-    OtherReading,
-}
-
-/// What decides whether runs can be weighted for other values of the epistemic inputs: all of these must be parameters of
-/// distributions with densities, known by intervals or lists and fixed, of inputs that are independent.
-#[derive(Debug, Clone, Copy)]
-pub struct Reweightable<'a> {
-    /// Distributions of the random inputs.
-    pub random: &'a [RandomVariable],
-    /// What is known of the epistemic inputs.
-    pub epistemic: &'a [EpistemicVariable],
-    /// Parameters among them.
-    pub parameters: &'a [EpistemicParameter],
-    /// Whether random inputs go together.
-    pub is_correlated: bool,
-    /// Whether every interval is read as fixed but unknown, and in no other way beside.
-    pub is_fixed: bool,
-}
-
-impl Reweightable<'_> {
-    /// Looks for a reason against it.
-    ///
-    /// # Errors
-    ///
-    /// [`NotReweighted`] with the first one.
-    pub fn check(&self) -> Result<(), NotReweighted> {
-        if self.parameters.is_empty() {
-            return Err(NotReweighted::NothingEpistemic);
-        }
-        for (epistemic, known) in self.epistemic.iter().enumerate() {
-            if !self.parameters.iter().any(|parameter| parameter.epistemic == epistemic) {
-                return Err(NotReweighted::NoParameter { epistemic });
-            }
-            if !matches!(known, EpistemicVariable::Interval(_) | EpistemicVariable::OneOf(_)) {
-                return Err(NotReweighted::OtherKnowledge { epistemic });
-            }
-        }
-        if self.is_correlated {
-            return Err(NotReweighted::Correlated);
-        }
-        if !self.is_fixed {
-            return Err(NotReweighted::OtherReading);
-        }
-        let has_density = |random: usize| {
-            let variable = &self.random[random];
-            variable.density(variable.quantile(0.5)).is_some()
-        };
-        match self.parameters.iter().map(|parameter| parameter.random).find(|&random| !has_density(random)) {
-            Some(random) => Err(NotReweighted::NoDensity { random }),
-            None => Ok(()),
-        }
-    }
 }
 
 /// "1 input", "2 inputs".
@@ -411,18 +321,6 @@ impl Problem {
         }
     }
 
-    /// Whether runs can be weighted for other values of the epistemic inputs ([`Reweightable`]).
-    fn reweighting(&self) -> Result<(), NotReweighted> {
-        Reweightable {
-            random: &self.random,
-            epistemic: &self.epistemic,
-            parameters: &self.parameters,
-            is_correlated: self.copula.is_some(),
-            is_fixed: self.reading == Reading::FixedButUnknown && self.readings_beside.is_empty(),
-        }
-        .check()
-    }
-
     /// Checks everything that does not need a run.
     pub(super) fn check(&self) -> Result<(), ProblemError> {
         let inputs = self.random.len() + self.epistemic.len();
@@ -447,9 +345,6 @@ impl Problem {
             check_probability("percentile", percentile)?;
         }
         self.check_second_order()?;
-        if self.sampling.reweighting {
-            self.reweighting()?;
-        }
         if !(self.cut_standard_deviations > 0.0 && self.cut_standard_deviations <= 8.0) {
             return Err(ProblemError::BadCut { standard_deviations: self.cut_standard_deviations });
         }

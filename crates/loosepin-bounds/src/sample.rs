@@ -1,8 +1,5 @@
 //! One column at one u: the finished values, replicate by replicate.
 
-use std::sync::Arc;
-
-use super::reweighting::Pooled;
 use super::smooth::Smooth;
 use loosepin_uncertainty::{normal_quantile, student_factor};
 
@@ -13,7 +10,6 @@ pub(super) struct Sample {
     replicate_ends: Vec<usize>,
     failed: usize,
     smooth: Option<Smooth>,
-    pooled: Option<Arc<Pooled>>,
 }
 
 impl Sample {
@@ -31,21 +27,21 @@ impl Sample {
             replicate_ends.push(values.len());
         }
         values.shrink_to_fit();
-        Self { values, replicate_ends, failed, smooth: None, pooled: None }
+        Self { values, replicate_ends, failed, smooth: None }
     }
 
     /// The same runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
     pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
         let values: Vec<f64> = self.values.iter().map(|&value| change(value)).collect();
         let smooth = self.smooth.as_ref().map(|smooth| smooth.refitted(&values));
-        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth, pooled: None }
+        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth }
     }
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
     pub fn joined(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
         let pairs = self.values.iter().zip(&other.values);
         let values = pairs.map(|(&a, &b)| of(a, b)).collect();
-        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth: None, pooled: None }
+        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth: None }
     }
 
     /// Its polynomials where the response is smooth in the random inputs.
@@ -56,16 +52,6 @@ impl Sample {
     /// Tells that the response is smooth in the random inputs.
     pub fn set_smooth(&mut self, smooth: Smooth) {
         self.smooth = Some(smooth);
-    }
-
-    /// The runs at all outer points, weighted for other u.
-    pub fn pooled(&self) -> Option<&Pooled> {
-        self.pooled.as_deref()
-    }
-
-    /// Tells that the response does not know u.
-    pub fn set_pooled(&mut self, pooled: Arc<Pooled>) {
-        self.pooled = Some(pooled);
     }
 
     /// Finished values.

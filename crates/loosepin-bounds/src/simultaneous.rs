@@ -77,7 +77,6 @@ impl DoubleLoop {
         }
         let pool = Pool::gather(&excesses, Purpose::DoubleLoop, [0]);
         self.check_points(&pool)?;
-        let pool = pool.with_weights(self, table);
         let evidence = Evidence::new(self, &pool, &excesses);
         let failed_runs = pool.samples(0).iter().map(|sample| sample.failed()).sum();
         let factor = evidence.greatest_quantile(share);

@@ -93,7 +93,6 @@ pub fn evaluate<'py>(
             mixture: runs.mixture,
             extreme: runs.extreme,
             seed: runs.seed,
-            reweighting: false,
             confidence: runs.confidence,
         },
     };

@@ -3,7 +3,7 @@
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::study_page::bound_value;
 use super::wording::{
-    counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words, unknown_words,
+    counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
 };
 use loosepin_result::study::{
     BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, RequirementOutcome, ResponsePoint,
@@ -324,9 +324,8 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
-    let weighted = reweighting_sentence(result, writer).map_or_else(String::new, |sentence| format!(" {sentence}"));
     format!(
-        "From {runs}; {failed}.{weighted} Assumed: the model as written, {} as stated, {} to start up and {} recorded.",
+        "From {runs}; {failed}. Assumed: the model as written, {} as stated, {} to start up and {} recorded.",
         match random {
             0 => "no random scatter".to_owned(),
             1 => "the distribution of 1 random input".to_owned(),
@@ -335,44 +334,6 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s),
         turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s),
     )
-}
-
-/// How runs were weighted for other distributions.
-pub(super) fn reweighting_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
-    let weighted = result.reweighting.as_ref()?;
-    if !weighted.is_used {
-        return Some(
-            "Runs at a few distributions, weighted for the others, were worth too little: runs were made at each of them."
-                .to_owned(),
-        );
-    }
-    let count = |number: u64| super::wording::count(number, writer);
-    let mut sentence = format!(
-        "Runs were made at {} values of the {} and weighted for {} others, for each worth {} independent runs or more",
-        count(weighted.points),
-        unknown_words(&result.inputs),
-        count(weighted.compared),
-        count(weighted.least_effective_runs.floor() as u64),
-    );
-    match (weighted.polynomials, weighted.columns) {
-        (0, _) => {}
-        (all, columns) if all == columns => {
-            sentence.push_str("; polynomials that follow every run stand in between");
-        }
-        (some, columns) => sentence.push_str(&format!(
-            "; polynomials that follow every run stand in between for {} of {} numbers",
-            count(some),
-            count(columns)
-        )),
-    }
-    if weighted.unconfirmed > 0 {
-        sentence.push_str(&format!(
-            "; for {} of {} ends that is too little, and the model of the search alone tells how far they may go",
-            count(weighted.unconfirmed),
-            count(weighted.unconfirmed + weighted.confirmed)
-        ));
-    }
-    Some(sentence + ".")
 }
 
 /// A number of turns of the drive, or of cycles where no drive turns at a constant speed.

@@ -79,7 +79,6 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, extra: Extra) 
         cuts: cuts(material),
         percentiles: percentiles(material),
         rare: rare_records(material),
-        reweighting: summary::reweighting(material),
         surrogate: extra.surrogate,
         contributors: extra.contributors,
         treatments: extra.treatments.unwrap_or_else(|| treatments::treatments(material)),

@@ -16,7 +16,6 @@ mod parameter_keys;
 mod problem;
 mod random;
 mod random_problem;
-mod reweighting;
 mod surrogate;
 mod tolerance;
 mod words;
@@ -38,7 +37,6 @@ pub use loosepin_result::study::Reduction;
 use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
-use reweighting::WrittenReweighting;
 use words::READINGS;
 pub(super) use words::statistic_name;
 
@@ -169,7 +167,7 @@ fn read(
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
     let cycle = file.cycle(&root);
-    let (mut sampling, written_accuracies, written_budget, reweighting) = file.sampling(&root);
+    let (sampling, written_accuracies, written_budget) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -185,7 +183,6 @@ fn read(
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
-    sampling.is_reweighted = file.is_reweighted(reweighting, correlation.is_some(), &asks, surrogate.as_ref());
     file.check_whole(&root);
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
@@ -311,13 +308,10 @@ impl StudyReader {
     }
 
     /// How many runs; how near the bounds are to be, and what that may cost.
-    fn sampling(
-        &mut self,
-        root: &Table<'_>,
-    ) -> (Sampling, WrittenAccuracies, Option<(Budget, Place)>, Option<WrittenReweighting>) {
+    fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<(Budget, Place)>) {
         let mut sampling = Sampling::default();
         let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
-            return (sampling, WrittenAccuracies::default(), None, None);
+            return (sampling, WrittenAccuracies::default(), None);
         };
         for (key, count) in
             [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
@@ -331,7 +325,7 @@ impl StudyReader {
         sampling.most_failed = self.reader.number(&table, "most_failed").unwrap_or(sampling.most_failed);
         let accuracies = self.accuracies(&table);
         let budget = self.budget(&table);
-        (sampling, accuracies, budget, self.written_reweighting(&table))
+        (sampling, accuracies, budget)
     }
 
     /// Complains about an entry.
@@ -347,7 +341,7 @@ mod tests {
 
     #[test]
     fn the_schema_tells_what_is_left_out() {
-        let Sampling { outer, inner, replicates, tolerance_m, most_failed, is_reweighted: _ } = Sampling::default();
+        let Sampling { outer, inner, replicates, tolerance_m, most_failed } = Sampling::default();
         let told = |key: &str| SAMPLING_KEYS.find(key).map(|known| known.doc).unwrap_or("");
         for (key, usual) in [
             ("outer", outer.to_string()),

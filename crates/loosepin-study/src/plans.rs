@@ -152,7 +152,6 @@ pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
             extreme: extreme.saturating_mul(combinations),
             seed: study.seed,
             confidence: CONFIDENCE,
-            reweighting: study.sampling.is_reweighted,
         },
     }
 }

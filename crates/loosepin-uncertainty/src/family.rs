@@ -76,20 +76,10 @@ pub(super) trait Family: Debug + Send + Sync {
     /// The least x with P(X <= x) at least `at.below`; accurate in both tails, the ends of the support at 0 and 1.
     fn quantile(&self, at: Tails) -> f64;
 
-    /// The density at `x`; nothing where single values have probabilities of their own.
-    fn density(&self, _x: f64) -> Option<f64> {
-        None
-    }
-
     /// Values in increasing order with their probabilities, where no other values are possible.
     fn atoms(&self) -> Option<Vec<(f64, f64)>> {
         None
     }
-}
-
-/// φ(z), the density of a standard normal variable.
-pub(super) fn normal_density(z: f64) -> f64 {
-    libm::exp(-0.5 * z * z) / core::f64::consts::TAU.sqrt()
 }
 
 pub(super) fn finite(parameter: &'static str, value: f64) -> Result<(), DistributionError> {

@@ -96,11 +96,6 @@ impl RandomVariable {
         self.atoms().is_some()
     }
 
-    /// The density at `x`, 0 outside the support; nothing where single values have probabilities of their own.
-    pub fn density(&self, x: f64) -> Option<f64> {
-        self.family.density(x)
-    }
-
     /// Values in increasing order with their probabilities, where no others are possible.
     pub(super) fn atoms(&self) -> Option<Vec<(f64, f64)>> {
         self.family.atoms()

@@ -168,7 +168,6 @@ impl SurrogateBounds {
             percentiles: Vec::new(),
             boxes: Vec::new(),
             comparisons: Vec::new(),
-            reweighted: None,
             outer_points: Vec::new(),
             centre_point: 0,
             runs: self.training_runs + self.confirming_runs,

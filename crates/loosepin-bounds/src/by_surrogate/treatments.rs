@@ -69,8 +69,7 @@ pub(super) fn treatments(
     let table = execute_all(&double_loop, &response)?;
     let bounds = double_loop.results(&table)?;
     let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.needed_columns())
-        .with_polynomials(double_loop.inner_basis())
-        .with_weights(&double_loop, &table);
+        .with_polynomials(double_loop.inner_basis());
     let shares = double_loop.shares_of_mechanisms(&pool);
     // Where the surrogate gave no answer inside the box it was not looked at: nothing bounds the extremes.
     let is_extreme = |run: &usize| table.inputs()[*run].purpose == Purpose::Extreme;

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::answer::{reweighting_sentence, turn_word, turns};
+use crate::answer::{turn_word, turns};
 use crate::glossary::glossary;
 use crate::number::{NumberWriter, Rounding};
 use crate::page::facts;
@@ -24,7 +24,6 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 ": " (double_loop_words(result, ", each with ", writer))
                 @if has_unknown(&result.inputs) && has_scatter(result) { ", the same for every one of them" }
                 ". "
-                @if let Some(sentence) = reweighting_sentence(result, writer) { (sentence) " " }
             }
             @if result.counts.failed == 0 { "No run failed. " }
             @else {

@@ -9,7 +9,6 @@ mod inputs;
 mod rare;
 mod reduction;
 mod requirement;
-mod reweighting;
 mod surrogate;
 
 use serde::{Deserialize, Serialize};
@@ -34,7 +33,6 @@ pub use loosepin_terms::SurrogateVerdict;
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 pub use reduction::Reduction;
 pub use requirement::{RequirementOutcome, Verdict};
-pub use reweighting::ReweightingRecord;
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 
 use crate::simulation::{Drawing, JournalOrbit};
@@ -110,9 +108,6 @@ pub struct StudyResult {
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,
-    /// How runs were weighted for other distributions; absent where that was not to be done.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reweighting: Option<ReweightingRecord>,
     /// Bounds by surrogates beside the direct ones; absent where none was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surrogate: Option<SurrogateRecord>,

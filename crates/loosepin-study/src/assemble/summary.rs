@@ -2,9 +2,9 @@
 
 use super::Material;
 use crate::response::RunExtras;
-use loosepin_bounds::{Purpose, Reweighted};
+use loosepin_bounds::Purpose;
 use loosepin_result::study::{
-    EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, ReweightingRecord, RunCounts, RunPurpose,
+    EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts, RunPurpose,
 };
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
@@ -32,25 +32,6 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
         replicates: if material.study.random.is_empty() { 1 } else { material.study.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
     }
-}
-
-/// How runs were weighted for other distributions; nothing where that was not to be done.
-pub fn reweighting(material: &Material<'_>) -> Option<ReweightingRecord> {
-    if !material.study.sampling.is_reweighted {
-        return None;
-    }
-    let used = material.bounds.reweighted;
-    let number = |of: fn(&Reweighted) -> usize| used.as_ref().map_or(0, |used| of(used) as u64);
-    Some(ReweightingRecord {
-        is_used: used.is_some(),
-        points: material.bounds.outer_points.len() as u64,
-        compared: number(|used| used.places),
-        least_effective_runs: used.map_or(f64::NAN, |used| used.least_effective),
-        columns: number(|used| used.columns),
-        polynomials: number(|used| used.polynomials),
-        confirmed: number(|used| used.told),
-        unconfirmed: number(|used| used.untold),
-    })
 }
 
 /// The runs by what they were for.

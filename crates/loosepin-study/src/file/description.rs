@@ -127,15 +127,12 @@ pub struct Sampling {
     /// The share of the runs of the double loop that may fail, in (0, 1]; where more do, the study ends after their round
     /// (default: 0.1). Results do not depend on it.
     pub most_failed: f64,
-    /// Whether runs at few values of the epistemic inputs are weighted for all others (default: where that is possible and nothing that is
-    /// asked needs a model of the response over these).
-    pub is_reweighted: bool,
 }
 
 /// What holds where the file does not say.
 impl Default for Sampling {
     fn default() -> Self {
-        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1, is_reweighted: false }
+        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1 }
     }
 }
 

@@ -63,17 +63,14 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
             "\"30 min\"",
             "where the study ends although bounds are not yet as near: runs, a time, or \"12 rounds\"",
         ),
-        optional(
-            "reweighting",
-            Kind::Choice(&REWEIGHTING),
-            "\"automatic\"",
-            "runs at few values of uncertain parameters of distributions, weighted for all others; never if left out",
-        ),
     ],
 )
-.with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")]);
+.with_planned(&[("threads", "threads are given on the command line, since results do not depend on them: --threads")])
+.with_removed(&[(
+    "reweighting",
+    "leave it out; runs are made at every value of the parameters that the search looks at, as with \"never\"",
+)]);
 
-const REWEIGHTING: [&str; 3] = words(&words::REWEIGHTING);
 const SURROGATES: [&str; 5] = words(&words::SURROGATES);
 const DIRECT_RUNS: [&str; 2] = words(&words::DIRECT_RUNS);
 /// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.

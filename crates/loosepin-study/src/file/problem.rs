@@ -50,14 +50,6 @@ pub enum StudyProblem {
         /// The entry.
         entry: String,
     },
-    /// Runs that cannot be weighted for other distributions.
-    #[error("{entry}: runs cannot be weighted for other distributions: {reason}")]
-    NotReweighted {
-        /// The entry.
-        entry: String,
-        /// What speaks against it.
-        reason: String,
-    },
     /// A quantity both random and epistemic.
     #[error("'{path}' is both random and epistemic")]
     InputTwice {
@@ -523,7 +515,6 @@ impl Problem for StudyProblem {
             | Self::OfferBeyond { .. }
             | Self::Costs { .. }
             | Self::NothingRequired => Code::AskNotPossible,
-            Self::NotReweighted { .. } => Code::SamplingNotPossible,
             Self::StatisticForm { .. } | Self::NoPlay { .. } | Self::CertaintyOfSamples { .. } => Code::AskNotPossible,
             Self::Percent { .. } => Code::BadProbability,
             Self::NothingUncertain => Code::NothingUncertain,
@@ -608,7 +599,6 @@ impl Problem for StudyProblem {
             Self::CertaintyOfSamples { .. } => Some(
                 "require a share below 1, such as 0.9973, or state ends of what scatters under [epistemic]".to_owned(),
             ),
-            Self::NotReweighted { .. } => Some("leave it out: runs are weighted wherever they can be".to_owned()),
             Self::NothingAsked => Some("add [[ask]] or [[require]]".to_owned()),
             _ => None,
         }

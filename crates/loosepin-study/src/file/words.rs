@@ -1,7 +1,6 @@
 //! Words of study files with what they mean: each stands here once, for the keys as for what reads them.
 
 use super::description::{Deviation, RareMethod};
-use super::reweighting::When;
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_result::study::Reduction;
 use loosepin_surrogate::{Choice, Kind};
@@ -51,10 +50,6 @@ pub(super) const METHODS: [(&str, Option<RareMethod>); 4] = [
     ("subset", Some(RareMethod::Subset)),
     ("automatic", Some(RareMethod::Automatic)),
 ];
-
-/// When runs are weighted for other distributions.
-pub(super) const REWEIGHTING: [(&str, When); 3] =
-    [("automatic", When::Possible), ("always", When::Always), ("never", When::Never)];
 
 /// Kinds of surrogates; nothing stands for no surrogate.
 pub(super) const SURROGATES: [(&str, Option<Choice>); 5] = [

@@ -99,12 +99,14 @@ pub struct Keys {
     pub exactly_one: &'static [&'static [&'static str]],
     /// Keys that are planned, with what they will do; refused for now.
     pub planned: &'static [(&'static str, &'static str)],
+    /// Keys that earlier versions knew, with what to do instead.
+    pub removed: &'static [(&'static str, &'static str)],
 }
 
 impl Keys {
     /// Keys without alternatives.
     pub const fn new(doc: &'static str, keys: &'static [Key]) -> Keys {
-        Keys { doc, keys, exactly_one: &[], planned: &[] }
+        Keys { doc, keys, exactly_one: &[], planned: &[], removed: &[] }
     }
 
     /// The same, where exactly one key of each group must be there.
@@ -115,6 +117,11 @@ impl Keys {
     /// The same, with keys that a later version will know.
     pub const fn with_planned(self, planned: &'static [(&'static str, &'static str)]) -> Keys {
         Keys { planned, ..self }
+    }
+
+    /// These keys beside those that earlier versions knew.
+    pub const fn with_removed(self, removed: &'static [(&'static str, &'static str)]) -> Keys {
+        Keys { removed, ..self }
     }
 
     /// The key called `name`.

@@ -74,6 +74,14 @@ pub enum DocumentProblem {
         /// What can be done instead.
         instead: String,
     },
+    /// A key of an earlier version.
+    #[error("{entry} is not supported any more")]
+    RemovedKey {
+        /// The entry.
+        entry: String,
+        /// What to do instead.
+        instead: String,
+    },
     /// A key that must be there.
     #[error("{}{key} is missing", prefix(.table))]
     MissingKey {
@@ -244,7 +252,7 @@ impl Problem for DocumentProblem {
             Self::NotUtf8 => Code::NotUtf8,
             Self::TooLarge { .. } => Code::FileTooLarge,
             Self::Syntax { .. } | Self::DuplicateKey { .. } => Code::TomlSyntax,
-            Self::UnknownKey { .. } => Code::UnknownKey,
+            Self::UnknownKey { .. } | Self::RemovedKey { .. } => Code::UnknownKey,
             Self::NotYetSupported { .. } => Code::NotYetSupported,
             Self::MissingKey { .. } | Self::MissingTag { .. } | Self::MissingOneOf { .. } => Code::MissingKey,
             Self::MoreThanOneOf { .. } => Code::ConflictingKeys,
@@ -276,7 +284,7 @@ impl Problem for DocumentProblem {
             Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),
             Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownKey { known, .. } => Some(format!("its keys are {}", known.join(", "))),
-            Self::NotYetSupported { instead, .. } => Some(instead.clone()),
+            Self::NotYetSupported { instead, .. } | Self::RemovedKey { instead, .. } => Some(instead.clone()),
             Self::MissingKey { key, example, doc, .. } if !example.is_empty() => {
                 Some(format!("for example {key} = {example} ({doc})"))
             }

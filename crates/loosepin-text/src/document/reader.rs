@@ -202,6 +202,8 @@ impl Reader {
                     entry: table.path.join(key).describe(),
                     instead: (*instead).to_owned(),
                 }
+            } else if let Some((_, instead)) = keys.removed.iter().find(|(removed, _)| *removed == key) {
+                DocumentProblem::RemovedKey { entry: table.path.join(key).describe(), instead: (*instead).to_owned() }
             } else {
                 let known: Vec<&'static str> = keys.keys.iter().map(|key| key.name).collect();
                 let nearest = nearest_name(key, known.iter().copied()).map(str::to_owned);

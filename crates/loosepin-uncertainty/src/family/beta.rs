@@ -42,17 +42,6 @@ impl Family for Beta {
         }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let width = self.upper - self.lower;
-        let (share, rest) = ((x - self.lower) / width, (self.upper - x) / width);
-        if !(share > 0.0 && rest > 0.0) {
-            return Some(0.0);
-        }
-        let Self { alpha, beta, .. } = *self;
-        let scale = libm::lgamma(alpha + beta) - libm::lgamma(alpha) - libm::lgamma(beta);
-        Some(libm::exp(scale + (alpha - 1.0) * libm::log(share) + (beta - 1.0) * libm::log(rest)) / width)
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         let width = self.upper - self.lower;
         let (x, rest) = inverse_incomplete_beta(self.alpha, self.beta, at.below, at.above);

@@ -36,11 +36,6 @@ impl Family for Exponential {
         Tails { below: -libm::expm1(-hazard), above: libm::exp(-hazard) }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let width = self.mean - self.lower;
-        Some(if x >= self.lower { libm::exp(-(x - self.lower) / width) / width } else { 0.0 })
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         self.lower + (self.mean - self.lower) * hazard(at)
     }

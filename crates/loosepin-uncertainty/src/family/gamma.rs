@@ -38,15 +38,6 @@ impl Family for Gamma {
         Tails { below, above }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let standard = (x - self.lower) / self.scale;
-        if !(standard > 0.0) {
-            return Some(0.0);
-        }
-        let logarithm = (self.shape - 1.0) * libm::log(standard) - standard - libm::lgamma(self.shape);
-        Some(libm::exp(logarithm) / self.scale)
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         self.lower + self.scale * inverse_incomplete_gamma(self.shape, at.below, at.above)
     }

@@ -35,11 +35,6 @@ impl Family for Gumbel {
         Tails { below: libm::exp(-rate), above: -libm::expm1(-rate) }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let standard = (x - self.mode) / self.scale;
-        Some(libm::exp(-standard - libm::exp(-standard)) / self.scale)
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         // -ln P(X <= x), from the smaller of both tails.
         let rate = if at.below <= 0.5 { -libm::log(at.below) } else { -libm::log1p(-at.above) };

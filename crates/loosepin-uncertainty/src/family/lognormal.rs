@@ -1,6 +1,6 @@
 //! The lognormal distribution.
 
-use super::{Family, Tails, normal_density, positive};
+use super::{Family, Tails, positive};
 use crate::distribution::DistributionError;
 
 /// By mean m and standard deviation s of the variable itself; ln X is normal with σ² = ln(1 + s²/m²), μ = ln m - σ²/2.
@@ -37,11 +37,6 @@ impl Family for Lognormal {
             return Tails { below: 0.0, above: 1.0 };
         }
         Tails::of_standard_normal((libm::log(x) - self.location) / self.scale)
-    }
-
-    fn density(&self, x: f64) -> Option<f64> {
-        let standard = (libm::log(x.max(0.0)) - self.location) / self.scale;
-        Some(if x > 0.0 { normal_density(standard) / (self.scale * x) } else { 0.0 })
     }
 
     fn quantile(&self, at: Tails) -> f64 {

@@ -1,6 +1,6 @@
 //! The normal distribution.
 
-use super::{Family, Tails, finite, normal_density, positive};
+use super::{Family, Tails, finite, positive};
 use crate::distribution::DistributionError;
 use crate::normal::normal_cdf;
 
@@ -31,10 +31,6 @@ impl Family for Normal {
     fn tails(&self, x: f64) -> Tails {
         let standard = (x - self.mean) / self.standard_deviation;
         Tails { below: normal_cdf(standard), above: normal_cdf(-standard) }
-    }
-
-    fn density(&self, x: f64) -> Option<f64> {
-        Some(normal_density((x - self.mean) / self.standard_deviation) / self.standard_deviation)
     }
 
     fn quantile(&self, at: Tails) -> f64 {

@@ -46,20 +46,6 @@ impl Family for Triangular {
         }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let Self { lower, mode, upper } = *self;
-        let height = 2.0 / (upper - lower);
-        Some(if x < lower || x > upper {
-            0.0
-        } else if x < mode {
-            height * (x - lower) / (mode - lower)
-        } else if x > mode {
-            height * (upper - x) / (upper - mode)
-        } else {
-            height
-        })
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         let Self { lower, mode, upper } = *self;
         let width = upper - lower;

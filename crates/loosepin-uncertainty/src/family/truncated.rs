@@ -100,11 +100,6 @@ impl Family for Truncated {
         }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let whole = self.of.density(x)?;
-        Some(if x >= self.lower && x <= self.upper { whole / self.share } else { 0.0 })
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         let below = (self.below + at.below * self.share).min(1.0);
         let above = (self.above + at.above * self.share).min(1.0);

@@ -1,6 +1,6 @@
 //! The normal distribution cut to an interval.
 
-use super::{Family, LEAST_SHARE_KEPT, Tails, finite, normal_density, ordered, positive};
+use super::{Family, LEAST_SHARE_KEPT, Tails, finite, ordered, positive};
 use crate::distribution::DistributionError;
 use crate::normal::{normal_cdf, normal_quantile};
 
@@ -65,12 +65,6 @@ impl Family for TruncatedNormal {
             let above = ((normal_cdf(-standard) - self.above) / self.share).clamp(0.0, 1.0);
             Tails { below: 1.0 - above, above }
         }
-    }
-
-    fn density(&self, x: f64) -> Option<f64> {
-        let is_inside = x >= self.lower && x <= self.upper;
-        let standard = (x - self.mean) / self.standard_deviation;
-        Some(if is_inside { normal_density(standard) / (self.standard_deviation * self.share) } else { 0.0 })
     }
 
     fn quantile(&self, at: Tails) -> f64 {

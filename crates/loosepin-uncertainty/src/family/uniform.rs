@@ -31,11 +31,6 @@ impl Family for Uniform {
         Tails { below: ((x - self.lower) / width).clamp(0.0, 1.0), above: ((self.upper - x) / width).clamp(0.0, 1.0) }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let is_inside = x >= self.lower && x <= self.upper;
-        Some(if is_inside { 1.0 / (self.upper - self.lower) } else { 0.0 })
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         let width = self.upper - self.lower;
         if at.below < 0.5 { self.lower + at.below * width } else { self.upper - at.above * width }

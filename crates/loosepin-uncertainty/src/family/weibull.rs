@@ -40,15 +40,6 @@ impl Family for Weibull {
         Tails { below: -libm::expm1(-hazard), above: libm::exp(-hazard) }
     }
 
-    fn density(&self, x: f64) -> Option<f64> {
-        let standard = (x - self.lower) / self.scale;
-        if !(standard > 0.0) {
-            return Some(0.0);
-        }
-        let hazard = libm::pow(standard, self.shape);
-        Some(self.shape * hazard / (standard * self.scale) * libm::exp(-hazard))
-    }
-
     fn quantile(&self, at: Tails) -> f64 {
         self.lower + self.scale * libm::pow(hazard(at), 1.0 / self.shape)
     }

@@ -5,6 +5,5 @@ mod contact_law_lists;
 mod epistemic_inputs;
 mod kept_runs;
 mod known_bounds;
-mod reweighting;
 mod study_accuracy;
 mod surrogates;

@@ -146,7 +146,6 @@ pub fn worn_pin() -> StudyResult {
         cuts: Vec::new(),
         percentiles: Vec::new(),
         rare: Vec::new(),
-        reweighting: None,
         surrogate: None,
         contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
