@@ -6,8 +6,9 @@ use super::wording::{
     counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
 };
 use loosepin_result::study::{
-    BoundRecord, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction, RequirementOutcome, ResponsePoint,
-    StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, Verdict,
+    BoundRecord, CountedMechanisms, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction,
+    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind,
+    Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -47,19 +48,7 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     details.push(error_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    Answer { requirements, headline, details, verdict: overall_verdict(result) }
-}
-
-/// The verdict over all requirements; none where nothing is required.
-pub(super) fn overall_verdict(result: &StudyResult) -> Option<Verdict> {
-    let verdicts = || result.requirements.iter().map(|requirement| requirement.verdict);
-    if verdicts().any(|verdict| verdict == Verdict::NotMet) {
-        Some(Verdict::NotMet)
-    } else if verdicts().any(|verdict| verdict == Verdict::Undecided) {
-        Some(Verdict::Undecided)
-    } else {
-        verdicts().next()
-    }
+    Answer { requirements, headline, details, verdict: result.verdict() }
 }
 
 /// The verdict over all requirements as a headline.
@@ -245,22 +234,19 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
 
 /// What would decide a requirement that is undecided.
 fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer: &NumberWriter) -> String {
-    // Of n mechanisms of which none lies beyond the limit, a share of 6/n to 7/n may still do so; of which one does, 8/n.
-    const NONE_BEYOND: std::ops::RangeInclusive<f64> = 5.9..=7.5;
     // No more are made.
     const MOST: f64 = 1e7;
-    let inner = result.counts.inner;
-    let [least, greatest] = requirement.probability;
-    let beyond = (1.0 - least) * inner as f64;
-    let none_is_beyond = greatest == 1.0 && NONE_BEYOND.contains(&beyond);
-    let needed = beyond / (1.0 - requirement.probability_at_least);
+    let allowed = 1.0 - requirement.probability_at_least;
+    // None lies outside, and still so few mechanisms would not show a share that is small enough.
+    let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
+    let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
     if is_by_surrogate(result) && result.counts.failed > 0 {
         "what fails is told by direct runs alone: direct = \"double-loop\"".to_owned()
-    } else if none_is_beyond && needed < MOST {
+    } else if let Some(known) = too_few.filter(|known| needed(known) < MOST) {
         format!(
             "of {} none lies outside, and so few show no larger share: 'inner' should be {} or more",
-            counted(inner, "mechanism", writer),
-            super::wording::count((needed.ceil() as u64).next_power_of_two(), writer)
+            counted(known.mechanisms, "mechanism", writer),
+            super::wording::count((needed(&known).ceil() as u64).next_power_of_two(), writer)
         )
     } else if is_by_surrogate(result) {
         "more training_runs, a larger 'inner' or direct = \"double-loop\" may tell".to_owned()

@@ -46,12 +46,8 @@ struct Answer {
 
 impl Answer {
     fn verdict(&self) -> Verdict {
-        let has = |verdict| self.outcomes.iter().any(|outcome| outcome.verdict == verdict);
-        match (has(Verdict::NotMet), has(Verdict::Undecided)) {
-            (true, _) => Verdict::NotMet,
-            (false, true) => Verdict::Undecided,
-            (false, false) => Verdict::Met,
-        }
+        // Of nothing that is required nothing is shown.
+        Verdict::of_all(self.outcomes.iter().map(|outcome| outcome.verdict)).unwrap_or(Verdict::Undecided)
     }
 
     fn check(&self, value_si: f64, fit: Option<&AllowedFit>, is_confirmation: bool) -> AllowanceCheck {

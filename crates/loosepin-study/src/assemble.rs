@@ -4,12 +4,14 @@ mod curves;
 mod describe;
 mod drawing;
 mod failures;
+mod requirements;
 mod runs_table;
 mod summary;
 mod treatments;
 
 pub(super) use describe::unit;
 pub(super) use failures::failures;
+pub(super) use requirements::requirements;
 pub use runs_table::{curve_name, runs_table, scalar_name};
 pub(super) use treatments::learned_treatments;
 
@@ -22,8 +24,8 @@ use loosepin_bounds::{Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, 
 use loosepin_result::study::{
     AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CutBounds, DeviationKind,
     FORMAT, GuaranteeKind, IntervalReading, NumericalError, PercentileBounds, ProbabilityBox, RareEnd, RareRecord,
-    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentComparison, TreatmentKind,
-    Verdict, Witness, WitnessValue,
+    ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentComparison, TreatmentKind, Witness,
+    WitnessValue,
 };
 use loosepin_text::units::{DisplayUnits, SiUnit};
 
@@ -442,45 +444,4 @@ fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
 /// Runs in which everything was random: without epistemic inputs those of the double loop.
 fn mixture_purpose(material: &Material<'_>) -> Purpose {
     if material.study.epistemic.is_empty() { Purpose::DoubleLoop } else { Purpose::Mixture }
-}
-
-pub(super) fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
-    let mut outcomes = Vec::new();
-    for planned in &material.plan().requirements {
-        let requirement = &planned.requirement;
-        for &column in &planned.columns {
-            let Some(pair) = material.pair(column, requirement.limit.broken()) else {
-                continue;
-            };
-            // The share inside is one minus the share beyond, so the ends change places.
-            let least = 1.0 - pair.upper.widened;
-            // What was really seen beyond the limit, failed runs taken as inside.
-            let seen = pair.estimates.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
-            let attained = 1.0 - (seen - pair.upper.error.sampling - pair.upper.error.surrogate).max(0.0);
-            let verdict = if least >= requirement.probability_at_least {
-                Verdict::Met
-            } else if attained < requirement.probability_at_least {
-                Verdict::NotMet
-            } else {
-                Verdict::Undecided
-            };
-            let [lower_si, upper_si] = requirement.limit.ends();
-            let at = match requirement.location {
-                Where::Cycle => ResponsePoint::Whole,
-                _ => material.point_of(column, false),
-            };
-            outcomes.push(RequirementOutcome {
-                output: material.name_of(column),
-                of: deviation_kind(requirement.deviation),
-                at,
-                lower_si,
-                upper_si,
-                probability_at_least: requirement.probability_at_least,
-                probability: [least.max(0.0), (1.0 - pair.lower.widened).min(1.0)],
-                witness: material.end(&pair.upper).witness,
-                verdict,
-            });
-        }
-    }
-    outcomes
 }

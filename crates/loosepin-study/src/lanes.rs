@@ -1,10 +1,13 @@
 //! The runs of a study on the lanes of a thread: from inputs to rows.
 
+use super::extras::{JointExtras, RunExtras};
 use super::ideal_curve::IdealCurve;
 use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_simulate::{Arms, Execution, IdealReference, Observer, Queue, Run, RunFailure, RunReport, Step, conduct};
+use loosepin_simulate::{
+    Arms, Execution, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Step, conduct,
+};
 
 impl StudyResponse {
     /// One run, alone.
@@ -92,24 +95,25 @@ impl StudyResponse {
             return Err(failure.into());
         }
         let change = run.recorder.change_over_last_turn(self.mechanism().size_m);
+        let joint = |(play, contact): (&PlaySummary, &ContactNumbers)| JointExtras {
+            contacts: play.contacts as f64,
+            floored: play.floored_contacts as f64,
+            beyond_validity: if contact.has_limit { play.impacts_beyond_validity as f64 } else { f64::NAN },
+            largest_penetration_m: play.largest_penetration_m,
+            peak_force_n: play.peak_force_n,
+            nominal_restitution: contact.nominal_restitution,
+            delivered_restitution: contact.delivered_restitution,
+            largest_penetration_share: play.largest_penetration_m / contact.clearance_m,
+        };
+        let extras = RunExtras {
+            energy_residual: report.energy.map_or(f64::NAN, |account| account.relative_residual()),
+            evaluations: report.counters.evaluations as f64,
+            steps: report.counters.steps as f64,
+            change_over_last_turn: change.unwrap_or(f64::NAN),
+            joints: report.plays.iter().zip(&run.contacts).map(joint).collect(),
+        };
         let mut row = run.recorder.values;
-        row.reserve_exact(self.extras.count());
-        row.push(report.energy.map_or(f64::NAN, |account| account.relative_residual()));
-        row.push(report.counters.evaluations as f64);
-        row.push(report.counters.steps as f64);
-        row.push(change.unwrap_or(f64::NAN));
-        for (play, contact) in report.plays.iter().zip(&run.contacts) {
-            row.extend([
-                play.contacts as f64,
-                play.floored_contacts as f64,
-                if contact.has_limit { play.impacts_beyond_validity as f64 } else { f64::NAN },
-                play.largest_penetration_m,
-                play.peak_force_n,
-                contact.nominal_restitution,
-                contact.delivered_restitution,
-                play.largest_penetration_m / contact.clearance_m,
-            ]);
-        }
+        extras.write(&mut row);
         Ok(row)
     }
 }

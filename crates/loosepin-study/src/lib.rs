@@ -12,6 +12,7 @@ mod contributors;
 mod distribution_words;
 mod elsewhere;
 mod export;
+mod extras;
 mod file;
 pub mod files;
 mod folder;

@@ -1,6 +1,7 @@
 //! A mechanism as a function from uncertain inputs to numbers: what the uncertainty wing sees.
 
 use super::columns::{ColumnPlan, Spot};
+use super::extras::RunExtras;
 use super::file::{Deviation, EpistemicSubject, Study, Where};
 use super::ideal_curve::IdealCurve;
 use super::recorder::Shared;
@@ -91,87 +92,6 @@ impl From<QuantityError> for PrepareError {
     }
 }
 
-/// Numbers of a run beside its columns, for the report and `runs.parquet`. They follow the columns in the sample table.
-#[derive(Debug, Clone)]
-pub struct Extras {
-    /// Names of the joints with play.
-    pub joints: Vec<String>,
-}
-
-/// Extras that every run has: energy residual, evaluations, steps, change over the last turn.
-const COMMON_EXTRAS: usize = 4;
-/// Extras of each joint with play: contacts, floored ones, those beyond validity, largest penetration, peak force,
-/// nominal and delivered restitution.
-const EXTRAS_PER_JOINT: usize = 8;
-
-/// The extras of one run, read back from its row.
-#[derive(Debug, Clone)]
-pub struct RunExtras {
-    /// Relative energy residual; not a number where the motion was not integrated.
-    pub energy_residual: f64,
-    /// Evaluations of the equations of motion.
-    pub evaluations: f64,
-    /// Accepted steps.
-    pub steps: f64,
-    /// Largest relative change of a pose over the last turn; not a number where no whole turn was recorded.
-    pub change_over_last_turn: f64,
-    /// One for each joint with play.
-    pub joints: Vec<JointExtras>,
-}
-
-/// The extras of one joint with play.
-#[derive(Debug, Clone, Copy)]
-pub struct JointExtras {
-    /// Contacts that began in the recorded turns.
-    pub contacts: f64,
-    /// Those that began slower than the floor of the law.
-    pub floored: f64,
-    /// Impacts faster than the law is meant for; not a number where its limit is unknown.
-    pub beyond_validity: f64,
-    /// Largest penetration, m.
-    pub largest_penetration_m: f64,
-    /// The same over the radial clearance of the run.
-    pub largest_penetration_share: f64,
-    /// Largest normal force, N.
-    pub peak_force_n: f64,
-    /// Restitution as stated; not a number for a law without one.
-    pub nominal_restitution: f64,
-    /// Restitution that a free impact delivers; not a number where it depends on the masses that meet.
-    pub delivered_restitution: f64,
-}
-
-impl Extras {
-    /// How many numbers follow the columns.
-    pub fn count(&self) -> usize {
-        COMMON_EXTRAS + EXTRAS_PER_JOINT * self.joints.len()
-    }
-
-    /// Reads the extras back from the tail of a row.
-    pub fn read(&self, row: &[f64]) -> RunExtras {
-        let tail = &row[row.len() - self.count()..];
-        let joints = tail[COMMON_EXTRAS..]
-            .chunks_exact(EXTRAS_PER_JOINT)
-            .map(|joint| JointExtras {
-                contacts: joint[0],
-                floored: joint[1],
-                beyond_validity: joint[2],
-                largest_penetration_m: joint[3],
-                peak_force_n: joint[4],
-                nominal_restitution: joint[5],
-                delivered_restitution: joint[6],
-                largest_penetration_share: joint[7],
-            })
-            .collect();
-        RunExtras {
-            energy_residual: tail[0],
-            evaluations: tail[1],
-            steps: tail[2],
-            change_over_last_turn: tail[3],
-            joints,
-        }
-    }
-}
-
 /// A compiled study: one mechanism for each combination of laws (a single one where no law is uncertain), one table of inputs.
 ///
 /// A law is no number: all lanes of a batch have the same. So the runs of each combination are batches of their own, with the
@@ -183,8 +103,8 @@ pub struct StudyResponse {
     pub mechanisms: Vec<Mechanism>,
     /// What a run delivers, and the nominal ideal motion.
     pub shared: Shared,
-    /// What follows the columns.
-    pub extras: Extras,
+    /// Names of the joints with play, each of which has extras in a row.
+    pub joints: Vec<String>,
     /// Nominal values with the epistemic inputs in the middle.
     pub nominal: Values,
     /// The mechanism with every clearance at zero, and its nominal sample: what deviations are measured against.
@@ -256,12 +176,12 @@ impl StudyResponse {
         let restitutions = mechanism
             .plays
             .iter()
-            .filter_map(|joint| study.model.joints[joint.0].kind.play())
-            .map(|(_, contact)| study.model.contacts[contact.0].restitution)
+            .map(|joint| study.model.joints[joint.0].kind.play())
+            .map(|play| play.and_then(|(_, contact)| study.model.contacts[contact.0].restitution))
             .collect();
         let needs_nominal_reference = shared.plan.outputs.iter().any(|output| !output.reading.is_position());
         Ok(Self {
-            extras: Extras { joints: mechanism.plays.iter().map(joint_name).collect() },
+            joints: mechanism.plays.iter().map(joint_name).collect(),
             ideal,
             nominal_ideal,
             nominal_window,
@@ -304,9 +224,14 @@ impl StudyResponse {
         variant
     }
 
+    /// Extras of a run, read from its row.
+    pub fn extras(&self, row: &[f64]) -> RunExtras {
+        RunExtras::read(row, self.joints.len())
+    }
+
     /// Numbers of a row: columns, then extras.
     pub fn row_length(&self) -> usize {
-        self.shared.plan.columns.len() + self.extras.count()
+        self.shared.plan.columns.len() + RunExtras::count(self.joints.len())
     }
 
     /// How every run is integrated.

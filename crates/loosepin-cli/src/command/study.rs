@@ -108,7 +108,9 @@ impl StoredResult for StudyResult {
     }
 
     fn done(&self) -> Done {
-        let is_met = self.requirements.iter().all(|requirement| requirement.verdict == Verdict::Met);
-        if is_met { Done::Well } else { Done::RequirementNotMet }
+        match self.verdict() {
+            None | Some(Verdict::Met) => Done::Well,
+            Some(Verdict::NotMet | Verdict::Undecided) => Done::RequirementNotMet,
+        }
     }
 }

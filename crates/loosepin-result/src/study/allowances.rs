@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::requirement::Verdict;
+use super::verdict::Verdict;
 use loosepin_text::units::{SiUnit, extended};
 
 /// The loosest value of one input that still meets every requirement for every value of the epistemic inputs, the others as in the

@@ -10,6 +10,7 @@ mod rare;
 mod reduction;
 mod requirement;
 mod surrogate;
+mod verdict;
 
 use serde::{Deserialize, Serialize};
 
@@ -32,8 +33,9 @@ pub use inputs::{
 pub use loosepin_terms::SurrogateVerdict;
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 pub use reduction::Reduction;
-pub use requirement::{RequirementOutcome, Verdict};
+pub use requirement::{CountedMechanisms, RequirementOutcome};
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
+pub use verdict::{KnownShare, Verdict};
 
 use crate::simulation::{Drawing, JournalOrbit};
 use loosepin_text::units::{DisplayUnits, extended};
@@ -130,6 +132,13 @@ pub struct StudyResult {
     pub orbits: Vec<JournalOrbit>,
     /// The mechanism and its poses.
     pub drawing: Drawing,
+}
+
+impl StudyResult {
+    /// Verdict over all requirements; nothing where nothing is required.
+    pub fn verdict(&self) -> Option<Verdict> {
+        Verdict::of_all(self.requirements.iter().map(|requirement| requirement.verdict))
+    }
 }
 
 /// The layout that this version of the program writes.

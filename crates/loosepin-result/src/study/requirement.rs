@@ -1,9 +1,10 @@
-//! Requirements and their verdicts.
+//! Requirements and what became of them.
 
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
 
 use super::bound::{DeviationKind, ResponsePoint, Witness};
+use super::verdict::Verdict;
 
 /// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -28,18 +29,21 @@ pub struct RequirementOutcome {
     pub probability: [f64; 2],
     /// The epistemic inputs at which the share is smallest.
     pub witness: Witness,
+    /// Mechanisms that were counted at the witness; nothing where the share is no count at one value of the epistemic inputs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub counted: Option<CountedMechanisms>,
     /// The verdict.
     pub verdict: Verdict,
 }
 
-/// Whether a requirement is met.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// Met for every value of the epistemic inputs, numerical error included.
-    Met,
-    /// Not met for at least one value, numerical error included.
-    NotMet,
-    /// The numerical error reaches over the limit: more runs decide.
-    Undecided,
+/// Mechanisms counted at one value of the epistemic inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CountedMechanisms {
+    /// All of them.
+    pub mechanisms: u64,
+    /// Those that break the limit, failed runs among them.
+    pub outside: u64,
+    /// Error of the share outside, from the finite number of mechanisms.
+    #[serde(with = "extended")]
+    pub sampling_error: f64,
 }

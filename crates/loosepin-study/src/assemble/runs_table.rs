@@ -69,14 +69,14 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).to_owned()));
     let reason = |run: usize| table.failure(run).map_or("", |failure| RunFailure::code_of(failure.0));
     push("reason".to_owned(), SiUnit::NONE, text(&|run| reason(run).to_owned()));
-    let extras: Vec<_> = rows.clone().map(|run| response.extras.read(table.values(run))).collect();
+    let extras: Vec<_> = rows.clone().map(|run| response.extras(table.values(run))).collect();
     // A failed run has no counters: zero evaluations.
     let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
     push("energy_residual".to_owned(), SiUnit::NONE, number(&|run| extras[run].energy_residual));
     push("change_over_last_turn".to_owned(), SiUnit::NONE, number(&|run| extras[run].change_over_last_turn));
     push("steps".to_owned(), SiUnit::NONE, count(&|run| whole(extras[run].steps)));
     push("evaluations".to_owned(), SiUnit::NONE, count(&|run| whole(extras[run].evaluations)));
-    for (k, joint) in response.extras.joints.iter().enumerate() {
+    for (k, joint) in response.joints.iter().enumerate() {
         push(format!("contacts {joint}"), SiUnit::NONE, count(&|run| whole(extras[run].joints[k].contacts)));
         let depth = |run: usize| extras[run].joints[k].largest_penetration_m;
         push(format!("largest_penetration {joint}"), SiUnit::LENGTH, number(&depth));

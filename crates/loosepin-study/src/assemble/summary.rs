@@ -1,7 +1,7 @@
 //! Counts, energy and impacts over all runs.
 
 use super::Material;
-use crate::response::RunExtras;
+use crate::extras::{JointExtras, RunExtras};
 use loosepin_bounds::Purpose;
 use loosepin_result::study::{
     EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts, RunPurpose,
@@ -16,9 +16,7 @@ const BARS_PER_DECADE: f64 = 2.0;
 /// Extras of all finished runs.
 fn finished<'m>(material: &'m Material<'_>) -> impl Iterator<Item = RunExtras> + 'm {
     let table = material.table;
-    (0..table.len())
-        .filter(|&run| table.failure(run).is_none())
-        .map(|run| material.response.extras.read(table.values(run)))
+    (0..table.len()).filter(|&run| table.failure(run).is_none()).map(|run| material.response.extras(table.values(run)))
 }
 
 /// How many runs of which kind.
@@ -97,14 +95,14 @@ pub fn energy(material: &Material<'_>) -> Option<EnergyResiduals> {
 pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
     let runs: Vec<RunExtras> = finished(material).collect();
     let turns = material.study.cycle.recorded_turns;
-    let joints = material.response.extras.joints.iter().enumerate();
+    let joints = material.response.joints.iter().enumerate();
     if runs.is_empty() {
         return Vec::new();
     }
     joints
         .map(|(index, joint)| {
             let all: Vec<_> = runs.iter().map(|run| run.joints[index]).collect();
-            let range = |value: &dyn Fn(&crate::response::JointExtras) -> f64| {
+            let range = |value: &dyn Fn(&JointExtras) -> f64| {
                 all.iter().map(value).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)])
             };
             let known = |range: [f64; 2]| (range[0] <= range[1]).then_some(range);

@@ -40,6 +40,10 @@ pub(super) fn read_expected(source: &Arc<Source>, folder: &Path, case: &Case) ->
         }
     }
     checks.extend(read_script(&mut file.reader, &root, folder, case));
+    if checks.is_empty() && !file.reader.complaints.has_errors() {
+        // Nothing expected would be met by anything.
+        file.reader.complain(&CaseProblem::NothingExpected { entry: "the file".to_owned() }, 0..0);
+    }
     if file.reader.complaints.has_errors() { Err(file.reader.complaints) } else { Ok(checks) }
 }
 
@@ -67,6 +71,9 @@ impl ExpectedReader<'_> {
         let settings = self.settings(&table);
         let (quantity, due) = quantity?;
         let values = self.one_or_each(&table.get("value")?, due)?;
+        if values.is_empty() {
+            self.nothing(&table.get("value")?);
+        }
         let tolerance_si = self.reader.measured(&table.get("tolerance")?, due, Rule::NonNegative)?;
         let unit = self.unit(&table.get("value")?, due);
         let mut numbers: Vec<ExpectedNumber> = values
@@ -131,6 +138,11 @@ impl ExpectedReader<'_> {
             settings.push(text);
         }
         Some(Some(settings))
+    }
+
+    /// That a list names nothing to compare.
+    fn nothing(&mut self, entry: &Entry<'_>) {
+        self.reader.complain(&CaseProblem::NothingExpected { entry: entry.path.describe() }, entry.span);
     }
 
     fn same_length(&mut self, entry: &Entry<'_>, found: usize, due: usize) -> Option<()> {
@@ -325,6 +337,9 @@ impl ExpectedReader<'_> {
             open_reference(&mut self.reader, folder, &file, place)
         });
         let listed = table.get("columns").and_then(|entry| self.reader.list(&entry)).unwrap_or_default();
+        if let Some(columns) = table.get("columns").filter(|_| listed.is_empty()) {
+            self.nothing(&columns);
+        }
         let (Some(origin), Some(source), Some(reference)) = (origin, source, reference) else { return Vec::new() };
         let mut checks = Vec::new();
         for listed in listed {
@@ -403,5 +418,27 @@ fn state_dimension(part: usize) -> Dimension {
         5 => Dimension::ANGULAR_VELOCITY,
         6 | 7 => Dimension::ACCELERATION,
         _ => Dimension::ANGULAR_ACCELERATION,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::cases::Case;
+    use std::fs;
+    use std::path::Path;
+
+    #[test]
+    fn a_case_that_expects_nothing_is_refused() {
+        let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_5000/model.toml");
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::copy(model, folder.path().join("model.toml")).expect("a model");
+        let complaint = |expected: &str| {
+            fs::write(folder.path().join("expected.toml"), expected).expect("a file");
+            Case::from_folder(folder.path()).map(|_| ()).expect_err(expected).to_string()
+        };
+        assert!(complaint("").contains("the file expects nothing"), "{}", complaint(""));
+        let empty = "[expected.top]\nquantity = \"ideal output\"\noutput = \"slider\"\nangle = []\nvalue = []\n\
+                     tolerance = \"1 um\"\norigin = \"analytic\"\nsource = \"none\"\nreason = \"none\"\n";
+        assert!(complaint(empty).contains("value expects nothing"), "{}", complaint(empty));
     }
 }

@@ -62,6 +62,12 @@ pub enum CaseProblem {
         /// How many should.
         due: usize,
     },
+    /// Nothing to compare.
+    #[error("{entry} expects nothing; a case without a number to meet would be met by any program")]
+    NothingExpected {
+        /// The entry, or the file.
+        entry: String,
+    },
     /// An angle at which the quasi-static answer is not computed.
     #[error("the quasi-static answer has no position at {angle_deg} deg; it has one for each whole degree of a turn")]
     NoPosition {
@@ -101,6 +107,7 @@ impl Problem for CaseProblem {
             Self::NotWritten { .. } => Code::FolderNotUsable,
             Self::UnknownCase { .. } | Self::UnknownName { .. } => Code::UnknownReference,
             Self::KeyWithoutEffect { .. } => Code::ConflictingKeys,
+            Self::NothingExpected { .. } => Code::AskNotPossible,
             Self::ListLength { .. } | Self::BadCell { .. } | Self::BadRow { .. } | Self::BadTimes { .. } => {
                 Code::WrongType
             }

@@ -127,9 +127,11 @@ impl Found {
             ("friction_loss_j", "friction loss", QuantityKind::FrictionLoss),
             ("drive_work_j", "drive work", QuantityKind::DriveWork),
         ];
-        let values: Vec<f64> = kinds.iter().filter_map(|(key, _, _)| reader.number(table, key)).collect();
-        let largest_j = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        for ((_, name, kind), value_j) in kinds.into_iter().zip(values) {
+        // A number stays with its name, whichever of them are written.
+        let written = kinds.into_iter().filter_map(|(key, name, kind)| Some((name, kind, reader.number(table, key)?)));
+        let written: Vec<(&str, QuantityKind, f64)> = written.collect();
+        let largest_j = written.iter().fold(0.0_f64, |largest, (_, _, value_j)| largest.max(value_j.abs()));
+        for (name, kind, value_j) in written {
             self.number(name, kind, None, [value_j, power_of_ten_above(ENERGY_SHARE * largest_j)], Dimension::TORQUE);
         }
     }
@@ -171,8 +173,10 @@ impl Found {
                 Dimension::VELOCITY,
             ),
         ] {
-            // The last contact may not have ended; its end is then not listed.
-            let expected_si: Vec<f64> = impacts.iter().map_while(|impact| reader.number(impact, key)).collect();
+            let listed = impacts.iter().map(|impact| reader.number(impact, key).unwrap_or(f64::NAN));
+            let mut expected_si: Vec<f64> = listed.collect();
+            // The last contact may not have ended; its end is then not listed. Any other gap is a difference.
+            expected_si.pop_if(|last| last.is_nan());
             if !expected_si.is_empty() {
                 let (span_s, unit) = (self.span_s, si_unit(dimension));
                 let impacts = Impacts { play, of, expected_si, tolerance_si, span_s, unit };

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use loosepin::report::{motion_page, motion_text, simulation_text, study_page, study_text};
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
-    AllocationStop, CoveragePoint, CutBounds, DeviationKind, GuaranteeKind, InputDescription, InputKind,
-    NumericalError, PercentileBounds, PurposeRuns, Reduction, ResponsePoint, RunPurpose, StatisticKind, StudyResult,
-    TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind, Verdict,
+    AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, DeviationKind, GuaranteeKind, InputDescription,
+    InputKind, NumericalError, PercentileBounds, PurposeRuns, Reduction, ResponsePoint, RunPurpose, StatisticKind,
+    StudyResult, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -119,6 +119,8 @@ fn verdicts_stand_first_and_with_their_numbers() {
     assert!(study_page(&result).contains("Requirement undecided"));
     // None of 256 lies outside: a share of 6 in 256 may still do so.
     result.requirements[0].probability = [1.0 - 6.0 / 256.0, 1.0];
+    result.requirements[0].counted =
+        Some(CountedMechanisms { mechanisms: 256, outside: 0, sampling_error: 6.0 / 256.0 });
     assert_says(
         &result,
         "(of 256 mechanisms none lies outside, and so few show no larger share: 'inner' should be 4096 or more): the true share is 97.6 % to 100 %.",

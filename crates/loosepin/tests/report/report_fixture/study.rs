@@ -293,6 +293,7 @@ fn requirements(outers: &[Outer]) -> Vec<RequirementOutcome> {
             probability_at_least,
             probability: [(least - 0.0004).max(0.0), shares().fold(0.0, f64::max)],
             witness: at.at.clone(),
+            counted: None,
             verdict: if least >= probability_at_least { Verdict::Met } else { Verdict::NotMet },
         }
     };

@@ -1,0 +1,76 @@
+//! Verdicts: the one way from a bounded share to a word.
+
+use serde::{Deserialize, Serialize};
+
+/// Verdict on a requirement that a share of mechanisms keeps a limit, whatever the epistemic inputs are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Met for every value of the epistemic inputs, numerical error included.
+    Met,
+    /// Not met for at least one value, numerical error included.
+    NotMet,
+    /// The numerical error reaches over the limit, or nothing is known of the share: more runs decide.
+    Undecided,
+}
+
+/// Share of mechanisms that keep a limit, as far as it is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KnownShare {
+    /// The least over the epistemic inputs, numerical error taken off.
+    pub least: f64,
+    /// The least that was really seen, at one value of the epistemic inputs, numerical error added.
+    pub seen: f64,
+}
+
+impl KnownShare {
+    /// Nothing is known.
+    pub const NOTHING: Self = Self { least: 0.0, seen: 1.0 };
+}
+
+impl Verdict {
+    /// Verdict on `share >= required`.
+    pub fn of(share: KnownShare, required: f64) -> Self {
+        if share.least >= required {
+            Self::Met
+        } else if share.seen < required {
+            Self::NotMet
+        } else {
+            Self::Undecided
+        }
+    }
+
+    /// Verdict over several requirements: the worst of them; nothing where nothing is required.
+    pub fn of_all(verdicts: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let rank = |verdict: &Self| match verdict {
+            Self::Met => 0,
+            Self::Undecided => 1,
+            Self::NotMet => 2,
+        };
+        verdicts.into_iter().max_by_key(rank)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{KnownShare, Verdict};
+
+    #[test]
+    fn analytic_verdicts_just_above_at_and_just_below_what_is_required() {
+        let of = |least: f64, seen: f64| Verdict::of(KnownShare { least, seen }, 0.95);
+        assert_eq!(of(0.95, 0.97), Verdict::Met);
+        assert_eq!(of(0.949, 0.95), Verdict::Undecided);
+        assert_eq!(of(0.90, 0.949), Verdict::NotMet);
+        assert_eq!(of(f64::NAN, f64::NAN), Verdict::Undecided);
+        assert_eq!(Verdict::of(KnownShare::NOTHING, 0.01), Verdict::Undecided);
+    }
+
+    #[test]
+    fn the_verdict_over_all_is_the_worst_and_none_over_none() {
+        use Verdict::{Met, NotMet, Undecided};
+        assert_eq!(Verdict::of_all([]), None);
+        assert_eq!(Verdict::of_all([Met, Met]), Some(Met));
+        assert_eq!(Verdict::of_all([Met, Undecided, Met]), Some(Undecided));
+        assert_eq!(Verdict::of_all([Undecided, NotMet, Met]), Some(NotMet));
+    }
+}

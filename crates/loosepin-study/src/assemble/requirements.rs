@@ -1,0 +1,132 @@
+//! Requirements against the bounds of the shares that keep their limits.
+
+use super::{Material, deviation_kind};
+use crate::columns::PlannedRequirement;
+use crate::file::Where;
+use loosepin_bounds::{BoundPair, Statistic};
+use loosepin_result::study::{CountedMechanisms, KnownShare, RequirementOutcome, ResponsePoint, Verdict, Witness};
+
+/// One outcome for each pose of each requirement, or for the whole cycle. A share without a bound may be anything: such a requirement
+/// is undecided.
+pub fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
+    let planned = material.plan().requirements.iter();
+    planned.flat_map(|planned| planned.columns.iter().map(|&column| outcome(material, planned, column))).collect()
+}
+
+fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize) -> RequirementOutcome {
+    let requirement = &planned.requirement;
+    let broken = requirement.limit.broken();
+    let pair = material.pair(column, broken);
+    let share = pair.map_or(KnownShare::NOTHING, known_share);
+    let most = pair.map_or(1.0, |pair| 1.0 - pair.lower.widened);
+    let [lower_si, upper_si] = requirement.limit.ends();
+    RequirementOutcome {
+        output: material.name_of(column),
+        of: deviation_kind(requirement.deviation),
+        at: match requirement.location {
+            Where::Cycle => ResponsePoint::Whole,
+            _ => material.point_of(column, false),
+        },
+        lower_si,
+        upper_si,
+        probability_at_least: requirement.probability_at_least,
+        probability: [share.least.max(0.0), most.min(1.0)],
+        witness: pair.map_or_else(Witness::new, |pair| material.end(&pair.upper).witness),
+        counted: pair.and_then(|pair| counted(material, pair)),
+        verdict: Verdict::of(share, requirement.probability_at_least),
+    }
+}
+
+/// The share inside, from the bounds of the share outside: one minus it, so that the ends change places.
+fn known_share(outside: &BoundPair) -> KnownShare {
+    // Failed runs are taken as inside here: only what was really seen outside refutes.
+    let seen = outside.estimates.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
+    let error = &outside.upper.error;
+    KnownShare { least: 1.0 - outside.upper.widened, seen: 1.0 - (seen - error.sampling - error.surrogate).max(0.0) }
+}
+
+/// The mechanisms at the witness of the largest share outside.
+fn counted(material: &Material<'_>, outside: &BoundPair) -> Option<CountedMechanisms> {
+    let witness = outside.upper.witness.as_ref()?;
+    let sampling_error = outside.upper.error.sampling;
+    let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
+    if is_alone {
+        // The mechanisms are drawn from the surrogate, no rows of the table.
+        let mechanisms = material.study.sampling.inner as u64;
+        let outside = (outside.upper.value * mechanisms as f64).round() as u64;
+        return Some(CountedMechanisms { mechanisms, outside, sampling_error });
+    }
+    let runs = material.table.inputs().iter().enumerate();
+    let at_witness = runs.filter(|(_, inputs)| (inputs.purpose, inputs.point) == (witness.purpose, witness.point));
+    let values: Vec<f64> = at_witness.map(|(run, _)| material.table.values(run)[outside.column]).collect();
+    let count = values.iter().filter(|&&value| is_outside(value, outside.statistic)).count();
+    Some(CountedMechanisms { mechanisms: values.len() as u64, outside: count as u64, sampling_error })
+}
+
+/// Whether `value` is where `broken` counts, or not known.
+fn is_outside(value: f64, broken: Statistic) -> bool {
+    match broken {
+        Statistic::ProbabilityAbove(limit) => !(value <= limit),
+        Statistic::ProbabilityBelow(limit) => !(value >= limit),
+        Statistic::ProbabilityBeyond(limit) => !(value.abs() <= limit),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::requirements;
+    use crate::assemble::Material;
+    use crate::file::Study;
+    use crate::plans::problem;
+    use crate::response::StudyResponse;
+    use loosepin_bounds::{BoundPair, Bounds, DoubleLoop, SampleTable, execute};
+    use loosepin_result::study::{CountedMechanisms, RequirementOutcome, Verdict};
+    use std::path::Path;
+
+    const LEAST_SHARE: f64 = 0.75;
+
+    /// The slider-crank with a worn pin in few and short runs, one requirement that is met easily.
+    fn study() -> Study {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
+        let text = format!(
+            "name = \"required\"\nmodel = \"model.toml\"\n\
+             [cycle]\ntransient_turns = 0\nrecorded_turns = 1\nsamples_per_turn = 36\n\
+             [sampling]\nouter = 4\ninner = 32\ntolerance = \"1e-6 m\"\n\
+             [random]\n\"parameter.crank_length\" = {{ normal = {{ mean = \"50 mm\", standard_deviation = \"0.02 mm\" }} }}\n\
+             [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"5 mm\"\nover = \"cycle\"\n\
+             probability_at_least = {LEAST_SHARE}\n"
+        );
+        let path = folder.join("study.toml");
+        Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|complaints| panic!("{complaints}"))
+    }
+
+    fn outcomes(
+        study: &Study,
+        response: &StudyResponse,
+        (bounds, table): (&Bounds, &SampleTable),
+        pairs: &[BoundPair],
+    ) -> Vec<RequirementOutcome> {
+        requirements(&Material { study, response, table, bounds, pairs, rare: &[] })
+    }
+
+    #[test]
+    fn a_requirement_without_a_bound_is_undecided_and_not_dropped() {
+        let study = study();
+        let response = StudyResponse::new(&study).unwrap();
+        let plan = DoubleLoop::try_new(problem(&study, &response)).unwrap();
+        let mut table = SampleTable::new(response.row_length());
+        // Nothing is epistemic: one round is all.
+        execute(plan.next_round(&table).unwrap(), &response, &mut table).unwrap();
+        let bounds = plan.results(&table).unwrap();
+        let [met] = &outcomes(&study, &response, (&bounds, &table), &bounds.pairs)[..] else {
+            panic!("one is required")
+        };
+        assert_eq!(met.verdict, Verdict::Met);
+        let Some(CountedMechanisms { mechanisms, outside, sampling_error }) = met.counted else { panic!("{met:?}") };
+        assert_eq!((mechanisms, outside, 1.0 - sampling_error), (32, 0, met.probability[0]));
+        let [unknown] = &outcomes(&study, &response, (&bounds, &table), &[])[..] else { panic!("it was dropped") };
+        assert_eq!((unknown.verdict, unknown.probability, unknown.counted), (Verdict::Undecided, [0.0, 1.0], None));
+        assert_eq!(Verdict::of_all([unknown.verdict]), Some(Verdict::Undecided));
+    }
+}
