@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use loosepin::model::Model;
 use loosepin::report::study_text;
-use loosepin::study::result::{BoundEnd, BoundRecord, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict};
+use loosepin::study::result::{BoundEnd, BoundRecord, ResponsePoint, Statistic, StudyResult, SurrogateVerdict};
 use loosepin::study::{Means, Progress, Study, conduct};
 
 /// Repetitions of each study by surrogate, if left out; of them, the least number whose bounds agree: 29 of 30.
@@ -262,8 +262,8 @@ fn name(bound: &BoundRecord) -> String {
         other => panic!("{other:?} is not asked for"),
     };
     match bound.statistic {
-        StatisticKind::Quantile { probability } => format!("{place}, {probability} quantile"),
-        other => format!("{place}, {}", other.word_and_parameter().0.replace('_', " ")),
+        Statistic::Quantile(probability) => format!("{place}, {probability} quantile"),
+        other => format!("{place}, {}", other.word().replace('_', " ")),
     }
 }
 

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use loosepin::study::result::{
-    ResponsePoint, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind, WitnessValue,
+    ResponsePoint, StudyResult, Treatment, TreatmentBand, TreatmentComparison, WitnessValue,
 };
 use loosepin::study::runs::{RunData, RunsTable};
 use loosepin::study::{Ask, Conducted, Deviation, Means, Progress, Study, Where, conduct};
@@ -30,10 +30,10 @@ const POSES: usize = 12;
 const STANDARD_ERRORS: f64 = 3.0;
 /// No value may be nearer to one that a study has run, as a share of the box.
 const LEAST_DISTANCE: f64 = 1e-3;
-const TREATMENTS: [(TreatmentKind, &str); 3] = [
-    (TreatmentKind::ProbabilityOnly, "probability only"),
-    (TreatmentKind::IntervalOnly, "interval only"),
-    (TreatmentKind::Mixed, "mixed"),
+const TREATMENTS: [(Treatment, &str); 3] = [
+    (Treatment::ProbabilityOnly, "probability only"),
+    (Treatment::IntervalOnly, "interval only"),
+    (Treatment::Mixed, "mixed"),
 ];
 
 /// Nobody watches.
@@ -185,7 +185,7 @@ fn is_short(coverage: f64, promised: f64, mechanisms: usize) -> bool {
     coverage + STANDARD_ERRORS * standard_error(coverage, mechanisms) < promised
 }
 
-fn band(of: &TreatmentComparison, treatment: TreatmentKind) -> &TreatmentBand {
+fn band(of: &TreatmentComparison, treatment: Treatment) -> &TreatmentBand {
     of.bands.iter().find(|band| band.treatment == treatment).expect("all treatments are compared")
 }
 

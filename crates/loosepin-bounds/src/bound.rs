@@ -1,63 +1,13 @@
 //! Bounds and what stands behind them. The shape of a result never depends on its value.
 
+pub use loosepin_terms::{Guarantee, Reading, Treatment};
+
 use super::probability_box::ProbabilityBox;
 use super::search::Direction;
 use super::second_order::StatisticPercentiles;
 use super::statistic::Statistic;
 use super::table::Purpose;
 use super::treatment::TreatmentComparison;
-
-/// What a bound promises.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Guarantee {
-    /// The exact number, or certainly beyond it.
-    Enclosure,
-    /// Found by searching; no sampling is involved.
-    Optimised,
-    /// Estimated from a sample; its sampling error has this confidence.
-    Sampled {
-        /// Confidence in (0, 1).
-        confidence: f64,
-    },
-    /// Not confirmed everywhere, or by too few samples: the true range is at least about this wide.
-    Inner,
-}
-
-impl Guarantee {
-    /// Of two bounds that are added, or of both ends, what is promised together.
-    #[must_use]
-    pub fn weaker(self, other: Self) -> Self {
-        let rank = |guarantee: Self| match guarantee {
-            Self::Enclosure => 0,
-            Self::Optimised => 1,
-            Self::Sampled { .. } => 2,
-            Self::Inner => 3,
-        };
-        if rank(other) > rank(self) { other } else { self }
-    }
-}
-
-/// How the kinds of uncertainty are treated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Treatment {
-    /// Every interval taken as a uniform distribution, every member of a list as equally probable.
-    ProbabilityOnly,
-    /// Every random input cut to an interval; every combination of the members of lists.
-    IntervalOnly,
-    /// Random inputs random, epistemic inputs unknown within their intervals and lists.
-    Mixed,
-}
-
-/// What an epistemic interval is taken to mean.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reading {
-    /// One value, the same for every sample, fixed but unknown: the envelope over u.
-    FixedButUnknown,
-    /// A distribution within the interval, unknown, independent of the random inputs.
-    UnknownDistribution,
-    /// Any value, another for each sample, in any relation to the random inputs.
-    RandomSet,
-}
 
 /// Numerical error of a bound, in its own unit, each part >= 0; infinite where the runs do not tell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -116,7 +116,7 @@ impl Measure {
             Statistic::ProbabilityAbove(limit) => Self::probability(samples, Event::Above(limit), confidence),
             Statistic::ProbabilityBelow(limit) => Self::probability(samples, Event::Below(limit), confidence),
             Statistic::ProbabilityBeyond(limit) => Self::probability(samples, Event::Beyond(limit), confidence),
-            Statistic::Cdf => return None,
+            Statistic::Cdf | Statistic::SimultaneousBand(_) => return None,
         })
     }
 

@@ -129,7 +129,7 @@ impl RandomSet {
             Statistic::ProbabilityAbove(limit) => self.probability(evidence, Event::Above(limit), direction),
             Statistic::ProbabilityBelow(limit) => self.probability(evidence, Event::Below(limit), direction),
             Statistic::ProbabilityBeyond(limit) => self.probability(evidence, Event::Beyond(limit), direction),
-            Statistic::Cdf => evidence.nothing(direction),
+            Statistic::Cdf | Statistic::SimultaneousBand(_) => evidence.nothing(direction),
         })
     }
 

@@ -1,25 +1,7 @@
 //! Runs: what goes in, what comes out, one row each.
 
+pub use loosepin_terms::Purpose;
 use thiserror::Error;
-
-/// What a run is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Purpose {
-    /// The direct double loop: X sampled at a fixed u.
-    DoubleLoop,
-    /// The probability-only treatment: X and u sampled together.
-    Mixture,
-    /// The interval-only treatment: a point of the joint box of X and u.
-    Extreme,
-    /// Shares of the variance: X picked and frozen at a fixed u.
-    Contributors,
-    /// A small probability at a fixed u: X around design points or in chains.
-    Rare,
-    /// Something for a surrogate to learn from: X and u together.
-    Training,
-    /// A surrogate held against the response: X sampled at the u of a bound.
-    Confirming,
-}
 
 /// The inputs of one run, and its place in the plan.
 #[derive(Debug, Clone, PartialEq)]

@@ -151,32 +151,19 @@ pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyR
 }
 
 fn statistic(name: &str, parameter: Option<f64>) -> PyResult<Statistic> {
-    Ok(match (name, parameter) {
-        ("mean", None) => Statistic::Mean,
-        ("standard_deviation", None) => Statistic::StandardDeviation,
-        ("cdf", None) => Statistic::Cdf,
-        ("quantile", Some(probability)) => Statistic::Quantile(probability),
-        ("probability_above", Some(limit)) => Statistic::ProbabilityAbove(limit),
-        ("probability_below", Some(limit)) => Statistic::ProbabilityBelow(limit),
-        ("probability_beyond", Some(limit)) => Statistic::ProbabilityBeyond(limit),
-        _ => {
-            return Err(PyValueError::new_err(format!(
-                "statistic '{name}'; must be 'mean', 'standard_deviation', 'cdf', or {{name: number}} with 'quantile', \
-                 'probability_above', 'probability_below' or 'probability_beyond'"
-            )));
-        }
+    let known = Statistic::from_word(name, parameter);
+    known.filter(|statistic| !matches!(statistic, Statistic::SimultaneousBand(_))).ok_or_else(|| {
+        PyValueError::new_err(format!(
+            "statistic '{name}'; must be 'mean', 'standard_deviation', 'cdf', or {{name: number}} with 'quantile', \
+             'probability_above', 'probability_below' or 'probability_beyond'"
+        ))
     })
 }
 
 fn reading_of(word: &str) -> PyResult<Reading> {
-    match word {
-        "fixed" => Ok(Reading::FixedButUnknown),
-        "unknown-distribution" => Ok(Reading::UnknownDistribution),
-        "random-set" => Ok(Reading::RandomSet),
-        _ => Err(PyValueError::new_err(format!(
-            "reading '{word}'; must be 'fixed', 'unknown-distribution' or 'random-set'"
-        ))),
-    }
+    Reading::ALL.into_iter().find(|reading| reading.file_word() == word).ok_or_else(|| {
+        PyValueError::new_err(format!("reading '{word}'; must be 'fixed', 'unknown-distribution' or 'random-set'"))
+    })
 }
 
 /// Everything as plain values of Python.
@@ -197,14 +184,16 @@ pub fn answer<'py>(
     given.set_item("boxes", boxes.collect::<Vec<_>>())?;
     let mut bands = Vec::new();
     for each in &answers.comparisons {
-        let treatments = [
-            ("probability_only", &each.probability_only),
-            ("interval_only", &each.interval_only),
-            ("mixed", &each.mixed),
-        ];
-        for (treatment, band) in treatments {
+        for band in [&each.probability_only, &each.interval_only, &each.mixed] {
             let coverage = (band.coverage.minimum, band.coverage.maximum);
-            bands.push((each.column, treatment, band.lower.value, band.upper.value, coverage.0, coverage.1));
+            bands.push((
+                each.column,
+                band.treatment.word(),
+                band.lower.value,
+                band.upper.value,
+                coverage.0,
+                coverage.1,
+            ));
         }
     }
     given.set_item("bands", bands)?;
@@ -218,11 +207,7 @@ pub fn answer<'py>(
     let named = |called: &[String], values: &dyn Fn(usize) -> Vec<f64>| -> Vec<Column> {
         called.iter().enumerate().map(|(k, name)| Column::of_numbers(py, name, "1", values(k))).collect()
     };
-    let purposes = rows().map(|run| match table.inputs()[run].purpose {
-        bounds::Purpose::DoubleLoop => "mixed",
-        bounds::Purpose::Mixture => "probability_only",
-        _ => "interval_only",
-    });
+    let purposes = rows().map(|run| table.inputs()[run].purpose.word());
     given.set_item("purpose", purposes.collect::<Vec<_>>())?;
     let mut samples = named(names.random, &of_inputs);
     samples.extend(named(names.epistemic, &of_unknown));
@@ -235,25 +220,11 @@ fn pairs<'py>(py: Python<'py>, pairs: &[BoundPair], names: &Names<'_>) -> PyResu
     let records = pairs.iter().map(|pair| {
         let record = PyDict::new(py);
         record.set_item("column", pair.column)?;
-        let (name, parameter) = match pair.statistic {
-            Statistic::Mean => ("mean", None),
-            Statistic::StandardDeviation => ("standard_deviation", None),
-            Statistic::Cdf => ("cdf", None),
-            Statistic::Quantile(probability) => ("quantile", Some(probability)),
-            Statistic::ProbabilityAbove(limit) => ("probability_above", Some(limit)),
-            Statistic::ProbabilityBelow(limit) => ("probability_below", Some(limit)),
-            Statistic::ProbabilityBeyond(limit) => ("probability_beyond", Some(limit)),
-        };
-        record.set_item("statistic", name)?;
-        record.set_item("parameter", parameter)?;
+        record.set_item("statistic", pair.statistic.word())?;
+        record.set_item("parameter", pair.statistic.parameter())?;
         record.set_item("lower", end(py, &pair.lower, names)?)?;
         record.set_item("upper", end(py, &pair.upper, names)?)?;
-        let (guarantee, confidence) = match pair.guarantee() {
-            bounds::Guarantee::Enclosure => ("enclosure", None),
-            bounds::Guarantee::Optimised => ("optimised", None),
-            bounds::Guarantee::Sampled { confidence } => ("sampled", Some(confidence)),
-            bounds::Guarantee::Inner => ("inner", None),
-        };
+        let (guarantee, confidence) = pair.guarantee().word_and_confidence();
         record.set_item("guarantee", guarantee)?;
         record.set_item("confidence", confidence)?;
         Ok(record)

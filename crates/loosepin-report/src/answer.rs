@@ -6,9 +6,8 @@ use super::wording::{
     counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
 };
 use loosepin_result::study::{
-    BoundRecord, CountedMechanisms, DeviationCurve, DeviationKind, GuaranteeKind, InputKind, Reduction,
-    RequirementOutcome, ResponsePoint, StatisticKind, StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind,
-    Verdict,
+    BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, Reduction, RequirementOutcome,
+    ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -37,7 +36,7 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let headline = match (main_bound(result), curve) {
         (Some((bound, probability)), _) => bound_sentence(result, bound, probability, &conditions, writer),
         (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
-        (None, None) => match result.bounds.iter().find(|bound| bound.treatment == TreatmentKind::Mixed) {
+        (None, None) => match result.bounds.iter().find(|bound| bound.treatment == Treatment::Mixed) {
             Some(bound) => statistic_sentence(result, bound, &conditions, writer),
             None if result.requirements.is_empty() => format!("{conditions} nothing was asked for."),
             None => format!("{conditions} no more was asked for than whether the requirements are met."),
@@ -91,12 +90,12 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
 
 fn main_bound(result: &StudyResult) -> Option<(&BoundRecord, f64)> {
     result.bounds.iter().find_map(|bound| {
-        let is_main = bound.treatment == TreatmentKind::Mixed
-            && bound.of == DeviationKind::Total
+        let is_main = bound.treatment == Treatment::Mixed
+            && bound.of == Deviation::Total
             && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
             && bound.upper.widened_si.is_finite();
         match bound.statistic {
-            StatisticKind::Quantile { probability } if is_main && probability > 0.5 => Some((bound, probability)),
+            Statistic::Quantile(probability) if is_main && probability > 0.5 => Some((bound, probability)),
             _ => None,
         }
     })
@@ -106,7 +105,7 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
     result
         .curves
         .iter()
-        .find(|curve| curve.of == DeviationKind::Total)
+        .find(|curve| curve.of == Deviation::Total)
         .or(result.curves.first())
         .filter(|curve| !curve.mixed.lower_si.is_empty())
 }
@@ -150,7 +149,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str
     let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
     let magnitude = highest.abs().max(lowest.abs());
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
-    let range = if is_even && curve.of != DeviationKind::Value {
+    let range = if is_even && curve.of != Deviation::Value {
         format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else {
         between(lowest, highest, &curve.unit, writer)
@@ -158,7 +157,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str
     let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let subject = output_words(&curve.output, &result.outputs);
     match curve.of {
-        DeviationKind::Value => format!("{conditions} the {subject} lies {range}: {share} of mechanisms at any angle."),
+        Deviation::Value => format!("{conditions} the {subject} lies {range}: {share} of mechanisms at any angle."),
         _ => format!(
             "{conditions} the {subject} stays {range} of its ideal motion in at least {share} of mechanisms, at each \
              angle of {} taken by itself.",
@@ -180,7 +179,7 @@ fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter
 
 /// What not knowing costs; nothing of the output itself, whose size is no deviation.
 fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<String> {
-    if curve.of == DeviationKind::Value {
+    if curve.of == Deviation::Value {
         return None;
     }
     let [random_ends, mixed_ends] =
@@ -269,20 +268,20 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 }
 
 fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
-    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == TreatmentKind::Mixed);
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let error_text = match (main_bound(result), main_curve(result)) {
         (Some((bound, _)), _) => Some(writer.error(bound.upper.error.total_si(), &bound.unit)),
         (None, Some(curve)) => Some(writer.error(curve.numerical_error_si, &curve.unit)),
         (None, None) => None,
     };
-    let inner = mixed().filter(|bound| bound.guarantee == GuaranteeKind::Inner).count();
+    let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let mut sentence = match error_text {
         Some(error) => format!("Numerical error of this answer: at most {error}, already added on the outside."),
         None => "The numerical error of each bound stands beside it.".to_owned(),
     };
     if inner > 0 {
         // The answer itself first: whoever reads on knows it as a promise.
-        let is_answer = main_bound(result).is_some_and(|(bound, _)| bound.guarantee == GuaranteeKind::Inner);
+        let is_answer = main_bound(result).is_some_and(|(bound, _)| bound.guarantee == Guarantee::Inner);
         let subject = match (is_answer, mixed().count()) {
             (true, _) if inner == 1 => "It is".to_owned(),
             (true, all) => format!("It and {} of the {} other bounds are", inner - 1, all - 1),
@@ -337,7 +336,7 @@ pub(super) fn turn_word(drive_speed_rad_s: Option<f64>) -> &'static str {
 pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &NumberWriter) -> Vec<String> {
     let promised = comparison.promised_coverage;
     let mixed_width =
-        comparison.bands.iter().find(|band| band.treatment == TreatmentKind::Mixed).map(TreatmentBand::width_si);
+        comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
     comparison
         .bands
         .iter()
@@ -347,13 +346,13 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             let least_by_surrogate = writer.percent_range(band.least_share(), band.coverage_minimum);
             let promise = writer.percent(promised, Rounding::Nearest);
             let start = match band.treatment {
-                TreatmentKind::ProbabilityOnly => {
+                Treatment::ProbabilityOnly => {
                     "Treating everything as probability pretends to know which unknown values are likely."
                 }
-                TreatmentKind::IntervalOnly => {
+                Treatment::IntervalOnly => {
                     "Treating everything as interval throws away what is known about the scatter."
                 }
-                TreatmentKind::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
+                Treatment::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
             };
             let kept = if band.is_promise_unknown(promised) {
                 format!(
@@ -381,7 +380,7 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
                 format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
             };
             let width = match mixed_width {
-                Some(mixed) if band.treatment != TreatmentKind::Mixed && mixed > 0.0 => {
+                Some(mixed) if band.treatment != Treatment::Mixed && mixed > 0.0 => {
                     let ratio = band.width_si() / mixed;
                     if ratio > 1.02 {
                         format!(", at {ratio:.2} times the width that is needed.")

@@ -61,13 +61,13 @@ fn falls_too_slowly(output: &SurrogateOutput) -> bool {
 mod tests {
     use super::*;
     use loosepin_result::study::Reduction;
-    use loosepin_result::study::{DeviationKind, SurrogateLearning};
+    use loosepin_result::study::{Deviation, SurrogateLearning};
     use loosepin_text::units::{DisplayUnits, SiUnit};
 
     fn output(at: ResponsePoint, q2: f64, verdict: SurrogateVerdict) -> SurrogateOutput {
         SurrogateOutput {
             output: "slider".into(),
-            of: DeviationKind::Total,
+            of: Deviation::Total,
             at,
             unit: SiUnit::LENGTH,
             problem: None,

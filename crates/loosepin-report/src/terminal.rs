@@ -19,7 +19,7 @@ use super::wording::{
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::{SimulationRecord, StopReason};
-use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
 
@@ -47,7 +47,7 @@ pub fn study_text(result: &StudyResult) -> String {
     let shown: Vec<&BoundRecord> = result
         .bounds
         .iter()
-        .filter(|bound| bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
+        .filter(|bound| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
         .collect();
     if !shown.is_empty() {
         let is_over_some = has_unknown(&result.inputs);

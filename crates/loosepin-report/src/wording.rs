@@ -2,18 +2,17 @@
 
 use super::number::{NumberWriter, Rounding};
 use loosepin_result::study::{
-    BoundRecord, DeviationKind, GuaranteeKind, InputDescription, InputKind, IntervalReading, OutputDescription,
-    Reduction, ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
-    TreatmentKind, Verdict,
+    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, Reading, Reduction,
+    ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand, TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
-pub(super) fn deviation_words(of: DeviationKind) -> &'static str {
+pub(super) fn deviation_words(of: Deviation) -> &'static str {
     match of {
-        DeviationKind::Value => "value",
-        DeviationKind::Total => "deviation",
-        DeviationKind::Dimensional => "deviation from part scatter",
-        DeviationKind::Clearance => "deviation from play",
+        Deviation::Value => "value",
+        Deviation::Total => "deviation",
+        Deviation::Dimensional => "deviation from part scatter",
+        Deviation::Clearance => "deviation from play",
     }
 }
 
@@ -35,23 +34,24 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
     }
 }
 
-pub(super) fn statistic_words(statistic: StatisticKind, unit: &SiUnit, writer: &NumberWriter) -> String {
+pub(super) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &NumberWriter) -> String {
     match statistic {
-        StatisticKind::Mean => "mean".to_owned(),
-        StatisticKind::StandardDeviation => "standard deviation".to_owned(),
-        StatisticKind::Quantile { probability } => {
+        Statistic::Mean => "mean".to_owned(),
+        Statistic::StandardDeviation => "standard deviation".to_owned(),
+        Statistic::Cdf => "distribution function".to_owned(),
+        Statistic::Quantile(probability) => {
             format!("{} quantile", writer.percent(probability, Rounding::Nearest))
         }
-        StatisticKind::SimultaneousBand { share } => {
+        Statistic::SimultaneousBand(share) => {
             format!("band of {} for the whole cycle", writer.percent(share, Rounding::Nearest))
         }
-        StatisticKind::ProbabilityAbove { limit_si } => {
+        Statistic::ProbabilityAbove(limit_si) => {
             format!("probability above {}", writer.value_trimmed(limit_si, unit))
         }
-        StatisticKind::ProbabilityBelow { limit_si } => {
+        Statistic::ProbabilityBelow(limit_si) => {
             format!("probability below {}", writer.value_trimmed(limit_si, unit))
         }
-        StatisticKind::ProbabilityBeyond { limit_si } => {
+        Statistic::ProbabilityBeyond(limit_si) => {
             format!("probability beyond ±{}", writer.value_trimmed(limit_si, unit))
         }
     }
@@ -69,11 +69,11 @@ pub(super) fn band_digits(comparison: &TreatmentComparison) -> usize {
     WIDTH_DIGITS + if more.is_finite() { more.clamp(0.0, 9.0) as usize } else { 0 }
 }
 
-pub(super) fn treatment_words(treatment: TreatmentKind) -> &'static str {
+pub(super) fn treatment_words(treatment: Treatment) -> &'static str {
     match treatment {
-        TreatmentKind::ProbabilityOnly => "Everything as probability",
-        TreatmentKind::IntervalOnly => "Everything as interval",
-        TreatmentKind::Mixed => "Each as what it is",
+        Treatment::ProbabilityOnly => "Everything as probability",
+        Treatment::IntervalOnly => "Everything as interval",
+        Treatment::Mixed => "Each as what it is",
     }
 }
 
@@ -93,13 +93,11 @@ pub(super) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str 
     }
 }
 
-pub(super) fn reading_words(reading: IntervalReading) -> &'static str {
+pub(super) fn reading_words(reading: Reading) -> &'static str {
     match reading {
-        IntervalReading::Fixed => "fixed but unknown: one value, the same for every mechanism made (reading A)",
-        IntervalReading::UnknownDistribution => {
-            "of unknown distribution, independent of the random inputs (reading A2)"
-        }
-        IntervalReading::RandomSet => "free to differ from mechanism to mechanism in any way (reading B)",
+        Reading::FixedButUnknown => "fixed but unknown: one value, the same for every mechanism made (reading A)",
+        Reading::UnknownDistribution => "of unknown distribution, independent of the random inputs (reading A2)",
+        Reading::RandomSet => "free to differ from mechanism to mechanism in any way (reading B)",
     }
 }
 
@@ -111,14 +109,14 @@ pub(super) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> Strin
     format!("; intervals {}", reading_words(bound.reading))
 }
 
-pub(super) fn guarantee_words(guarantee: GuaranteeKind, writer: &NumberWriter) -> String {
+pub(super) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> String {
     match guarantee {
-        GuaranteeKind::Enclosure => "proven, rounding included".to_owned(),
-        GuaranteeKind::Optimised => "best found by a search over the intervals".to_owned(),
-        GuaranteeKind::Sampled { confidence } => {
+        Guarantee::Enclosure => "proven, rounding included".to_owned(),
+        Guarantee::Optimised => "best found by a search over the intervals".to_owned(),
+        Guarantee::Sampled { confidence } => {
             format!("holds with {} confidence over the sampling", writer.percent(confidence, Rounding::Nearest))
         }
-        GuaranteeKind::Inner => "at least this wide; not confirmed".to_owned(),
+        Guarantee::Inner => "at least this wide; not confirmed".to_owned(),
     }
 }
 
@@ -166,7 +164,7 @@ pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String 
 /// `slider (x of slider.pin): deviation, largest in the cycle`, as headings have it.
 pub(super) fn response_words(
     result: &StudyResult,
-    (output, of, at): (&str, DeviationKind, ResponsePoint),
+    (output, of, at): (&str, Deviation, ResponsePoint),
     writer: &NumberWriter,
 ) -> String {
     format!("{}: {}, {}", output_words(output, &result.outputs), deviation_words(of), place_words(at, writer))

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::assemble::{Material, deviation_kind, statistic_kind};
+use super::assemble::Material;
 use super::columns::{ColumnPlan, PlannedAsk};
 use super::file::{AccuracyTarget, Budget, Study, Where, statistic_name};
 use loosepin_bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic, SurrogateRounds};
@@ -205,13 +205,12 @@ fn outcome(
     let ends = ends.flat_map(|(column, ends)| ends.map(|end| (column, end)));
     let (column, end) = ends.max_by(|(_, a), (_, b)| widening(a).total_cmp(&widening(b)))?;
     let reached_si = widening(&end);
-    let kind = statistic_kind(statistic)?;
     Some(AccuracyOutcome {
         output: material.name_of(column),
-        of: deviation_kind(planned.ask.deviation),
+        of: planned.ask.deviation,
         at: material.point_of(column, planned.ask.location == Where::Cycle),
-        statistic: kind,
-        unit: if kind.is_probability() { SiUnit::NONE } else { material.unit_of(column) },
+        statistic,
+        unit: if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) },
         asked_si,
         reached_si,
         sampling_si: end.error.sampling_si,

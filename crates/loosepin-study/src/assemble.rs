@@ -16,16 +16,15 @@ pub use runs_table::{curve_name, runs_table, scalar_name};
 pub(super) use treatments::learned_treatments;
 
 use super::columns::{ColumnPlan, Spot, StudyColumn};
-use super::file::{Deviation, EpistemicInput, Reduction, Study, Where};
+use super::file::{EpistemicInput, Reduction, Study, Where};
 use super::rare::{self, Rare};
 use super::response::StudyResponse;
 use super::simultaneous::CurveBand;
-use loosepin_bounds::{Bound, BoundPair, Bounds, Guarantee, Percentile, Purpose, Reading, SampleTable, Statistic};
+use loosepin_bounds::{Bound, BoundPair, Bounds, Percentile, SampleTable};
 use loosepin_result::study::{
-    AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CutBounds, DeviationKind,
-    FORMAT, GuaranteeKind, IntervalReading, NumericalError, PercentileBounds, ProbabilityBox, RareEnd, RareRecord,
-    ResponsePoint, StatisticKind, StudyResult, SurrogateRecord, TreatmentComparison, TreatmentKind, Witness,
-    WitnessValue,
+    AccuracyRecord, AllocationRecord, AllowanceRecord, BoundEnd, BoundRecord, Contributors, CutBounds, FORMAT,
+    Guarantee, NumericalError, PercentileBounds, ProbabilityBox, Purpose, RareEnd, RareRecord, ResponsePoint,
+    Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentComparison, Witness, WitnessValue,
 };
 use loosepin_text::units::{DisplayUnits, SiUnit};
 
@@ -217,45 +216,6 @@ pub(super) fn recorded_offset_rad(study: &Study, response: &StudyResponse) -> f6
     sign * std::f64::consts::TAU * study.cycle.transient_turns.floor()
 }
 
-pub(super) fn deviation_kind(deviation: Deviation) -> DeviationKind {
-    match deviation {
-        Deviation::Value => DeviationKind::Value,
-        Deviation::Total => DeviationKind::Total,
-        Deviation::Dimensional => DeviationKind::Dimensional,
-        Deviation::Clearance => DeviationKind::Clearance,
-    }
-}
-
-fn reading(bounds: &Bounds) -> IntervalReading {
-    match bounds.reading {
-        Reading::FixedButUnknown => IntervalReading::Fixed,
-        Reading::UnknownDistribution => IntervalReading::UnknownDistribution,
-        Reading::RandomSet => IntervalReading::RandomSet,
-    }
-}
-
-fn guarantee(guarantee: Guarantee) -> GuaranteeKind {
-    match guarantee {
-        Guarantee::Enclosure => GuaranteeKind::Enclosure,
-        Guarantee::Optimised => GuaranteeKind::Optimised,
-        Guarantee::Sampled { confidence } => GuaranteeKind::Sampled { confidence },
-        Guarantee::Inner => GuaranteeKind::Inner,
-    }
-}
-
-/// The statistic for the record; the whole distribution function has its own place.
-pub(super) fn statistic_kind(statistic: Statistic) -> Option<StatisticKind> {
-    Some(match statistic {
-        Statistic::Mean => StatisticKind::Mean,
-        Statistic::StandardDeviation => StatisticKind::StandardDeviation,
-        Statistic::Cdf => return None,
-        Statistic::Quantile(probability) => StatisticKind::Quantile { probability },
-        Statistic::ProbabilityAbove(limit_si) => StatisticKind::ProbabilityAbove { limit_si },
-        Statistic::ProbabilityBelow(limit_si) => StatisticKind::ProbabilityBelow { limit_si },
-        Statistic::ProbabilityBeyond(limit_si) => StatisticKind::ProbabilityBeyond { limit_si },
-    })
-}
-
 /// The bounds at every degree of possibility.
 fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
     let of_level = |level: &loosepin_bounds::LevelBounds| {
@@ -293,29 +253,27 @@ pub(super) fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
         let in_curve = planned.ask.location == Where::Cycle;
         for &column in &planned.columns {
             for &asked in &planned.ask.statistics {
-                let (Some(statistic), Some(pair)) = (statistic_kind(asked), material.pair(column, asked)) else {
-                    continue;
-                };
+                let Some(pair) = material.pair(column, asked) else { continue };
                 let Some([mut lower, mut upper]) = material.ends(column, asked) else { continue };
                 let rare = material.rare.iter().find(|rare| rare.column == column && rare.statistic == asked);
                 if let Some(rare) = rare {
                     [lower, upper] = rare.bounds.each_ref().map(|bound| material.end(bound));
                 }
-                let unit = if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
+                let unit = if asked.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
                 records.push(BoundRecord {
                     output: material.name_of(column),
-                    of: deviation_kind(planned.ask.deviation),
+                    of: planned.ask.deviation,
                     at: material.point_of(column, in_curve),
-                    statistic,
-                    treatment: TreatmentKind::Mixed,
-                    reading: reading(material.bounds),
+                    statistic: asked,
+                    treatment: Treatment::Mixed,
+                    reading: material.bounds.reading,
                     unit,
                     lower,
                     upper,
                     guarantee: if rare.is_some_and(|rare| !rare.is_confirmed) {
-                        GuaranteeKind::Inner
+                        Guarantee::Inner
                     } else {
-                        guarantee(pair.guarantee())
+                        pair.guarantee()
                     },
                 });
             }
@@ -344,15 +302,15 @@ fn simultaneous_bounds(material: &Material<'_>, bands: &[CurveBand]) -> Vec<Boun
             let [lower, upper] = found.ends(place).map(|bound| material.end(&bound));
             BoundRecord {
                 output: material.name_of(column),
-                of: deviation_kind(material.plan().columns[column].deviation),
+                of: material.plan().columns[column].deviation,
                 at: material.point_of(column, true),
-                statistic: StatisticKind::SimultaneousBand { share: band.share },
-                treatment: TreatmentKind::Mixed,
-                reading: reading(material.bounds),
+                statistic: Statistic::SimultaneousBand(band.share),
+                treatment: Treatment::Mixed,
+                reading: material.bounds.reading,
                 unit: material.unit_of(column),
                 lower,
                 upper,
-                guarantee: guarantee(found.guarantee()),
+                guarantee: found.guarantee(),
             }
         };
         band.columns.iter().enumerate().map(record).collect()
@@ -376,17 +334,15 @@ fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
         runs: end.estimate.runs as u64,
         failed: end.estimate.failed as u64,
     };
-    let record = |rare: &Rare| {
-        Some(RareRecord {
-            output: material.name_of(rare.column),
-            of: deviation_kind(material.plan().columns[rare.column].deviation),
-            at: material.point_of(rare.column, false),
-            statistic: statistic_kind(rare.statistic)?,
-            lower: end(&rare.ends[0]),
-            upper: end(&rare.ends[1]),
-        })
+    let record = |rare: &Rare| RareRecord {
+        output: material.name_of(rare.column),
+        of: material.plan().columns[rare.column].deviation,
+        at: material.point_of(rare.column, false),
+        statistic: rare.statistic,
+        lower: end(&rare.ends[0]),
+        upper: end(&rare.ends[1]),
     };
-    material.rare.iter().filter_map(record).collect()
+    material.rare.iter().map(record).collect()
 }
 
 fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
@@ -427,7 +383,7 @@ fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
             let error = |bound: &Bound| bound.error.sampling;
             ProbabilityBox {
                 output: material.name_of(column),
-                of: deviation_kind(material.plan().columns[column].deviation),
+                of: material.plan().columns[column].deviation,
                 at: material.point_of(column, false),
                 unit: material.unit_of(column),
                 probability_only: found.values.iter().map(|&value| share_below(value)).collect(),

@@ -1,6 +1,6 @@
 //! What contributes to the answers: the runs that tell it, and what they say.
 
-use super::assemble::{Material, deviation_kind};
+use super::assemble::Material;
 use super::columns::{PlannedAsk, Spot};
 use super::file::{Deviation, EpistemicInput, Study, Where};
 use loosepin_bounds::{DoubleLoop, Pinching, Purpose, RunInputs, SampleTable};
@@ -184,7 +184,7 @@ fn of_columns(
     let per_pose = 1.0 / columns.len() as f64;
     Contributors {
         output,
-        of: deviation_kind(planned.ask.deviation),
+        of: planned.ask.deviation,
         at,
         unit: material.unit_of(columns[0]),
         band_width_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width),

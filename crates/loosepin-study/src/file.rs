@@ -28,12 +28,12 @@ pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
 use ask::KnownPose;
 use asked_before::KnownQuestion;
 pub use description::{
-    Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
-    EpistemicSubject, Limit, RandomInput, RareMethod, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate,
-    UncertainParameter, Where,
+    Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, EpistemicInput, EpistemicSubject, Limit,
+    RandomInput, RareMethod, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate, UncertainParameter,
+    Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
-pub use loosepin_result::study::Reduction;
+pub use loosepin_result::study::{Deviation, Reduction};
 use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;

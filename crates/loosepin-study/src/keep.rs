@@ -84,7 +84,7 @@ impl KeptList<'_> {
 /// Everything that a run depends on besides the study, and its place in the plan.
 fn key(inputs: &RunInputs) -> InputsKey {
     let RunInputs { round, purpose, point, replicate, index, random, epistemic } = inputs;
-    let mut bytes: Vec<u8> = format!("{purpose:?} ").into_bytes();
+    let mut bytes: Vec<u8> = format!("{} ", purpose.word()).into_bytes();
     bytes.extend([*round, *point, *replicate, *index, random.len() as u32].map(u32::to_le_bytes).concat());
     bytes.extend(random.iter().chain(epistemic).flat_map(|value| value.to_bits().to_le_bytes()));
     InputsKey::of(&bytes)

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use loosepin_result::study::{DeviationKind, ResponsePoint, Witness};
+use loosepin_result::study::{Deviation, ResponsePoint, Witness};
 use loosepin_surrogate::{OnnxMetadata, Prediction, Surrogate, SurrogateError, from_versioned_json};
 use loosepin_text::units::SiUnit;
 
@@ -51,7 +51,7 @@ pub struct SavedOutput {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where in the cycle; one place for a number.
     pub at: Vec<ResponsePoint>,
     /// Unit of its values.

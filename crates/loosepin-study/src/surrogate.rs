@@ -1,7 +1,7 @@
 //! The surrogate of a study: its runs, and its bounds beside the direct ones.
 
 use super::accuracy::{Ended, goals};
-use super::assemble::{Material, asked_bounds, deviation_kind, learned_treatments};
+use super::assemble::{Material, asked_bounds, learned_treatments};
 use super::columns::{ColumnPlan, Spot};
 use super::conduct::{StudyError, refuse_failures};
 use super::file::{Study, StudySurrogate, Where};
@@ -45,7 +45,7 @@ pub(super) fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize 
 fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
     let mut groups: Vec<ColumnGroup> = Vec::new();
     let name = |column: usize| {
-        let of = deviation_kind(plan.columns[column].deviation).word();
+        let of = plan.columns[column].deviation.word();
         format!("{} {of}", plan.outputs[plan.columns[column].output].name)
     };
     let is_known = |groups: &[ColumnGroup], column: &usize| groups.iter().any(|group| group.columns.contains(column));
@@ -161,7 +161,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     let is_curve = columns.len() > 1;
     let mut record = SurrogateOutput {
         output: material.name_of(column),
-        of: deviation_kind(material.response.shared.plan.columns[column].deviation),
+        of: material.response.shared.plan.columns[column].deviation,
         at: if is_curve { ResponsePoint::Whole } else { material.point_of(column, false) },
         unit: material.unit_of(column),
         problem: None,
@@ -249,7 +249,7 @@ pub(super) fn saved_surrogates(
             let named = material.witness(&epistemic).into_iter();
             SavedOutput {
                 output: material.name_of(columns[0]),
-                of: deviation_kind(material.response.shared.plan.columns[columns[0]].deviation),
+                of: material.response.shared.plan.columns[columns[0]].deviation,
                 at: columns.iter().map(|&column| material.point_of(column, columns.len() > 1)).collect(),
                 unit: material.unit_of(columns[0]),
                 members: named.filter(|(path, _)| lists.contains(&path.as_str())).collect(),

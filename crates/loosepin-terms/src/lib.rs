@@ -1,5 +1,15 @@
 //! Terms of an answer. Each is one type from the computation to the file, the page and Python, with the word that names it there.
 
+mod guarantee;
+mod purpose;
+mod reading;
+mod statistic;
 mod surrogate_verdict;
+mod treatment;
 
+pub use guarantee::Guarantee;
+pub use purpose::Purpose;
+pub use reading::Reading;
+pub use statistic::Statistic;
 pub use surrogate_verdict::SurrogateVerdict;
+pub use treatment::Treatment;

@@ -227,7 +227,9 @@ impl Confirmed {
             Statistic::ProbabilityAbove(limit) => Box::new(move |y| f64::from(u8::from(y > limit))),
             Statistic::ProbabilityBelow(limit) => Box::new(move |y| f64::from(u8::from(y < limit))),
             Statistic::ProbabilityBeyond(limit) => Box::new(move |y| f64::from(u8::from(y.abs() > limit))),
-            Statistic::StandardDeviation | Statistic::Quantile(_) | Statistic::Cdf => return None,
+            Statistic::StandardDeviation | Statistic::Quantile(_) | Statistic::SimultaneousBand(_) | Statistic::Cdf => {
+                return None;
+            }
         };
         let of_replicate = |(surrogate, direct): (&Answers, &DirectAnswers)| {
             let differences = direct.iter().map(|row| {

@@ -108,7 +108,7 @@ fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> R
 /// What is asked of a surrogate for a statistic: of its value first, then of what its error can make of it.
 fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
     let error = match statistic {
-        Statistic::Cdf => Vec::new(),
+        Statistic::Cdf | Statistic::SimultaneousBand(_) => Vec::new(),
         Statistic::StandardDeviation => vec![(Aspect::Square, Statistic::Mean)],
         Statistic::Mean
         | Statistic::Quantile(_)

@@ -8,15 +8,14 @@ use crate::wording::{
     MASSES_ADD, further, guarantee_words, has_parts, has_unknown, only_curves, reading_beside, response_words,
     statistic_words, unknown_words,
 };
-use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, TreatmentKind};
+use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
 
 /// More rows are left to `bounds.csv`.
 const MOST_ROWS: usize = 60;
 
 pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Markup {
-    let shown = |bound: &&BoundRecord| {
-        bound.treatment == TreatmentKind::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. })
-    };
+    let shown =
+        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
     let rows: Vec<&BoundRecord> = result.bounds.iter().filter(shown).take(MOST_ROWS).collect();
     let others = result.bounds.len() - rows.len();
     if rows.is_empty() {

@@ -9,7 +9,7 @@ use crate::script_data::{round_to_digits, rounded};
 use crate::wording::{capitalised, deviation_words, output_words, place_words};
 use loosepin_result::study::{
     BoundRecord, CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve,
-    StatisticKind, StudyResult, TreatmentKind,
+    Statistic, StudyResult, Treatment,
 };
 use loosepin_text::units::SiUnit;
 
@@ -232,16 +232,13 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
 /// Least and largest share below the limit, where a probability of the same was asked for.
 fn bounded_share(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64) -> Option<[f64; 2]> {
     let is_own = |bound: &&BoundRecord| {
-        bound.treatment == TreatmentKind::Mixed
-            && (&bound.output, bound.of, bound.at) == (&pbox.output, pbox.of, pbox.at)
+        bound.treatment == Treatment::Mixed && (&bound.output, bound.of, bound.at) == (&pbox.output, pbox.of, pbox.at)
     };
     result.bounds.iter().filter(is_own).find_map(|bound| {
         let ends = [bound.lower.widened_si, bound.upper.widened_si];
         match bound.statistic {
-            StatisticKind::ProbabilityAbove { limit_si: own } if own == limit_si => {
-                Some([1.0 - ends[1], 1.0 - ends[0]])
-            }
-            StatisticKind::ProbabilityBelow { limit_si: own } if own == limit_si => Some(ends),
+            Statistic::ProbabilityAbove(own) if own == limit_si => Some([1.0 - ends[1], 1.0 - ends[0]]),
+            Statistic::ProbabilityBelow(own) if own == limit_si => Some(ends),
             _ => None,
         }
     })

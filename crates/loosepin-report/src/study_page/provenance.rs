@@ -10,7 +10,7 @@ use crate::still_figures::histogram_figure;
 use crate::wording::{
     count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
 };
-use loosepin_result::study::{EnergyResiduals, InputKind, JointImpacts, RunPurpose, StudyResult, TreatmentKind};
+use loosepin_result::study::{EnergyResiduals, InputKind, JointImpacts, Purpose, StudyResult, Treatment};
 use loosepin_text::units::SiUnit;
 
 pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
@@ -167,7 +167,7 @@ pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
 /// Runs of the double loop.
 fn double_loop_runs(result: &StudyResult) -> u64 {
     let parts = result.counts.by_purpose.iter();
-    parts.filter(|part| part.purpose == RunPurpose::Mixed).map(|part| part.runs).sum()
+    parts.filter(|part| part.purpose == Purpose::DoubleLoop).map(|part| part.runs).sum()
 }
 
 /// Whether anything scatters with a known distribution.
@@ -187,15 +187,15 @@ fn double_loop_words(result: &StudyResult, each: &str, writer: &NumberWriter) ->
     }
 }
 
-fn purpose_words(purpose: RunPurpose) -> &'static str {
+fn purpose_words(purpose: Purpose) -> &'static str {
     match purpose {
-        RunPurpose::Mixed => "with each as what it is",
-        RunPurpose::ProbabilityOnly => "with everything as probability",
-        RunPurpose::IntervalOnly => "with everything as interval",
-        RunPurpose::Contributors => "for what contributes",
-        RunPurpose::Rare => "for small probabilities",
-        RunPurpose::Training => "for surrogates to learn from",
-        RunPurpose::Confirming => "to confirm surrogates",
+        Purpose::DoubleLoop => "with each as what it is",
+        Purpose::Mixture => "with everything as probability",
+        Purpose::Extreme => "with everything as interval",
+        Purpose::Contributors => "for what contributes",
+        Purpose::Rare => "for small probabilities",
+        Purpose::Training => "for surrogates to learn from",
+        Purpose::Confirming => "to confirm surrogates",
     }
 }
 
@@ -213,7 +213,7 @@ fn kind_words(kind: &InputKind) -> &'static str {
 }
 
 fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup)> {
-    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == TreatmentKind::Mixed);
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let mut guarantees: Vec<String> = mixed().map(|bound| guarantee_words(bound.guarantee, writer)).collect();
     guarantees.sort();
     guarantees.dedup();
@@ -243,7 +243,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
                 }
                 @if counts.replicates > 1 { " (" (counts.replicates) " independent replicates of " (count(counts.inner / counts.replicates, writer)) ")" }
                 @if counts.rounds > 1 { ", in " (counts.rounds) " rounds" }
-                @for part in counts.by_purpose.iter().filter(|part| part.purpose != RunPurpose::Mixed) {
+                @for part in counts.by_purpose.iter().filter(|part| part.purpose != Purpose::DoubleLoop) {
                     @if is_by_surrogate(result) { "; " } @else { " + " }
                     (count(part.runs, writer)) " " (purpose_words(part.purpose))
                 }

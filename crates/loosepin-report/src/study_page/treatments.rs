@@ -9,7 +9,7 @@ use crate::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, has_lists, promise_word, response_words, share_words, treatment_words,
     unknown_words,
 };
-use loosepin_result::study::{StudyResult, TreatmentBand, TreatmentComparison, TreatmentKind};
+use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 
 pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
@@ -98,11 +98,11 @@ fn padded(from: f64, to: f64) -> (f64, f64) {
     (from - margin, to + margin)
 }
 
-fn colour(treatment: TreatmentKind) -> &'static str {
+fn colour(treatment: Treatment) -> &'static str {
     match treatment {
-        TreatmentKind::ProbabilityOnly => "probability",
-        TreatmentKind::IntervalOnly => "worst",
-        TreatmentKind::Mixed => "mixed",
+        Treatment::ProbabilityOnly => "probability",
+        Treatment::IntervalOnly => "worst",
+        Treatment::Mixed => "mixed",
     }
 }
 

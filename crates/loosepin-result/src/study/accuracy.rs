@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bound::{DeviationKind, ResponsePoint, StatisticKind};
+use super::bound::ResponsePoint;
+use super::deviation::Deviation;
+use loosepin_terms::Statistic;
 use loosepin_text::units::{SiUnit, extended};
 
 /// How near the bounds were to be, what that was to cost, and what came of it.
@@ -72,11 +74,11 @@ pub struct AccuracyOutcome {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where; of a curve the pose that is furthest from the target.
     pub at: ResponsePoint,
     /// The statistic.
-    pub statistic: StatisticKind,
+    pub statistic: Statistic,
     /// Unit of the numbers.
     pub unit: SiUnit,
     /// What the bounds were to be widened by at most.

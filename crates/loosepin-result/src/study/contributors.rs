@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bound::{DeviationKind, ResponsePoint, Witness};
+use super::bound::{ResponsePoint, Witness};
+use super::deviation::Deviation;
 use loosepin_text::units::{SiUnit, extended};
 
 /// The contributors to one question: a number, or a whole curve (`at` is then [`ResponsePoint::Whole`], and variances and widths
@@ -14,7 +15,7 @@ pub struct Contributors {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where in the cycle.
     pub at: ResponsePoint,
     /// Unit of the output.

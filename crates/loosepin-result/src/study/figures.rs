@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bound::{DeviationKind, NumericalError, ResponsePoint, TreatmentKind, Witness};
+use super::bound::{NumericalError, ResponsePoint, Witness};
+use super::deviation::Deviation;
+use loosepin_terms::Treatment;
 use loosepin_text::units::{SiUnit, extended};
 
 /// Deviation of one output over the cycle. All lists have one entry per element of `pose_rad`.
@@ -11,7 +13,7 @@ pub struct DeviationCurve {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Unit of the values.
     pub unit: SiUnit,
     /// Probabilities of the two ends of the bands, for example 0.025 and 0.975.
@@ -73,7 +75,7 @@ pub struct ProbabilityBox {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// How the cycle was reduced to one number.
     pub at: ResponsePoint,
     /// Unit of the values.
@@ -104,7 +106,7 @@ pub struct TreatmentComparison {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where in the cycle, or how it was reduced.
     pub at: ResponsePoint,
     /// Unit of the bands.
@@ -120,7 +122,7 @@ pub struct TreatmentComparison {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TreatmentBand {
     /// The treatment.
-    pub treatment: TreatmentKind,
+    pub treatment: Treatment,
     /// Lower end of the band.
     #[serde(with = "extended")]
     pub lower_si: f64,

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use loosepin_terms::Purpose;
 use loosepin_text::units::{SiUnit, extended};
 
 /// One uncertain input.
@@ -154,55 +155,9 @@ pub struct RunCounts {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PurposeRuns {
     /// The purpose.
-    pub purpose: RunPurpose,
+    pub purpose: Purpose,
     /// How many.
     pub runs: u64,
-}
-
-/// What a run is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RunPurpose {
-    /// The direct double loop.
-    Mixed,
-    /// The probability-only treatment.
-    ProbabilityOnly,
-    /// The interval-only treatment.
-    IntervalOnly,
-    /// Shares of the variance.
-    Contributors,
-    /// A small probability.
-    Rare,
-    /// Something for a surrogate to learn from.
-    Training,
-    /// A surrogate held against the response.
-    Confirming,
-}
-
-impl RunPurpose {
-    /// Every purpose, in the order in which runs are told.
-    pub const ALL: [Self; 7] = [
-        Self::Mixed,
-        Self::ProbabilityOnly,
-        Self::IntervalOnly,
-        Self::Contributors,
-        Self::Rare,
-        Self::Training,
-        Self::Confirming,
-    ];
-
-    /// The word used in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Mixed => "mixed",
-            Self::ProbabilityOnly => "probability_only",
-            Self::IntervalOnly => "interval_only",
-            Self::Contributors => "contributors",
-            Self::Rare => "rare",
-            Self::Training => "training",
-            Self::Confirming => "confirming",
-        }
-    }
 }
 
 /// Runs that failed for the same reason.

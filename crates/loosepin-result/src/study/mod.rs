@@ -4,6 +4,7 @@ mod accuracy;
 mod allowances;
 mod bound;
 mod contributors;
+mod deviation;
 mod figures;
 mod inputs;
 mod rare;
@@ -16,21 +17,19 @@ use serde::{Deserialize, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
 pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
-pub use bound::{
-    BoundEnd, BoundRecord, DeviationKind, GuaranteeKind, IntervalReading, NumericalError, ResponsePoint, StatisticKind,
-    TreatmentKind, Witness, WitnessValue,
-};
+pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
+pub use deviation::Deviation;
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
     SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd,
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
-    InputDescription, InputKind, OutputDescription, PurposeRuns, RunCounts, RunPurpose,
+    InputDescription, InputKind, OutputDescription, PurposeRuns, RunCounts,
 };
 
-pub use loosepin_terms::SurrogateVerdict;
+pub use loosepin_terms::{Guarantee, Purpose, Reading, Statistic, SurrogateVerdict, Treatment};
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 pub use reduction::Reduction;
 pub use requirement::{CountedMechanisms, RequirementOutcome};

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bound::{DeviationKind, ResponsePoint, StatisticKind};
+use super::bound::ResponsePoint;
+use super::deviation::Deviation;
+use loosepin_terms::Statistic;
 use loosepin_text::units::extended;
 
 /// How the bounds of one small probability were estimated; the bounds themselves stand among the others.
@@ -11,11 +13,11 @@ pub struct RareRecord {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where in the cycle.
     pub at: ResponsePoint,
     /// The probability.
-    pub statistic: StatisticKind,
+    pub statistic: Statistic,
     /// Where it is smallest.
     pub lower: RareEnd,
     /// Where it is largest.

@@ -3,7 +3,8 @@
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
 
-use super::bound::{DeviationKind, ResponsePoint, Witness};
+use super::bound::{ResponsePoint, Witness};
+use super::deviation::Deviation;
 use super::verdict::Verdict;
 
 /// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
@@ -12,7 +13,7 @@ pub struct RequirementOutcome {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where in the cycle: `whole` means everywhere.
     pub at: ResponsePoint,
     /// Least allowed value; minus infinity where there is none.

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::bound::{BoundRecord, DeviationKind, ResponsePoint};
+use super::bound::{BoundRecord, ResponsePoint};
+use super::deviation::Deviation;
 use super::figures::TreatmentComparison;
 use loosepin_terms::SurrogateVerdict;
 use loosepin_text::units::{SiUnit, extended};
@@ -43,7 +44,7 @@ pub struct SurrogateOutput {
     /// Name of the output.
     pub output: String,
     /// Which deviation.
-    pub of: DeviationKind,
+    pub of: Deviation,
     /// Where in the cycle; [`ResponsePoint::Whole`] for a curve.
     pub at: ResponsePoint,
     /// Unit of the output.

@@ -1,8 +1,8 @@
 //! Deviation curves over the cycle with their bands.
 
+use super::Material;
 use super::drawing::Pictures;
 use super::summary::centre_point;
-use super::{Material, deviation_kind};
 use crate::columns::{BAND, PlannedAsk};
 use crate::file::{Deviation, Where};
 use crate::simultaneous::CurveBand;
@@ -23,7 +23,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
     let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let mut curve = DeviationCurve {
         output: output.name.clone(),
-        of: deviation_kind(planned.ask.deviation),
+        of: planned.ask.deviation,
         unit: output.unit.clone(),
         probabilities: BAND,
         centre: material.witness(&centre_inputs),

@@ -1,6 +1,6 @@
 //! Requirements against the bounds of the shares that keep their limits.
 
-use super::{Material, deviation_kind};
+use super::Material;
 use crate::columns::PlannedRequirement;
 use crate::file::Where;
 use loosepin_bounds::{BoundPair, Statistic};
@@ -22,7 +22,7 @@ fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize)
     let [lower_si, upper_si] = requirement.limit.ends();
     RequirementOutcome {
         output: material.name_of(column),
-        of: deviation_kind(requirement.deviation),
+        of: requirement.deviation,
         at: match requirement.location {
             Where::Cycle => ResponsePoint::Whole,
             _ => material.point_of(column, false),

@@ -1,7 +1,6 @@
 //! Every run as a row: inputs, single numbers, status, counters.
 
 use super::describe::unit;
-use super::summary::purpose;
 use crate::columns::{ColumnPlan, Spot, named_angle_rad};
 use crate::file::{EpistemicSubject, Study, Where};
 use crate::response::StudyResponse;
@@ -23,7 +22,7 @@ pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
 /// What the curve is called that a column is a point of: output and deviation.
 pub fn curve_name(plan: &ColumnPlan, index: usize) -> String {
     let column = &plan.columns[index];
-    format!("{} {}", plan.outputs[column.output].name, super::deviation_kind(column.deviation).word())
+    format!("{} {}", plan.outputs[column.output].name, column.deviation.word())
 }
 
 /// The table for `runs.parquet`. Curves are left out: they would be most of it.
@@ -36,7 +35,7 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     let text = |f: &dyn Fn(usize) -> String| RunData::Text(rows.clone().map(f).collect());
     let count = |f: &dyn Fn(usize) -> u64| RunData::U64(rows.clone().map(f).collect());
     let number = |f: &dyn Fn(usize) -> f64| RunData::F64(rows.clone().map(f).collect());
-    push("purpose".to_owned(), SiUnit::NONE, text(&|run| purpose(inputs[run].purpose).word().to_owned()));
+    push("purpose".to_owned(), SiUnit::NONE, text(&|run| inputs[run].purpose.word().to_owned()));
     push("round".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].round)));
     push("outer".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].point)));
     push("replicate".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].replicate)));

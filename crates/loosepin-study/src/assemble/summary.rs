@@ -3,9 +3,7 @@
 use super::Material;
 use crate::extras::{JointExtras, RunExtras};
 use loosepin_bounds::Purpose;
-use loosepin_result::study::{
-    EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts, RunPurpose,
-};
+use loosepin_result::study::{EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts};
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
 const SETTLED: f64 = 1e-6;
@@ -34,24 +32,11 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
 
 /// The runs by what they were for.
 fn by_purpose(material: &Material<'_>) -> Vec<PurposeRuns> {
-    let runs = |of: RunPurpose| {
+    let runs = |of: Purpose| {
         let inputs = material.table.inputs().iter();
-        PurposeRuns { purpose: of, runs: inputs.filter(|inputs| purpose(inputs.purpose) == of).count() as u64 }
+        PurposeRuns { purpose: of, runs: inputs.filter(|inputs| inputs.purpose == of).count() as u64 }
     };
-    RunPurpose::ALL.into_iter().map(runs).filter(|counted| counted.runs > 0).collect()
-}
-
-/// A purpose as it is recorded.
-pub fn purpose(purpose: Purpose) -> RunPurpose {
-    match purpose {
-        Purpose::DoubleLoop => RunPurpose::Mixed,
-        Purpose::Mixture => RunPurpose::ProbabilityOnly,
-        Purpose::Extreme => RunPurpose::IntervalOnly,
-        Purpose::Contributors => RunPurpose::Contributors,
-        Purpose::Rare => RunPurpose::Rare,
-        Purpose::Training => RunPurpose::Training,
-        Purpose::Confirming => RunPurpose::Confirming,
-    }
+    Purpose::ALL.into_iter().map(runs).filter(|counted| counted.runs > 0).collect()
 }
 
 /// Share of the finished runs whose motion repeated itself over the last turn.

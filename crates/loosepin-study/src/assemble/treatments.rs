@@ -1,8 +1,8 @@
 //! The three treatments side by side.
 
-use super::{Material, deviation_kind, numerical_error};
+use super::{Material, numerical_error};
 use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
-use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind};
+use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd};
 
 /// Those of the direct runs.
 pub fn treatments(material: &Material<'_>) -> Vec<TreatmentComparison> {
@@ -46,7 +46,7 @@ fn treatment_record(
     let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
     TreatmentComparison {
         output: material.name_of(column),
-        of: deviation_kind(material.plan().columns[column].deviation),
+        of: material.plan().columns[column].deviation,
         at: material.point_of(column, false),
         unit: material.unit_of(column),
         promised_coverage: comparison.probability,
@@ -59,13 +59,8 @@ fn treatment_record(
 }
 
 fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_points: &[Vec<f64>]) -> TreatmentBand {
-    let treatment = match band.treatment {
-        loosepin_bounds::Treatment::ProbabilityOnly => TreatmentKind::ProbabilityOnly,
-        loosepin_bounds::Treatment::IntervalOnly => TreatmentKind::IntervalOnly,
-        loosepin_bounds::Treatment::Mixed => TreatmentKind::Mixed,
-    };
     TreatmentBand {
-        treatment,
+        treatment: band.treatment,
         lower_si: material.possible(column, band.lower.value),
         upper_si: band.upper.value,
         coverage_minimum: band.coverage.minimum,

@@ -42,7 +42,7 @@ pub(super) fn read_expected(source: &Arc<Source>, folder: &Path, case: &Case) ->
     checks.extend(read_script(&mut file.reader, &root, folder, case));
     if checks.is_empty() && !file.reader.complaints.has_errors() {
         // Nothing expected would be met by anything.
-        file.reader.complain(&CaseProblem::NothingExpected { entry: "the file".to_owned() }, 0..0);
+        file.reader.complain(&CaseProblem::NothingExpected { entry: "the file".to_owned() }, (0..0).into());
     }
     if file.reader.complaints.has_errors() { Err(file.reader.complaints) } else { Ok(checks) }
 }

@@ -2,7 +2,7 @@
 
 use super::StudyReader;
 use super::accuracy::AccuracyTarget;
-use super::description::{Ask, Deviation, Limit, RareMethod, Requirement, Where};
+use super::description::{Ask, Limit, RareMethod, Requirement, Where};
 use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
 use super::words::{
@@ -12,7 +12,7 @@ use super::words::{
 use crate::columns::named_angle_rad;
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::model::OutputKind;
-use loosepin_result::study::Reduction;
+use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};

@@ -2,8 +2,9 @@
 
 use super::StudyReader;
 use super::ask::{Asked, furthest};
-use super::description::{Deviation, Where};
+use super::description::Where;
 use super::problem::StudyProblem;
+use loosepin_result::study::Deviation;
 use loosepin_text::document::Entry;
 
 /// One number, or one curve, that is asked for.

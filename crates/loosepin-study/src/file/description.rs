@@ -7,7 +7,7 @@ use super::accuracy::{AccuracyTarget, Budget};
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
-use loosepin_result::study::Reduction;
+use loosepin_result::study::{Deviation, Reduction};
 use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -293,19 +293,6 @@ impl EpistemicInput {
             _ => None,
         }
     }
-}
-
-/// Which deviation of an output (method, section 1).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Deviation {
-    /// The output itself.
-    Value,
-    /// Sampled dimensions without clearance, minus nominal dimensions without clearance.
-    Dimensional,
-    /// Sampled dimensions with clearance, minus sampled dimensions without.
-    Clearance,
-    /// Sampled dimensions with clearance, minus nominal dimensions without.
-    Total,
 }
 
 /// Where in the cycle.

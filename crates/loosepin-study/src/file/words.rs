@@ -1,8 +1,8 @@
 //! Words of study files with what they mean: each stands here once, for the keys as for what reads them.
 
-use super::description::{Deviation, RareMethod};
+use super::description::RareMethod;
 use loosepin_bounds::{Reading, Statistic};
-use loosepin_result::study::Reduction;
+use loosepin_result::study::{Deviation, Reduction};
 use loosepin_surrogate::{Choice, Kind};
 
 /// The words of a table.
@@ -17,18 +17,23 @@ pub(super) const fn words<T, const N: usize>(table: &[(&'static str, T); N]) -> 
 }
 
 /// How an interval is read.
-pub(super) const READINGS: [(&str, Reading); 3] = [
-    ("fixed", Reading::FixedButUnknown),
-    ("unknown-distribution", Reading::UnknownDistribution),
-    ("random-set", Reading::RandomSet),
-];
+pub(super) const READINGS: [(&str, Reading); 3] = {
+    let mut table = [("", Reading::FixedButUnknown); 3];
+    let mut place = 0;
+    while place < table.len() {
+        let reading = Reading::ALL[place];
+        table[place] = (reading.file_word(), reading);
+        place += 1;
+    }
+    table
+};
 
 /// Which deviation of an output.
 pub(super) const DEVIATIONS: [(&str, Deviation); 4] = [
-    ("value", Deviation::Value),
-    ("dimensional", Deviation::Dimensional),
-    ("clearance", Deviation::Clearance),
-    ("total", Deviation::Total),
+    (Deviation::Value.word(), Deviation::Value),
+    (Deviation::Dimensional.word(), Deviation::Dimensional),
+    (Deviation::Clearance.word(), Deviation::Clearance),
+    (Deviation::Total.word(), Deviation::Total),
 ];
 
 /// How a curve becomes one number; the words are those of results too.
@@ -67,19 +72,19 @@ pub(super) const DIRECT_RUNS: [(&str, bool); 2] = [("double-loop", false), ("con
 pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); 4] = [
     (MEAN, Some(Statistic::Mean)),
     (STANDARD_DEVIATION, Some(Statistic::StandardDeviation)),
-    ("cdf", Some(Statistic::Cdf)),
+    (Statistic::Cdf.word(), Some(Statistic::Cdf)),
     ("contributors", None),
 ];
 
-const MEAN: &str = "mean";
-const STANDARD_DEVIATION: &str = "standard_deviation";
+const MEAN: &str = Statistic::Mean.word();
+const STANDARD_DEVIATION: &str = Statistic::StandardDeviation.word();
 
-/// Statistics with a number, by their keys.
-pub(super) const QUANTILE: &str = "quantile";
-pub(super) const PROBABILITY_ABOVE: &str = "probability_above";
-pub(super) const PROBABILITY_BELOW: &str = "probability_below";
-pub(super) const PROBABILITY_BEYOND: &str = "probability_beyond";
-pub(super) const SIMULTANEOUS_BAND: &str = "simultaneous_band";
+/// Statistics with a number, by their keys; the word does not depend on it.
+pub(super) const QUANTILE: &str = Statistic::Quantile(0.0).word();
+pub(super) const PROBABILITY_ABOVE: &str = Statistic::ProbabilityAbove(0.0).word();
+pub(super) const PROBABILITY_BELOW: &str = Statistic::ProbabilityBelow(0.0).word();
+pub(super) const PROBABILITY_BEYOND: &str = Statistic::ProbabilityBeyond(0.0).word();
+pub(super) const SIMULTANEOUS_BAND: &str = Statistic::SimultaneousBand(0.0).word();
 pub(super) const STATISTICS: [&str; 5] =
     [QUANTILE, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, SIMULTANEOUS_BAND];
 
@@ -89,13 +94,8 @@ pub(super) const NUMBERS: [&str; 6] =
 
 /// The name that a statistic of one number has in study files; nothing for others.
 pub(crate) fn statistic_name(statistic: Statistic) -> Option<&'static str> {
-    Some(match statistic {
-        Statistic::Mean => MEAN,
-        Statistic::StandardDeviation => STANDARD_DEVIATION,
-        Statistic::Quantile(_) => QUANTILE,
-        Statistic::ProbabilityAbove(_) => PROBABILITY_ABOVE,
-        Statistic::ProbabilityBelow(_) => PROBABILITY_BELOW,
-        Statistic::ProbabilityBeyond(_) => PROBABILITY_BEYOND,
-        Statistic::Cdf => return None,
-    })
+    match statistic {
+        Statistic::Cdf | Statistic::SimultaneousBand(_) => None,
+        single => Some(single.word()),
+    }
 }

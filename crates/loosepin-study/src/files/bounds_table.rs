@@ -62,7 +62,7 @@ pub fn bounds_csv(result: &StudyResult) -> Result<Vec<u8>, FilesError> {
 }
 
 fn row(bound: &BoundRecord, alpha: Option<f64>, percentile: Option<f64>) -> Vec<String> {
-    let (statistic, parameter) = bound.statistic.word_and_parameter();
+    let (statistic, parameter) = (bound.statistic.word(), bound.statistic.parameter());
     let at = match bound.at {
         ResponsePoint::Whole => "whole",
         ResponsePoint::Pose { .. } => "pose",

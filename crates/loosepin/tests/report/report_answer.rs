@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use loosepin::report::{motion_page, motion_text, simulation_text, study_page, study_text};
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
-    AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, DeviationKind, GuaranteeKind, InputDescription,
-    InputKind, NumericalError, PercentileBounds, PurposeRuns, Reduction, ResponsePoint, RunPurpose, StatisticKind,
-    StudyResult, TreatmentBand, TreatmentComparison, TreatmentEnd, TreatmentKind, Verdict,
+    AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, Deviation, Guarantee, InputDescription, InputKind,
+    NumericalError, PercentileBounds, Purpose, PurposeRuns, Reduction, ResponsePoint, Statistic, StudyResult,
+    Treatment, TreatmentBand, TreatmentComparison, TreatmentEnd, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -62,7 +62,7 @@ fn a_bound_that_does_not_exist_makes_no_headline() {
 fn without_quantile_and_curve_a_statistic_answers() {
     let mut result = worn_pin();
     result.curves.clear();
-    result.bounds.retain(|bound| bound.statistic == StatisticKind::Mean);
+    result.bounds.retain(|bound| bound.statistic == Statistic::Mean);
     result.bounds.truncate(1);
     assert_says(
         &result,
@@ -126,7 +126,7 @@ fn verdicts_stand_first_and_with_their_numbers() {
         "(of 256 mechanisms none lies outside, and so few show no larger share: 'inner' should be 4096 or more): the true share is 97.6 % to 100 %.",
     );
     result.requirements[0].lower_si = f64::NEG_INFINITY;
-    result.requirements[0].of = DeviationKind::Value;
+    result.requirements[0].of = Deviation::Value;
     assert_says(&result, "The requirement that the value of slider stays below 0.7 mm over the whole cycle");
 }
 
@@ -134,13 +134,13 @@ fn verdicts_stand_first_and_with_their_numbers() {
 fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     let mut result = worn_pin();
     result.bounds.truncate(3);
-    result.bounds[1].guarantee = GuaranteeKind::Inner;
+    result.bounds[1].guarantee = Guarantee::Inner;
     assert_says(
         &result,
         "1 of 3 bounds is not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be wider.",
     );
     let mut answer = result.clone();
-    answer.bounds[0].guarantee = GuaranteeKind::Inner;
+    answer.bounds[0].guarantee = Guarantee::Inner;
     assert_says(&answer, "added on the outside. It and 1 of the 2 other bounds are not confirmed, by the search");
     answer.bounds[1].guarantee = answer.bounds[2].guarantee;
     assert_says(&answer, "added on the outside. It is not confirmed, by the search");
@@ -169,14 +169,14 @@ fn sum_of_normal_and_interval() -> StudyResult {
     let mut result = worn_pin();
     result.treatments = vec![TreatmentComparison {
         output: "slider".to_owned(),
-        of: DeviationKind::Total,
+        of: Deviation::Total,
         at: ResponsePoint::Whole,
         unit: SiUnit::LENGTH,
         promised_coverage: 0.95,
         bands: vec![
-            band(TreatmentKind::ProbabilityOnly, 2.2541, 0.895, 0.976),
-            band(TreatmentKind::IntervalOnly, 4.0, 0.998_65, 0.999_94),
-            band(TreatmentKind::Mixed, 2.9600, 0.974_96, 0.9969),
+            band(Treatment::ProbabilityOnly, 2.2541, 0.895, 0.976),
+            band(Treatment::IntervalOnly, 4.0, 0.998_65, 0.999_94),
+            band(Treatment::Mixed, 2.9600, 0.974_96, 0.9969),
         ],
     }];
     result
@@ -266,7 +266,7 @@ fn a_mechanism_without_play_says_so() {
 }
 
 /// The curve of the study from `lowest_m` to `highest_m`, half as far in the middle of the ranges, and nothing else to answer with.
-fn curve_between(of: DeviationKind, lowest_m: f64, highest_m: f64) -> StudyResult {
+fn curve_between(of: Deviation, lowest_m: f64, highest_m: f64) -> StudyResult {
     let mut result = worn_pin();
     result.bounds.clear();
     let curve = &mut result.curves[0];
@@ -281,28 +281,28 @@ fn curve_between(of: DeviationKind, lowest_m: f64, highest_m: f64) -> StudyResul
 
 #[test]
 fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
-    let one_sided = curve_between(DeviationKind::Total, 4.3e-4, 5.9e-4);
+    let one_sided = curve_between(Deviation::Total, 4.3e-4, 5.9e-4);
     assert_says(&one_sided, "stays between 0.43 mm and 0.59 mm of its ideal motion");
-    let nearly_even = curve_between(DeviationKind::Total, 5.003e-4, 5.196e-4);
+    let nearly_even = curve_between(Deviation::Total, 5.003e-4, 5.196e-4);
     assert_says(&nearly_even, "stays between 0.500 mm and 0.520 mm of its ideal motion");
-    let even = curve_between(DeviationKind::Total, -4.97e-4, 5.13e-4);
+    let even = curve_between(Deviation::Total, -4.97e-4, 5.13e-4);
     assert_says(&even, "stays within ±0.52 mm of its ideal motion");
     assert_says(
         &even,
         "would stay within ±0.27 mm at each angle; not knowing them, with the numerical error, widens this to ±0.52 mm.",
     );
-    let value = curve_between(DeviationKind::Value, 0.1552, 0.1698);
+    let value = curve_between(Deviation::Value, 0.1552, 0.1698);
     assert_says(&value, "lies between 155 mm and 170 mm: 95 % of mechanisms at any angle.");
     let text = one_line(&study_text(&value));
     assert!(!text.contains("If the unknown values were in the middle"), "{text}");
-    let even_value = curve_between(DeviationKind::Value, -0.1698, 0.1693);
+    let even_value = curve_between(Deviation::Value, -0.1698, 0.1693);
     assert_says(&even_value, "lies between -170 mm and 170 mm: 95 % of mechanisms at any angle.");
 }
 
 #[test]
 fn identity_runs_are_told_by_what_they_were_for() {
     let mut result = worn_pin();
-    let parts = [(RunPurpose::Contributors, 640), (RunPurpose::Rare, 5120)];
+    let parts = [(Purpose::Contributors, 640), (Purpose::Rare, 5120)];
     result.counts.by_purpose.extend(parts.map(|(purpose, runs)| PurposeRuns { purpose, runs }));
     result.counts.runs += 640 + 5120;
     let page = one_line(&study_page(&result));
@@ -345,8 +345,7 @@ fn lists_of_uneven_length_leave_gaps() {
 #[test]
 fn the_share_below_a_limit_is_the_same_in_the_picture_as_in_the_table() {
     let mut result = worn_pin();
-    let asked =
-        result.bounds.iter_mut().find(|bound| matches!(bound.statistic, StatisticKind::ProbabilityAbove { .. }));
+    let asked = result.bounds.iter_mut().find(|bound| matches!(bound.statistic, Statistic::ProbabilityAbove(_)));
     let asked = asked.expect("the fixture asks for a probability");
     (asked.lower.widened_si, asked.upper.widened_si) = (0.125, 0.75);
     let page = one_line(&study_page(&result));

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::bounds_csv;
-use loosepin::study::result::{BoundRecord, InputKind, IntervalReading, StudyResult, WitnessValue};
+use loosepin::study::result::{BoundRecord, InputKind, Reading, StudyResult, WitnessValue};
 use loosepin::study::{Means, Progress, Study, conduct};
 use loosepin::templates::find_template;
 
@@ -99,7 +99,7 @@ fn analytic_evidence_beside_a_probability_box_from_file_to_page() {
     };
     near(&result.bounds[0], [added(49.99, [119.98, 120.0]), added(50.02, [120.0, 120.03])]);
     assert!(result.bounds[0].upper.witness.is_empty());
-    assert_eq!(result.bounds[0].reading, IntervalReading::UnknownDistribution);
+    assert_eq!(result.bounds[0].reading, Reading::UnknownDistribution);
     // The median inverts the added distribution functions: between the ends of the element that holds it.
     let median = &result.bounds[3];
     let ends = [deviation_m(49.99 * MM, 0.12, MIDDLE_M), deviation_m(50.02 * MM, 120.03 * MM, MIDDLE_M)];
@@ -119,7 +119,7 @@ fn analytic_several_readings_stand_side_by_side() {
     let both = conducted("reading = [\"fixed\", \"unknown-distribution\"]", &inputs);
     let alone = conducted("", &inputs);
     assert_eq!(both.bounds[..4], alone.bounds[..]);
-    assert!(both.bounds[4..].iter().all(|bound| bound.reading == IntervalReading::UnknownDistribution));
+    assert!(both.bounds[4..].iter().all(|bound| bound.reading == Reading::UnknownDistribution));
     for (fixed, other) in both.bounds[..4].iter().zip(&both.bounds[4..]) {
         assert_eq!((fixed.statistic, fixed.at), (other.statistic, other.at));
         assert_eq!(fixed.lower.value_si, other.lower.value_si, "only the upper end of a deviation differs");
@@ -149,7 +149,7 @@ fn analytic_a_curve_of_one_random_length_moves_as_a_whole() {
     assert!(band.share == 0.9 && band.factor >= 1.0 && band.factor < MOST_FACTOR, "{band:?}");
     assert_eq!(band.band.lower_si.len(), curve.pose_rad.len());
     let rows: Vec<&BoundRecord> =
-        result.bounds.iter().filter(|bound| bound.statistic.word_and_parameter().0 == "simultaneous_band").collect();
+        result.bounds.iter().filter(|bound| bound.statistic.word() == "simultaneous_band").collect();
     assert_eq!(rows.len(), curve.pose_rad.len());
     assert!(rows.iter().zip(&band.band.upper_si).all(|(row, upper)| row.upper.widened_si == *upper));
     let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");

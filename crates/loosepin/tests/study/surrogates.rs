@@ -7,8 +7,8 @@ use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::{read_json, surrogates_json, to_json};
 use loosepin::study::result::{
-    AccuracyStop, BoundRecord, GuaranteeKind, ResponsePoint, StatisticKind, StudyResult, SurrogateVerdict,
-    TreatmentComparison, Verdict,
+    AccuracyStop, BoundRecord, Guarantee, ResponsePoint, Statistic, StudyResult, SurrogateVerdict, TreatmentComparison,
+    Verdict,
 };
 use loosepin::study::{Means, Progress, SavedSurrogates, Study, StudyError, conduct, export_networks};
 use loosepin::templates::find_template;
@@ -67,7 +67,7 @@ fn conducted(surrogate: &str) -> StudyResult {
 }
 
 /// The direct and the learned bound of a statistic at the pose.
-fn both(result: &StudyResult, statistic: StatisticKind) -> [&BoundRecord; 2] {
+fn both(result: &StudyResult, statistic: Statistic) -> [&BoundRecord; 2] {
     let learned = &result.surrogate.as_ref().expect("a surrogate was asked for").bounds;
     [&result.bounds, learned].map(|bounds| {
         let own = |bound: &&BoundRecord| bound.statistic == statistic && matches!(bound.at, ResponsePoint::Pose { .. });
@@ -104,17 +104,17 @@ fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     // Sixteen at each witness, and one at both ends of the interval-only band.
     assert!(record.confirming_runs > 2 && (record.confirming_runs - 2).is_multiple_of(16));
     assert_eq!((record.failed, record.direct_runs), (0, result.counts.runs - 40 - record.confirming_runs));
-    for statistic in [StatisticKind::Mean, StatisticKind::Quantile { probability: 0.9 }] {
+    for statistic in [Statistic::Mean, Statistic::Quantile(0.9)] {
         let [direct, learned] = both(&result, statistic);
         for (direct, learned) in [(&direct.lower, &learned.lower), (&direct.upper, &learned.upper)] {
             let apart = (direct.widened_si - learned.widened_si).abs();
             assert!(apart < TOLERANCE_M + learned.error.surrogate_si, "{statistic:?} {direct:?} {learned:?}");
         }
     }
-    let [_, mean] = both(&result, StatisticKind::Mean);
-    assert_ne!(mean.guarantee, GuaranteeKind::Inner);
-    let [_, deviation] = both(&result, StatisticKind::StandardDeviation);
-    assert_eq!(deviation.guarantee, GuaranteeKind::Inner);
+    let [_, mean] = both(&result, Statistic::Mean);
+    assert_ne!(mean.guarantee, Guarantee::Inner);
+    let [_, deviation] = both(&result, Statistic::StandardDeviation);
+    assert_eq!(deviation.guarantee, Guarantee::Inner);
     for bound in &record.bounds {
         for (end, sign) in [(&bound.lower, -1.0), (&bound.upper, 1.0)] {
             let error = end.error;
@@ -171,12 +171,12 @@ fn a_surrogate_alone_says_nothing_of_what_fails_and_ends_where_too_much_does() {
     let result = conducted("most_failed = 1").unwrap_or_else(|error| panic!("{error}")).result;
     let share = result.counts.failed as f64 / result.counts.runs as f64;
     assert!((0.2..0.8).contains(&share), "{share}");
-    let of = |statistic: fn(StatisticKind) -> bool| {
+    let of = |statistic: fn(Statistic) -> bool| {
         let bound = result.bounds.iter().find(|bound| statistic(bound.statistic)).expect("it is asked for");
         [bound.lower.widened_si, bound.upper.widened_si]
     };
-    assert_eq!(of(StatisticKind::is_probability), [0.0, 1.0]);
-    assert_eq!(of(|of| matches!(of, StatisticKind::Quantile { .. })), [f64::NEG_INFINITY, f64::INFINITY]);
+    assert_eq!(of(Statistic::is_probability), [0.0, 1.0]);
+    assert_eq!(of(|of| matches!(of, Statistic::Quantile(_))), [f64::NEG_INFINITY, f64::INFINITY]);
     assert_eq!(result.requirements[0].verdict, Verdict::Undecided);
     assert!(study_text(&result).contains("nothing is known of"), "{}", study_text(&result));
 }
@@ -203,7 +203,7 @@ fn identity_a_surrogate_alone_makes_no_other_runs_and_agrees_with_the_direct_bou
     treatments_agree(&direct.treatments, &alone.treatments);
     for (own, direct) in alone.bounds.iter().zip(&direct.bounds) {
         assert_eq!((own.at, own.statistic), (direct.at, direct.statistic));
-        if own.statistic == StatisticKind::Mean {
+        if own.statistic == Statistic::Mean {
             for (own, direct) in [(&own.lower, &direct.lower), (&own.upper, &direct.upper)] {
                 let apart = (own.value_si - direct.value_si).abs();
                 assert!(apart < TOLERANCE_M + own.error.surrogate_si, "{own:?} {direct:?}");
@@ -308,9 +308,7 @@ fn identity_an_accuracy_adds_runs_to_a_surrogate_alone() {
     assert_eq!((record.runs, record.rounds as usize), (reached.counts.runs, record.steps.len()));
     // The direct bounds of the mean lie within what is stated.
     let direct = conducted("");
-    for (own, direct) in
-        reached.bounds.iter().zip(&direct.bounds).filter(|(own, _)| own.statistic == StatisticKind::Mean)
-    {
+    for (own, direct) in reached.bounds.iter().zip(&direct.bounds).filter(|(own, _)| own.statistic == Statistic::Mean) {
         assert!((own.lower.value_si - direct.lower.value_si).abs() < 3e-8 + direct.lower.error.sampling_si, "{own:?}");
         assert!((own.upper.value_si - direct.upper.value_si).abs() < 3e-8 + direct.upper.error.sampling_si, "{own:?}");
     }

@@ -117,9 +117,9 @@ pub fn worn_pin() -> StudyResult {
             runs: 17_536,
             failed: 3,
             by_purpose: vec![
-                PurposeRuns { purpose: RunPurpose::Mixed, runs: 16_384 },
-                PurposeRuns { purpose: RunPurpose::ProbabilityOnly, runs: 1024 },
-                PurposeRuns { purpose: RunPurpose::IntervalOnly, runs: 128 },
+                PurposeRuns { purpose: Purpose::DoubleLoop, runs: 16_384 },
+                PurposeRuns { purpose: Purpose::Mixture, runs: 1024 },
+                PurposeRuns { purpose: Purpose::Extreme, runs: 128 },
             ],
             outer: 64,
             inner: 256,
@@ -214,7 +214,7 @@ fn end(value_si: f64, error_si: f64, outwards: f64, [least, most]: [f64; 2], at:
 
 fn bound(
     at: ResponsePoint,
-    statistic: StatisticKind,
+    statistic: Statistic,
     unit: SiUnit,
     error_si: f64,
     values: &[(f64, &Witness)],
@@ -225,15 +225,15 @@ fn bound(
     let upper = values.iter().max_by(by_value).expect("the fixture has outer points");
     BoundRecord {
         output: "slider".to_owned(),
-        of: DeviationKind::Total,
+        of: Deviation::Total,
         at,
         statistic,
-        treatment: TreatmentKind::Mixed,
-        reading: IntervalReading::Fixed,
+        treatment: Treatment::Mixed,
+        reading: Reading::FixedButUnknown,
         unit,
         lower: end(lower.0, error_si, -1.0, widest, lower.1),
         upper: end(upper.0, error_si, 1.0, widest, upper.1),
-        guarantee: GuaranteeKind::Sampled { confidence: 0.95 },
+        guarantee: Guarantee::Sampled { confidence: 0.95 },
     }
 }
 
@@ -251,27 +251,27 @@ fn bounds(outers: &[Outer], poses: &[f64]) -> Vec<BoundRecord> {
     let mut list = vec![
         bound(
             largest,
-            StatisticKind::Quantile { probability: 0.975 },
+            Statistic::Quantile(0.975),
             SiUnit::LENGTH,
             4.2e-6,
             &of_largest(&|values| quantile(values, 0.975)),
         ),
-        bound(largest, StatisticKind::Mean, SiUnit::LENGTH, 1.1e-6, &of_largest(&mean)),
-        bound(largest, StatisticKind::StandardDeviation, SiUnit::LENGTH, 7e-7, &of_largest(&standard_deviation)),
+        bound(largest, Statistic::Mean, SiUnit::LENGTH, 1.1e-6, &of_largest(&mean)),
+        bound(largest, Statistic::StandardDeviation, SiUnit::LENGTH, 7e-7, &of_largest(&standard_deviation)),
         bound(
             largest,
-            StatisticKind::ProbabilityAbove { limit_si },
+            Statistic::ProbabilityAbove(limit_si),
             SiUnit::NONE,
             0.004,
             &of_largest(&|values| 1.0 - share_below(values, limit_si)),
         ),
-        bound(pose_point, StatisticKind::Mean, SiUnit::LENGTH, 9e-7, &at_pose(&mean)),
-        bound(pose_point, StatisticKind::StandardDeviation, SiUnit::LENGTH, 6e-7, &at_pose(&standard_deviation)),
+        bound(pose_point, Statistic::Mean, SiUnit::LENGTH, 9e-7, &at_pose(&mean)),
+        bound(pose_point, Statistic::StandardDeviation, SiUnit::LENGTH, 6e-7, &at_pose(&standard_deviation)),
     ];
     for (index, pose_rad) in poses.iter().enumerate() {
         let values: Vec<(f64, &Witness)> = outers.iter().map(|outer| (mean(&outer.curves[index]), &outer.at)).collect();
         let at = ResponsePoint::Curve { pose_rad: *pose_rad };
-        list.push(bound(at, StatisticKind::Mean, SiUnit::LENGTH, 1e-6, &values));
+        list.push(bound(at, Statistic::Mean, SiUnit::LENGTH, 1e-6, &values));
     }
     list
 }
@@ -286,7 +286,7 @@ fn requirements(outers: &[Outer]) -> Vec<RequirementOutcome> {
             .expect("the fixture has outer points");
         RequirementOutcome {
             output: "slider".to_owned(),
-            of: DeviationKind::Total,
+            of: Deviation::Total,
             at: ResponsePoint::Whole,
             lower_si: -limit_si,
             upper_si: limit_si,
@@ -317,7 +317,7 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
     };
     DeviationCurve {
         output: "slider".to_owned(),
-        of: DeviationKind::Total,
+        of: Deviation::Total,
         unit: SiUnit::LENGTH,
         probabilities: [0.025, 0.975],
         centre: centre.at.clone(),
@@ -336,7 +336,7 @@ fn probability_box(outers: &[Outer], pooled: &[f64]) -> ProbabilityBox {
     let shares = |value: f64| outers.iter().map(move |outer| share_below(&outer.largest, value));
     ProbabilityBox {
         output: "slider".to_owned(),
-        of: DeviationKind::Total,
+        of: Deviation::Total,
         at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
         unit: SiUnit::LENGTH,
         lower: value_si.iter().map(|value| shares(*value).fold(1.0, f64::min)).collect(),
@@ -353,7 +353,7 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
         let values = outers.iter().map(|outer| quantile(&outer.largest, probability));
         if lowest { values.fold(f64::INFINITY, f64::min) } else { values.fold(f64::NEG_INFINITY, f64::max) }
     };
-    let range = |lower_si: f64, upper_si: f64, treatment: TreatmentKind| {
+    let range = |lower_si: f64, upper_si: f64, treatment: Treatment| {
         let coverage_at: Vec<CoveragePoint> = outers
             .iter()
             .map(|outer| CoveragePoint {
@@ -374,14 +374,14 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
     };
     TreatmentComparison {
         output: "slider".to_owned(),
-        of: DeviationKind::Total,
+        of: Deviation::Total,
         at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
         unit: SiUnit::LENGTH,
         promised_coverage: 0.95,
         bands: vec![
-            range(quantile(pooled, 0.025), quantile(pooled, 0.975), TreatmentKind::ProbabilityOnly),
-            range(5e-5, 7.3e-4, TreatmentKind::IntervalOnly),
-            range(ends(0.025, true), ends(0.975, false), TreatmentKind::Mixed),
+            range(quantile(pooled, 0.025), quantile(pooled, 0.975), Treatment::ProbabilityOnly),
+            range(5e-5, 7.3e-4, Treatment::IntervalOnly),
+            range(ends(0.025, true), ends(0.975, false), Treatment::Mixed),
         ],
     }
 }
@@ -460,7 +460,7 @@ fn contributors() -> Vec<Contributors> {
     };
     vec![Contributors {
         output: "slider".to_owned(),
-        of: DeviationKind::Total,
+        of: Deviation::Total,
         at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
         unit: SiUnit::LENGTH,
         band_width_si: 4.7e-4,

@@ -1,0 +1,156 @@
+//! Statistics of a scalar response.
+
+use serde::de::Error;
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// Statistic of a response Y for fixed epistemic inputs.
+///
+/// In files `{ "kind": word, parameter: number }`, for example `{ "kind": "quantile", "probability": 0.975 }`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Statistic {
+    /// E(Y).
+    Mean,
+    /// Standard deviation of Y.
+    StandardDeviation,
+    /// The whole distribution function.
+    Cdf,
+    /// The value that Y stays below with this probability, in (0, 1).
+    Quantile(f64),
+    /// A point of the band in which this share of mechanisms, in (0, 1), stays for the whole cycle. It belongs to a curve: bounds of a
+    /// single column have none.
+    SimultaneousBand(f64),
+    /// P(Y > limit).
+    ProbabilityAbove(f64),
+    /// P(Y < limit).
+    ProbabilityBelow(f64),
+    /// P(|Y| > limit), limit >= 0.
+    ProbabilityBeyond(f64),
+}
+
+/// Names of the parameters in files.
+const PROBABILITY: &str = "probability";
+const SHARE: &str = "share";
+const LIMIT: &str = "limit_si";
+
+impl Statistic {
+    /// Whether it is a probability, a pure number from 0 to 1.
+    pub fn is_probability(self) -> bool {
+        matches!(self, Self::ProbabilityAbove(_) | Self::ProbabilityBelow(_) | Self::ProbabilityBeyond(_))
+    }
+
+    /// Word in files and in Python.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Mean => "mean",
+            Self::StandardDeviation => "standard_deviation",
+            Self::Cdf => "cdf",
+            Self::Quantile(_) => "quantile",
+            Self::SimultaneousBand(_) => "simultaneous_band",
+            Self::ProbabilityAbove(_) => "probability_above",
+            Self::ProbabilityBelow(_) => "probability_below",
+            Self::ProbabilityBeyond(_) => "probability_beyond",
+        }
+    }
+
+    /// Parameter where there is one: a probability, a share, or a limit in SI.
+    pub fn parameter(self) -> Option<f64> {
+        self.named_parameter().map(|(_, value)| value)
+    }
+
+    /// Statistic of a word and its parameter; nothing where they do not go together.
+    pub fn from_word(word: &str, parameter: Option<f64>) -> Option<Self> {
+        let number = parameter.unwrap_or(f64::NAN);
+        let all = [
+            Self::Mean,
+            Self::StandardDeviation,
+            Self::Cdf,
+            Self::Quantile(number),
+            Self::SimultaneousBand(number),
+            Self::ProbabilityAbove(number),
+            Self::ProbabilityBelow(number),
+            Self::ProbabilityBeyond(number),
+        ];
+        let named = all.into_iter().find(|statistic| statistic.word() == word)?;
+        (named.parameter().is_some() == parameter.is_some()).then_some(named)
+    }
+
+    fn named_parameter(self) -> Option<(&'static str, f64)> {
+        match self {
+            Self::Mean | Self::StandardDeviation | Self::Cdf => None,
+            Self::Quantile(probability) => Some((PROBABILITY, probability)),
+            Self::SimultaneousBand(share) => Some((SHARE, share)),
+            Self::ProbabilityAbove(limit) | Self::ProbabilityBelow(limit) | Self::ProbabilityBeyond(limit) => {
+                Some((LIMIT, limit))
+            }
+        }
+    }
+}
+
+impl Serialize for Statistic {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let parameter = self.named_parameter();
+        let mut map = serializer.serialize_map(Some(1 + usize::from(parameter.is_some())))?;
+        map.serialize_entry("kind", self.word())?;
+        if let Some((name, value)) = parameter {
+            map.serialize_entry(name, &value)?;
+        }
+        map.end()
+    }
+}
+
+/// What stands in a file.
+#[derive(Deserialize)]
+struct Written {
+    kind: String,
+    probability: Option<f64>,
+    share: Option<f64>,
+    limit_si: Option<f64>,
+}
+
+impl<'de> Deserialize<'de> for Statistic {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Written { kind, probability, share, limit_si } = Written::deserialize(deserializer)?;
+        let named = [(PROBABILITY, probability), (SHARE, share), (LIMIT, limit_si)];
+        let parameter = named.into_iter().find_map(|(name, value)| Some((name, value?)));
+        let statistic = Self::from_word(&kind, parameter.map(|(_, value)| value));
+        statistic.filter(|statistic| statistic.named_parameter() == parameter).ok_or_else(|| {
+            D::Error::custom(format!("statistic '{kind}' has another parameter, or there is none of this name"))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Statistic;
+
+    const ALL: [(Statistic, &str); 8] = [
+        (Statistic::Mean, r#"{"kind":"mean"}"#),
+        (Statistic::StandardDeviation, r#"{"kind":"standard_deviation"}"#),
+        (Statistic::Cdf, r#"{"kind":"cdf"}"#),
+        (Statistic::Quantile(0.975), r#"{"kind":"quantile","probability":0.975}"#),
+        (Statistic::SimultaneousBand(0.9), r#"{"kind":"simultaneous_band","share":0.9}"#),
+        (Statistic::ProbabilityAbove(-0.25), r#"{"kind":"probability_above","limit_si":-0.25}"#),
+        (Statistic::ProbabilityBelow(0.5), r#"{"kind":"probability_below","limit_si":0.5}"#),
+        (Statistic::ProbabilityBeyond(0.125), r#"{"kind":"probability_beyond","limit_si":0.125}"#),
+    ];
+
+    #[test]
+    fn identity_every_statistic_is_read_back_from_its_text() {
+        for (statistic, text) in ALL {
+            assert_eq!(serde_json::to_string(&statistic).unwrap(), text);
+            assert_eq!(serde_json::from_str::<Statistic>(text).unwrap(), statistic);
+            assert_eq!(Statistic::from_word(statistic.word(), statistic.parameter()), Some(statistic));
+        }
+    }
+
+    #[test]
+    fn a_parameter_of_another_statistic_is_refused() {
+        let read = |text: &str| serde_json::from_str::<Statistic>(text).map_err(|error| error.to_string());
+        assert!(read(r#"{"kind":"mean","share":0.9}"#).is_err());
+        assert!(read(r#"{"kind":"quantile"}"#).is_err());
+        assert!(read(r#"{"kind":"quantile","share":0.9}"#).is_err());
+        assert!(read(r#"{"kind":"median"}"#).unwrap_err().contains("'median'"));
+        assert_eq!(Statistic::from_word("mean", Some(0.5)), None);
+    }
+}
