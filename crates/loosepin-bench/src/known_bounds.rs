@@ -66,12 +66,7 @@ impl KnownCase {
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
             percentiles: Vec::new(),
-            sampling: Sampling {
-                outer: self.sampling[0],
-                inner: self.sampling[1],
-                seed,
-                ..Sampling::default()
-            },
+            sampling: Sampling { outer: self.sampling[0], inner: self.sampling[1], seed, ..Sampling::default() },
         }
     }
 

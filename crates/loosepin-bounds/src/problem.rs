@@ -43,15 +43,7 @@ pub struct Sampling {
 
 impl Default for Sampling {
     fn default() -> Self {
-        Self {
-            outer: 64,
-            inner: 256,
-            replicates: 8,
-            mixture: 1024,
-            extreme: 128,
-            seed: 1,
-            confidence: 0.99,
-        }
+        Self { outer: 64, inner: 256, replicates: 8, mixture: 1024, extreme: 128, seed: 1, confidence: 0.99 }
     }
 }
 

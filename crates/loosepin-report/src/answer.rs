@@ -2,9 +2,7 @@
 
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::study_page::bound_value;
-use super::wording::{
-    counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
-};
+use super::wording::{counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words};
 use loosepin_result::study::{
     BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, Reduction, RequirementOutcome,
     ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
