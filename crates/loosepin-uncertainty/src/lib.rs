@@ -28,10 +28,7 @@ mod sobol;
 mod student;
 
 pub use correlation::{CopulaError, GaussianCopula, Pair, normal_of_rank, rank_of_normal};
-pub use counter::hash;
-pub use counter::normal;
-#[cfg(test)]
-pub use counter::uniform;
+pub use counter::{hash, normal, uniform};
 pub use distribution::{Distribution, DistributionError};
 pub use epistemic::{EpistemicVariable, Members, MembersError};
 pub use evidence::{Evidence, EvidenceError, FocalElement, MASS_TOLERANCE};
