@@ -53,7 +53,9 @@ unit:
 
 # Unit, integration and documentation tests of all crates.
 rust-tests:
-    cargo test --workspace --locked
+    # Examples are compiled by the linter; linking them takes longer than what it could find.
+    cargo test --workspace --locked --tests
+    cargo test --workspace --locked --doc
 
 # Installs the package into .venv, with the module of the same build as the other tests, and runs the Python tests.
 python-tests: (tool "pytest") programs

@@ -14,7 +14,7 @@ use std::process::{Command, Stdio};
 use super::command_line::Desk;
 
 /// Pages with tests of their own.
-const ELSEWHERE: [&str; 1] = ["docs/cluster.md"]; // tests/cluster_page.rs
+const ELSEWHERE: [&str; 1] = ["docs/cluster.md"]; // cluster_page.rs
 /// Every block that is not run: its page, and what it says of itself.
 const NOT_RUN: [(&str, &str); 4] = [
     ("docs/first-minute.md", "ten minutes of compiling"),
