@@ -1,18 +1,21 @@
 //! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
 
 use super::assemble::{Material, requirements};
-use super::conduct::StudyError;
+use super::double_loop::DirectQuestion;
+use super::error::StudyError;
 use super::file::{Allowance, AllowedFit, AllowedInput, Study};
-use super::plans::problem;
+use super::loosened::with_loosened;
+use super::problem::problem;
+use super::question::ask;
 use super::response::StudyResponse;
-use super::runner::Runner;
-use loosepin_bounds::{DoubleLoop, SampleTable};
+use super::sheet::Sheet;
+use loosepin_bounds::{Refinement, SampleTable};
 use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome,
     Verdict,
 };
 use loosepin_text::units::SiUnit;
-use loosepin_uncertainty::{EpistemicVariable, Interval, Parameter, RandomVariable, hash};
+use loosepin_uncertainty::hash;
 
 /// Times that the range is halved: to a 128th of it.
 const HALVINGS: usize = 7;
@@ -72,23 +75,23 @@ impl Answer {
 ///
 /// # Errors
 /// Those of the studies.
-pub(super) fn allowances(runner: &Runner<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
+pub(super) fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
     let of = |allowance: &Allowance| {
-        if allowance.fits.is_empty() { loosest(runner, allowance) } else { loosest_fit(runner, allowance) }
+        if allowance.fits.is_empty() { loosest(sheet, allowance) } else { loosest_fit(sheet, allowance) }
     };
-    runner.study.allowances.iter().map(of).collect()
+    sheet.study.allowances.iter().map(of).collect()
 }
 
 /// The loosest fit of a list: from the loosest one on, until the requirements are met twice, with two sets of random numbers. So the
 /// answer holds without anything being taken for granted, and the next looser one has been run and refused.
-fn loosest_fit(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
+fn loosest_fit(sheet: &Sheet<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
     let mut checks: Vec<AllowanceCheck> = Vec::new();
     let mut runs = 0;
     let mut allowed: Option<usize> = None;
     'fits: for place in (0..allowance.fits.len()).rev() {
         let fit = &allowance.fits[place];
         for is_confirmation in [false, true] {
-            let answer = run(runner, &[(allowance, fit.clearance_m[1])], seed(runner.study, is_confirmation))?;
+            let answer = run(sheet, &[(allowance, fit.clearance_m[1])], seed(sheet.study, is_confirmation))?;
             runs += answer.runs;
             checks.push(answer.check(fit.clearance_m[1], Some(fit), is_confirmation));
             if answer.verdict() != Verdict::Met {
@@ -100,7 +103,7 @@ fn loosest_fit(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRe
     }
     let beyond = allowed.map_or(Some(0), |place| Some(place + 1)).and_then(|place| allowance.fits.get(place));
     let allowed = allowed.map(|place| &allowance.fits[place]);
-    let (what, unit) = described(runner.study, allowance);
+    let (what, unit) = described(sheet.study, allowance);
     Ok(AllowanceRecord {
         path: allowance.path.clone(),
         what,
@@ -115,12 +118,12 @@ fn loosest_fit(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRe
     })
 }
 
-fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
+fn loosest(sheet: &Sheet<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
     let mut checks: Vec<AllowanceCheck> = Vec::new();
     let mut runs = 0;
     let mut is_met = |value: f64| -> Result<bool, StudyError> {
         for is_confirmation in [false, true] {
-            let answer = run(runner, &[(allowance, value)], seed(runner.study, is_confirmation))?;
+            let answer = run(sheet, &[(allowance, value)], seed(sheet.study, is_confirmation))?;
             runs += answer.runs;
             checks.push(answer.check(value, None, is_confirmation));
             if answer.verdict() != Verdict::Met {
@@ -149,7 +152,7 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
     } else {
         (None, Some(least))
     };
-    let (what, unit) = described(runner.study, allowance);
+    let (what, unit) = described(sheet.study, allowance);
     Ok(AllowanceRecord {
         path: allowance.path.clone(),
         what,
@@ -172,8 +175,8 @@ fn loosest(runner: &Runner<'_>, allowance: &Allowance) -> Result<AllowanceRecord
 ///
 /// # Errors
 /// Those of the studies.
-pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>, StudyError> {
-    let offered: Vec<&Allowance> = runner.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
+pub(super) fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, StudyError> {
+    let offered: Vec<&Allowance> = sheet.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
     if offered.is_empty() {
         return Ok(None);
     }
@@ -182,7 +185,7 @@ pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>
     let search = cheapest(&costs, MOST_TRIED, |values| {
         let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
         for is_confirmation in [false, true] {
-            let answer = run(runner, &set, seed(runner.study, is_confirmation))?;
+            let answer = run(sheet, &set, seed(sheet.study, is_confirmation))?;
             runs += answer.runs;
             studies += 1;
             if answer.verdict() != Verdict::Met {
@@ -193,7 +196,7 @@ pub(super) fn allocation(runner: &Runner<'_>) -> Result<Option<AllocationRecord>
     })?;
     let choices = search.chosen.as_ref().map_or_else(Vec::new, |chosen| {
         let choice = |(allowance, &place): (&&Allowance, &usize)| {
-            let (what, unit) = described(runner.study, allowance);
+            let (what, unit) = described(sheet.study, allowance);
             let [value_si, cost] = allowance.costs[place];
             AllocatedInput { path: allowance.path.clone(), what, unit, value_si, cost }
         };
@@ -288,85 +291,29 @@ fn seed(study: &Study, is_confirmation: bool) -> u64 {
 }
 
 /// The requirements of the study with other values of some inputs.
-fn run(runner: &Runner<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
+fn run(sheet: &Sheet<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
     let place = |allowance: &Allowance| {
-        runner.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
+        sheet.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
     };
     let loosened: Vec<(usize, f64)> = set.iter().map(|(allowance, value)| (place(allowance), *value)).collect();
-    let mut study = with_loosened(runner.study, &loosened)?;
+    let mut study = with_loosened(sheet.study, &loosened)?;
     study.seed = seed;
     let response = StudyResponse::new(&study)?;
-    let plan = DoubleLoop::try_new(problem(&study, &response))?;
-    let mut table = SampleTable::new(response.row_length());
-    let own =
-        Runner { study: &study, response: &response, list: runner.keeping.begin(), loosened: &loosened, ..*runner };
-    let mut round = plan.next_round(&table)?;
-    while !round.is_empty() {
-        own.run(&round, &mut table)?;
-        round = runner.pool.install(|| plan.next_round(&table))?;
-    }
-    let bounds = runner.pool.install(|| plan.results(&table))?;
+    let rounds = Refinement::try_new(problem(&study, &response), Vec::new())?;
+    let table = SampleTable::new(response.row_length());
+    let mut own = Sheet::new(sheet.runner, &study, &response, table, sheet.most_runs);
+    own.loosened = &loosened;
+    let bounds = ask(DirectQuestion::new(rounds, None), &mut own, None)?.bounds;
     let material = Material {
         study: &study,
         response: &response,
-        table: &table,
+        table: &own.table,
         bounds: &bounds,
         pairs: &bounds.pairs,
         rare: &[],
     };
-    runner.advance(table.len());
-    Ok(Answer { outcomes: requirements(&material), runs: table.len() })
-}
-
-/// `study` with other values of some inputs, by the places of their allowances, and nothing asked but its requirements.
-///
-/// # Errors
-/// An input cannot have that value.
-pub(super) fn with_loosened(study: &Study, set: &[(usize, f64)]) -> Result<Study, StudyError> {
-    let mut loosened = study.clone();
-    loosened.asks.clear();
-    for &(place, value) in set {
-        let unknown = || StudyError::Loosened {
-            path: format!("allowance {place}"),
-            value_si: value,
-            reason: format!("there are {}", study.allowances.len()),
-        };
-        loosen(&mut loosened, study.allowances.get(place).ok_or_else(unknown)?, value)?;
-    }
-    Ok(loosened)
-}
-
-fn loosen(study: &mut Study, allowance: &Allowance, value: f64) -> Result<(), StudyError> {
-    let impossible = |reason: String| StudyError::Loosened { path: allowance.path.clone(), value_si: value, reason };
-    match allowance.input {
-        AllowedInput::UpperEnd(index) => {
-            let interval =
-                Interval::try_new(allowance.least_si, value).map_err(|error| impossible(error.to_string()))?;
-            study.epistemic[index].variable = EpistemicVariable::from(interval);
-        }
-        AllowedInput::FitInterval(index) => {
-            let fit = fit_of(allowance, value).ok_or_else(|| impossible("no such fit".to_owned()))?;
-            let [least, most] = fit.clearance_m;
-            let interval = Interval::try_new(least, most).map_err(|error| impossible(error.to_string()))?;
-            study.epistemic[index].variable = EpistemicVariable::from(interval);
-        }
-        AllowedInput::FitScatter(index) => {
-            let fit = fit_of(allowance, value).ok_or_else(|| impossible("no such fit".to_owned()))?;
-            let scatter = RandomVariable::try_new(fit.scatter.clone());
-            study.random[index].variable = scatter.map_err(|error| impossible(error.to_string()))?;
-        }
-        AllowedInput::StandardDeviation(index) => {
-            let input = &mut study.random[index];
-            let loosened = input.variable.with_parameters([(Parameter::StandardDeviation, value)]);
-            input.variable = loosened.map_err(|error| impossible(error.to_string()))?;
-        }
-    }
-    Ok(())
-}
-
-/// The fit with this greatest clearance.
-fn fit_of(allowance: &Allowance, most_m: f64) -> Option<&AllowedFit> {
-    allowance.fits.iter().find(|fit| fit.clearance_m[1] == most_m)
+    own.close();
+    Ok(Answer { outcomes: requirements(&material), runs: own.table.len() })
 }
 
 #[cfg(test)]

@@ -27,11 +27,6 @@ pub enum Spot {
     Reduced(Reduction),
 }
 
-/// An angle as it stands in the names of columns of runs: to 1e-9 rad.
-pub fn named_angle_rad(angle_rad: f64) -> f64 {
-    (angle_rad * 1e9).round() / 1e9
-}
-
 /// One number that every run delivers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StudyColumn {

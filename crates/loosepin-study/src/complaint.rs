@@ -1,6 +1,6 @@
 //! Errors of a study as complaints.
 
-use super::conduct::StudyError;
+use super::error::StudyError;
 use super::file::Study;
 use super::files::FilesError;
 use super::response::PrepareError;

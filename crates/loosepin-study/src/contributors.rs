@@ -1,15 +1,11 @@
-//! What contributes to the answers: the runs that tell it, and what they say.
+//! Contributors as a question: the runs that tell shares of the variance.
 
-use super::assemble::Material;
-use super::columns::{PlannedAsk, Spot};
-use super::file::{Deviation, EpistemicInput, Study, Where};
-use loosepin_bounds::{DoubleLoop, Pinching, Purpose, RunInputs, SampleTable};
-use loosepin_result::motion::{MotionRecord, OutputMotion};
-use loosepin_result::study::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
-use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
-use loosepin_uncertainty::contributors::{
-    Index, IndexPlan, IndexPlanError, Indices, SHARES_CONFIDENCE, independent_groups,
-};
+use super::double_loop::Direct;
+use super::error::StudyError;
+use super::file::Study;
+use super::question::{Next, Question};
+use loosepin_bounds::{DoubleLoop, Purpose, RunInputs, SampleTable};
+use loosepin_uncertainty::contributors::{IndexPlan, IndexPlanError, Indices, independent_groups};
 use loosepin_uncertainty::hash;
 
 /// Independent scramblings, which tell the errors of indices.
@@ -18,15 +14,15 @@ const REPLICATES: usize = 8;
 const LEAST_PAIRS: usize = 4;
 /// Values of the epistemic inputs at which indices are computed, at most: the middle and corners.
 const MOST_POINTS: usize = 5;
-/// Positions of the quasi-static answer in a turn.
-const POSITIONS: usize = 72;
 /// Separates the stream of random numbers.
 const CONTRIBUTORS: u64 = 0x636f_6e74_7269_6200;
 
 /// The runs of the indices: the same points of the random inputs at a handful of values of the epistemic ones.
 pub(super) struct ContributorPlan {
-    indices: IndexPlan,
-    points: Vec<Vec<f64>>,
+    /// Points of the random inputs.
+    pub indices: IndexPlan,
+    /// Values of the epistemic inputs.
+    pub points: Vec<Vec<f64>>,
 }
 
 impl ContributorPlan {
@@ -74,7 +70,7 @@ impl ContributorPlan {
     }
 
     /// Indices of `columns` at each point.
-    fn indices(&self, table: &SampleTable, columns: &[usize]) -> Vec<Option<Indices>> {
+    pub fn indices(&self, table: &SampleTable, columns: &[usize]) -> Vec<Option<Indices>> {
         (0..self.points.len() as u32)
             .map(|point| {
                 let is_own = |run: &usize| {
@@ -90,209 +86,29 @@ impl ContributorPlan {
 }
 
 /// Random inputs that are correlated belong together.
-fn groups(study: &Study) -> Vec<Vec<usize>> {
+pub(super) fn groups(study: &Study) -> Vec<Vec<usize>> {
     let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
     let pairs: Vec<(usize, usize)> = stated.map(|pair| (pair.first, pair.second)).collect();
     independent_groups(study.random.len(), &pairs)
 }
 
-/// The contributors to every question that asks for them.
-pub(super) fn contributors(
-    material: &Material<'_>,
-    double_loop: &DoubleLoop,
-    plan: Option<&ContributorPlan>,
-) -> Vec<Contributors> {
-    let asks = material.response.shared.plan.asks.iter().filter(|planned| planned.ask.contributors);
-    let quasi_static = quasi_static(material);
-    asks.flat_map(|planned| {
-        // A curve is answered as a whole, poses one by one.
-        let parts: Vec<&[usize]> = match planned.ask.location {
-            Where::Cycle => vec![&planned.columns[..]],
-            _ => planned.columns.chunks(1).collect(),
-        };
-        parts
-            .into_iter()
-            .map(|columns| of_columns(material, double_loop, plan, planned, columns, quasi_static.as_ref()))
-    })
-    .collect()
+/// The runs of the indices, all at once.
+pub(super) struct ContributorQuestion {
+    runs: Option<Vec<RunInputs>>,
 }
 
-fn of_columns(
-    material: &Material<'_>,
-    double_loop: &DoubleLoop,
-    plan: Option<&ContributorPlan>,
-    planned: &PlannedAsk,
-    columns: &[usize],
-    quasi_static: Option<&MotionRecord>,
-) -> Contributors {
-    let study = material.study;
-    let indices = plan.map(|plan| plan.indices(material.table, columns)).unwrap_or_default();
-    let pinching = double_loop.pinching(material.table, columns).ok().flatten();
-    let at = match planned.ask.location {
-        Where::Cycle => ResponsePoint::Whole,
-        _ => material.point_of(columns[0], false),
-    };
-    let output = material.name_of(columns[0]);
-    let still = quasi_static.and_then(|record| {
-        Some(Still {
-            record,
-            output: record.outputs.iter().find(|o| o.name == output)?,
-            spot: spot(material, planned, columns),
-        })
-    });
-    let share_of_scatter = pinching.as_ref().map_or(f64::NAN, |p| (p.scatter / p.width).clamp(0.0, 1.0));
-    let groups = groups(study);
-    let mut random: Vec<RandomContributor> = groups
-        .iter()
-        .enumerate()
-        .map(|(group, members)| {
-            let paths: Vec<String> = members.iter().map(|&input| study.random[input].path.clone()).collect();
-            let total = range(&indices, |indices| indices.total[group]);
-            let shares = still
-                .as_ref()
-                // Shares of a variance add up to 1 only where the inputs are independent.
-                .filter(|_| planned.ask.deviation != Deviation::Clearance && study.correlation.is_none())
-                .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
-            RandomContributor {
-                paths,
-                first: range(&indices, |indices| indices.first[group]),
-                total,
-                band_share: share_of_scatter * (1.0 - (1.0 - total.centre).clamp(0.0, 1.0).sqrt()),
-                quasi_static_share: shares,
-            }
-        })
-        .collect();
-    random.sort_by(|a, b| b.band_share.total_cmp(&a.band_share));
-    let mut epistemic: Vec<EpistemicContributor> = study
-        .epistemic
-        .iter()
-        .enumerate()
-        .map(|(index, input)| {
-            let (band_share, error) = pinching.as_ref().map_or(([f64::NAN; 2], f64::NAN), |p| gone(p, index));
-            EpistemicContributor {
-                path: input.path.clone(),
-                band_share,
-                error,
-                quasi_static_share: still
-                    .as_ref()
-                    .filter(|_| planned.ask.deviation != Deviation::Dimensional)
-                    .and_then(|still| still.play_share(&play_from(study, input))),
-            }
-        })
-        .collect();
-    epistemic.sort_by(|a, b| b.band_share[1].total_cmp(&a.band_share[1]));
-    let per_pose = 1.0 / columns.len() as f64;
-    Contributors {
-        output,
-        of: planned.ask.deviation,
-        at,
-        unit: material.unit_of(columns[0]),
-        band_width_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width),
-        band_width_error_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width_error),
-        points: plan.map(|plan| plan.points.iter().map(|u| material.witness(u)).collect()).unwrap_or_default(),
-        pairs: plan.map_or(0, |plan| (plan.indices.runs() / (2 + groups.len())) as u64),
-        left_out: indices.iter().flatten().map(|indices| indices.left_out as u64).sum(),
-        confidence: SHARES_CONFIDENCE,
-        random,
-        epistemic,
+impl ContributorQuestion {
+    /// The runs of `plan` behind those of `direct`.
+    pub fn new(plan: &ContributorPlan, direct: &Direct) -> Self {
+        Self { runs: Some(plan.round(&direct.plan, direct.bounds.rounds)) }
     }
 }
 
-/// A share at the middle and over all points that have one.
-fn range(indices: &[Option<Indices>], of: impl Fn(&Indices) -> Index) -> ShareRange {
-    let centre = indices.first().and_then(Option::as_ref).map(&of);
-    let (mut lower, mut upper) = (f64::NAN, f64::NAN);
-    for index in indices.iter().flatten().map(&of) {
-        lower = lower.min((index.value - index.error).clamp(0.0, 1.0));
-        upper = upper.max((index.value + index.error).clamp(0.0, 1.0));
-    }
-    let (centre, error) = centre.map_or((f64::NAN, f64::NAN), |index| (index.value, index.error));
-    ShareRange { centre, error, lower, upper }
-}
+impl Question for ContributorQuestion {
+    /// The rows of the table.
+    type Answer = ();
 
-/// The least and the largest share of the band that goes where input `index` is known, and their error.
-fn gone(pinching: &Pinching, index: usize) -> ([f64; 2], f64) {
-    let input = &pinching.inputs[index];
-    let share = |remaining: f64| (1.0 - remaining / pinching.width).clamp(0.0, 1.0);
-    let error = (input.error + pinching.width_error) / pinching.width;
-    ([share(input.remaining[1]), share(input.remaining[0])], error.min(1.0))
-}
-
-/// The quasi-static answer with the epistemic inputs in the middle; nothing where the mechanism has none.
-fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
-    let study = material.study;
-    let scatter = study
-        .random
-        .iter()
-        .map(|input| Scatter { quantity: input.quantity, standard_deviation_si: input.variable.standard_deviation() })
-        .collect();
-    let plan = MotionPlan {
-        span: study.cycle.span,
-        positions: POSITIONS,
-        scatter,
-        correlations: study.linear_correlations(),
-        overrides: Vec::new(),
-    };
-    motion(material.response.mechanism(), &material.response.nominal, &plan).ok()
-}
-
-/// Names of the joints whose play an input decides.
-fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
-    let joints = input.quantity().into_iter().flat_map(|id| study.model.play_from(id));
-    joints.map(|(joint, _)| joint.name.as_str()).collect()
-}
-
-/// The pose of a question at a single one.
-fn spot(material: &Material<'_>, planned: &PlannedAsk, columns: &[usize]) -> Option<f64> {
-    match material.response.shared.plan.columns[columns[0]].spot {
-        Spot::Pose { angle_rad, .. } if planned.ask.location != Where::Cycle => Some(angle_rad),
-        _ => None,
-    }
-}
-
-/// The quasi-static answer for one output: at one pose, or added over the turn.
-struct Still<'a> {
-    record: &'a MotionRecord,
-    output: &'a OutputMotion,
-    spot: Option<f64>,
-}
-
-impl Still<'_> {
-    /// The sum over the positions that count.
-    fn sum(&self, values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
-        let turn = |angle: f64| (angle / std::f64::consts::TAU).rem_euclid(1.0);
-        match self.spot {
-            None => values.iter().map(|&value| of(value)).sum(),
-            Some(angle_rad) => {
-                let distance = |at: f64| {
-                    let apart = (turn(at) - turn(angle_rad)).abs();
-                    apart.min(1.0 - apart)
-                };
-                let near = |a: &(usize, &f64), b: &(usize, &f64)| distance(*a.1).total_cmp(&distance(*b.1));
-                let nearest = self.record.drive_angle_rad.iter().enumerate().min_by(near);
-                nearest.and_then(|(position, _)| values.get(position)).map_or(f64::NAN, |&value| of(value))
-            }
-        }
-    }
-
-    /// The share of a scattering quantity in the variance.
-    fn variance_share(&self, path: &str) -> Option<f64> {
-        let all = &self.output.dimensional_contributors;
-        let square = |values: &[f64]| self.sum(values, |value| value * value);
-        let own = all.iter().find(|dimension| dimension.path == path).map_or(0.0, |d| square(&d.standard_deviation_si));
-        let total: f64 = all.iter().map(|dimension| square(&dimension.standard_deviation_si)).sum();
-        (total > 0.0).then(|| own / total)
-    }
-
-    /// The share of `joints` in the worst case of all; nothing where there are none.
-    fn play_share(&self, joints: &[&str]) -> Option<f64> {
-        let all = &self.output.clearance.contributors;
-        let own: Vec<f64> = all
-            .iter()
-            .filter(|known| joints.contains(&known.joint.as_str()))
-            .map(|own| self.sum(&own.worst_case_si, |value| value))
-            .collect();
-        let total = self.sum(&self.output.clearance.worst_case_si, |value| value);
-        (total > 0.0 && !own.is_empty()).then(|| own.iter().sum::<f64>() / total)
+    fn next(&mut self, _runs: &SampleTable) -> Result<Next<()>, StudyError> {
+        Ok(self.runs.take().map_or(Next::Answer(()), Next::Beside))
     }
 }

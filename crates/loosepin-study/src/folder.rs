@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use super::Study;
-use super::conduct::{Conducted, StudyError};
+use super::conduct::Conducted;
+use super::error::StudyError;
+use super::file::Study;
 use super::files::{
     BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, SURROGATES_FILE, TIMING_FILE, Timing, runs_parquet, surrogates_json,
     write_study,

@@ -2,16 +2,17 @@
 
 use std::sync::atomic::AtomicUsize;
 
-use super::assemble::{curve_name, scalar_name};
 use super::columns::Spot;
-use super::conduct::{Means, StudyError, all_failed};
+use super::conduct::{Means, all_failed};
 use super::elsewhere::RunMaker;
+use super::error::StudyError;
 use super::file::{Study, Where};
 use super::keep::Keeping;
 use super::part::Part;
-use super::plans::problem;
+use super::problem::problem;
 use super::response::StudyResponse;
-use super::runner::Runner;
+use super::runs_table::{curve_name, scalar_name};
+use super::sheet::{Runner, Sheet};
 use loosepin_bounds::{DoubleLoop, Problem, Request, RunInputs, SampleTable};
 use loosepin_text::units::SiUnit;
 
@@ -102,23 +103,20 @@ impl<'s> FurtherOutputs<'s> {
         maker: Option<&dyn RunMaker>,
     ) -> Result<SampleTable, StudyError> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(means.threads).build()?;
-        let keeping = Keeping::new(None);
         let runner = Runner {
-            study: self.study,
-            response: &self.response,
             pool: &pool,
             progress: means.progress,
             stop: means.stop,
-            most_runs: self.plan.most_runs().max(before + round.len()),
-            before: &AtomicUsize::new(before),
-            keeping: &keeping,
-            list: keeping.begin(),
+            before: AtomicUsize::new(before),
+            keeping: Keeping::new(None),
             part: Part::Whole,
             maker,
-            loosened: &[],
         };
-        let mut table = SampleTable::new(self.response.row_length());
-        runner.run(round, &mut table)?;
+        let most_runs = self.plan.most_runs().max(before + round.len());
+        let table = SampleTable::new(self.response.row_length());
+        let mut sheet = Sheet::new(&runner, self.study, &self.response, table, most_runs);
+        sheet.make(round)?;
+        let table = sheet.table;
         if before == 0 && table.failed() == table.len() && !table.is_empty() {
             return Err(all_failed(&self.response, &table));
         }

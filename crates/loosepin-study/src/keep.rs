@@ -2,8 +2,8 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use super::conduct::StudyError;
-use super::runner::Row;
+use super::error::StudyError;
+use super::evaluate::Row;
 use loosepin_bounds::{Failure, RunInputs};
 use loosepin_store::{InputsKey, KeptRun, RunStore, StoreError};
 

@@ -3,9 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::conduct::StudyError;
-use super::file::{Budget, Study};
-use super::plans::plan_runs;
 use loosepin_store::Shard;
 
 /// What of a study is made here. Results do not depend on it.
@@ -81,22 +78,5 @@ impl fmt::Display for OpenRound {
                 )
             }
         }
-    }
-}
-
-/// How many runs `study` comes to at most, as [`plan_runs`], where shards make them.
-///
-/// # Errors
-/// As for [`plan_runs`], and a budget of time: processes that do not run at the same time cannot share one.
-pub fn plan_shards(study: &Study) -> Result<usize, StudyError> {
-    refuse_time(study)?;
-    plan_runs(study)
-}
-
-/// That no time ends a study whose rounds are to be the same wherever they are made.
-pub(super) fn refuse_time(study: &Study) -> Result<(), StudyError> {
-    match study.budget {
-        Some(Budget::Time { .. }) => Err(StudyError::TimeOfShards),
-        _ => Ok(()),
     }
 }

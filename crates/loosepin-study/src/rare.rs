@@ -2,18 +2,18 @@
 //! large there.
 
 use super::columns::PlannedAsk;
-use super::conduct::StudyError;
-use super::file::{RareMethod, Where};
-use super::runner::Runner;
-use loosepin_bounds::{
-    Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
-};
+use super::double_loop::Direct;
+use super::error::StudyError;
+use super::file::{RareMethod, Study, Where};
+use super::question::{Next, Question};
+use loosepin_bounds::{Bound, BoundError, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness};
 use loosepin_result::study::RareMethodUsed;
 use loosepin_uncertainty::reliability::{
     BoxSearch, DesignSearch, ImportanceSampling, IndexExtreme, RARE_CONFIDENCE, RareProbability, SubsetSimulation,
     importance_sampling, index_range, subset_simulation,
 };
-use loosepin_uncertainty::{hash, normal_cdf};
+use loosepin_uncertainty::{SobolError, hash, normal_cdf};
+use std::collections::VecDeque;
 
 /// A share of fewer runs than this is counted anew where the method is chosen automatically.
 const LEAST_HITS: f64 = 10.0;
@@ -79,64 +79,97 @@ pub(super) fn requests(asks: &[PlannedAsk]) -> impl Iterator<Item = (usize, Stat
     })
 }
 
-/// Estimates what is asked for so; where the method is automatic, only what the double loop has counted too few of.
+/// Small probabilities that are asked for so; where the method is automatic, only what the double loop has counted too few of.
 ///
-/// # Errors
-/// Those of the runs.
-pub(super) fn rare_probabilities(
-    runner: &Runner<'_>,
-    plan: &DoubleLoop,
-    bounds: &Bounds,
-    table: &mut SampleTable,
-) -> Result<Vec<Rare>, StudyError> {
-    let mut found = Vec::new();
-    let requested: Vec<_> = requests(&runner.response.shared.plan.asks).collect();
-    for (column, statistic, method) in requested {
-        let pair = bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
-        let hits = pair.map_or(0.0, |pair| pair.upper.value * runner.study.sampling.inner as f64);
-        let method = match method {
-            RareMethod::Automatic if hits >= LEAST_HITS => continue,
-            RareMethod::Automatic | RareMethod::Importance => RareMethod::Importance,
-            RareMethod::Subset => RareMethod::Subset,
-        };
-        let seed = hash(hash(runner.study.seed, RARE), column as u64);
-        let mut event = Event { runner, plan, table, column, statistic, combination: 0, round: bounds.rounds };
-        let ends = match method {
-            RareMethod::Subset => None,
-            _ => event.by_design_points(seed)?,
-        };
-        let [lower, upper] = match ends {
-            Some(ends) => ends,
-            None => event.by_subsets(seed)?,
-        };
-        found.push(Rare {
-            column,
-            statistic,
-            bounds: [lower.bound(false), upper.bound(true)],
-            is_confirmed: plan.box_places().len() == 1 && plan.box_combinations() == 1,
-            ends: [lower, upper].map(|end| RareEnd { method: end.method, estimate: end.estimate, index: end.index }),
-        });
-    }
-    Ok(found)
+/// The estimates ask for values of the limit state in the middle of what they do. Each is begun anew whenever runs were added, takes the
+/// values that are there, and ends at the first that are not: these runs are wanted next.
+pub(super) struct RareQuestion<'s> {
+    study: &'s Study,
+    plan: &'s DoubleLoop,
+    round: u32,
+    /// What is to be estimated: column, statistic, and whether subset simulation is asked for.
+    waiting: VecDeque<(usize, Statistic, RareMethod)>,
+    found: Vec<Rare>,
+    /// Place in the table of the first run of the present estimate.
+    first: Option<usize>,
 }
 
-/// One event, run in batches.
-struct Event<'r, 's> {
-    runner: &'r Runner<'s>,
+impl<'s> RareQuestion<'s> {
+    /// The small probabilities of `study`, whose double loop has given `direct`.
+    pub fn new(study: &'s Study, asks: &[PlannedAsk], direct: &'s Direct) -> Self {
+        let hits = |column: usize, statistic: Statistic| {
+            let pair = direct.bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
+            pair.map_or(0.0, |pair| pair.upper.value * study.sampling.inner as f64)
+        };
+        let is_counted = |&(column, statistic, method): &(usize, Statistic, RareMethod)| {
+            method == RareMethod::Automatic && hits(column, statistic) >= LEAST_HITS
+        };
+        let waiting = requests(asks).filter(|request| !is_counted(request)).collect();
+        Self { study, plan: &direct.plan, round: direct.bounds.rounds, waiting, found: Vec::new(), first: None }
+    }
+}
+
+impl Question for RareQuestion<'_> {
+    type Answer = Vec<Rare>;
+
+    fn next(&mut self, runs: &SampleTable) -> Result<Next<Vec<Rare>>, StudyError> {
+        while let Some(&(column, statistic, method)) = self.waiting.front() {
+            let next = *self.first.get_or_insert(runs.len());
+            let known = Known { study: self.study, plan: self.plan, round: self.round, runs };
+            let mut event = Event { known, next, column, statistic, combination: 0 };
+            match event.estimate(method) {
+                Ok(rare) => {
+                    self.found.push(rare);
+                    self.waiting.pop_front();
+                    self.first = None;
+                }
+                Err(Missing::Runs(wanted)) => return Ok(Next::Beside(wanted)),
+                Err(Missing::Points(error)) => return Err(error.into()),
+            }
+        }
+        Ok(Next::Answer(std::mem::take(&mut self.found)))
+    }
+}
+
+/// What is known of a study.
+#[derive(Clone, Copy)]
+struct Known<'r> {
+    study: &'r Study,
     plan: &'r DoubleLoop,
-    table: &'r mut SampleTable,
+    round: u32,
+    runs: &'r SampleTable,
+}
+
+/// One event, whose runs stand in the table one after the other.
+struct Event<'r> {
+    known: Known<'r>,
+    /// Place of the run that is read next.
+    next: usize,
     column: usize,
     statistic: Statistic,
     combination: usize,
-    round: u32,
+}
+
+/// Why an estimate cannot go on.
+enum Missing {
+    /// These runs are not there yet.
+    Runs(Vec<RunInputs>),
+    /// More random inputs than Sobol' points have dimensions.
+    Points(SobolError),
+}
+
+impl From<SobolError> for Missing {
+    fn from(error: SobolError) -> Self {
+        Self::Points(error)
+    }
 }
 
 /// Why a search for design points came to no end.
 enum SearchEnd {
     /// It took as many runs as it may.
     Spent,
-    /// The study itself cannot go on.
-    Study(StudyError),
+    /// The estimate itself cannot go on.
+    Missing(Missing),
 }
 
 /// An estimate at one value of the epistemic inputs.
@@ -149,26 +182,37 @@ struct End {
     unresolved: f64,
 }
 
-impl Event<'_, '_> {
+impl Event<'_> {
+    /// Both ends; where design points cannot be relied on, by subset simulation.
+    fn estimate(&mut self, method: RareMethod) -> Result<Rare, Missing> {
+        let plan = self.known.plan;
+        let seed = hash(hash(self.known.study.seed, RARE), self.column as u64);
+        let ends = match method {
+            RareMethod::Subset => None,
+            RareMethod::Automatic | RareMethod::Importance => self.by_design_points(seed)?,
+        };
+        let [lower, upper] = match ends {
+            Some(ends) => ends,
+            None => self.by_subsets(seed)?,
+        };
+        Ok(Rare {
+            column: self.column,
+            statistic: self.statistic,
+            bounds: [lower.bound(false), upper.bound(true)],
+            is_confirmed: plan.box_places().len() == 1 && plan.box_combinations() == 1,
+            ends: [lower, upper].map(|end| RareEnd { method: end.method, estimate: end.estimate, index: end.index }),
+        })
+    }
+
     /// g at standard normal points for one place of the box: 0 or less where the event is.
-    fn limit_state(&mut self, points: &[Vec<f64>], at: &[f64]) -> Result<Vec<f64>, StudyError> {
-        let epistemic = self.plan.box_values(self.combination, at);
-        let round: Vec<RunInputs> = points
-            .iter()
-            .enumerate()
-            .map(|(index, point)| RunInputs {
-                round: self.round,
-                purpose: Purpose::Rare,
-                point: 0,
-                replicate: 0,
-                index: index as u32,
-                random: self.plan.random_values(&probabilities(point), &epistemic),
-                epistemic: epistemic.clone(),
-            })
-            .collect();
-        let first = self.table.len();
-        self.runner.run(&round, self.table)?;
-        let values = (first..self.table.len()).map(|run| self.table.values(run)[self.column]);
+    fn limit_state(&mut self, points: &[Vec<f64>], at: &[f64]) -> Result<Vec<f64>, Missing> {
+        let Known { plan, runs, .. } = self.known;
+        let (first, end) = (self.next, self.next + points.len());
+        if end > runs.len() {
+            return Err(Missing::Runs(self.wanted(points, &plan.box_values(self.combination, at))));
+        }
+        self.next = end;
+        let values = (first..end).map(|run| runs.values(run)[self.column]);
         Ok(values
             .map(|value| match self.statistic {
                 Statistic::ProbabilityAbove(limit) => limit - value,
@@ -179,28 +223,42 @@ impl Event<'_, '_> {
             .collect())
     }
 
+    /// The runs at standard normal points for one place of the box.
+    fn wanted(&self, points: &[Vec<f64>], epistemic: &[f64]) -> Vec<RunInputs> {
+        let run = |(index, point): (usize, &Vec<f64>)| RunInputs {
+            round: self.known.round,
+            purpose: Purpose::Rare,
+            point: 0,
+            replicate: 0,
+            index: index as u32,
+            random: self.known.plan.random_values(&probabilities(point), epistemic),
+            epistemic: epistemic.to_vec(),
+        };
+        points.iter().enumerate().map(run).collect()
+    }
+
     fn dimensions(&self) -> usize {
-        self.runner.study.random.len()
+        self.known.study.random.len()
     }
 
     /// Both ends by importance sampling where the index is largest and smallest; nothing where an index cannot be relied on.
-    fn by_design_points(&mut self, seed: u64) -> Result<Option<[End; 2]>, StudyError> {
+    fn by_design_points(&mut self, seed: u64) -> Result<Option<[End; 2]>, Missing> {
         let dimensions = self.dimensions();
         let search = BoxSearch { design: DesignSearch { seed, ..DesignSearch::default() }, ..BoxSearch::default() };
-        let places = places(self.plan);
-        let closes = self.plan.box_closes();
+        let places = places(self.known.plan);
+        let closes = self.known.plan.box_closes();
         let mut ends: [Option<(usize, IndexExtreme)>; 2] = [None, None];
-        for combination in 0..self.plan.box_combinations() {
+        for combination in 0..self.known.plan.box_combinations() {
             self.combination = combination;
             let mut left = MOST_DESIGN_RUNS;
             let mut limit_state = |points: &[Vec<f64>], at: &[f64]| {
                 left = left.checked_sub(points.len()).ok_or(SearchEnd::Spent)?;
-                self.limit_state(points, at).map_err(SearchEnd::Study)
+                self.limit_state(points, at).map_err(SearchEnd::Missing)
             };
             let range = match index_range(&mut limit_state, dimensions, &places, &closes, &search) {
                 Ok(Some(range)) => range,
                 Ok(None) | Err(SearchEnd::Spent) => return Ok(None),
-                Err(SearchEnd::Study(error)) => return Err(error),
+                Err(SearchEnd::Missing(missing)) => return Err(missing),
             };
             for (end, extreme, sign) in [(0, range.largest, -1.0), (1, range.smallest, 1.0)] {
                 let is_better = ends[end]
@@ -220,14 +278,14 @@ impl Event<'_, '_> {
         Ok(Some([lower, upper]))
     }
 
-    fn around(&mut self, (combination, extreme): (usize, IndexExtreme), seed: u64) -> Result<End, StudyError> {
+    fn around(&mut self, (combination, extreme): (usize, IndexExtreme), seed: u64) -> Result<End, Missing> {
         self.combination = combination;
         let dimensions = self.dimensions();
         let settings = ImportanceSampling { seed, ..ImportanceSampling::default() };
         let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, &extreme.at);
         let estimate = importance_sampling(&mut limit_state, dimensions, &extreme.designs, &settings)?;
         Ok(End {
-            epistemic: self.plan.box_values(combination, &extreme.at),
+            epistemic: self.known.plan.box_values(combination, &extreme.at),
             method: RareMethodUsed::Importance,
             estimate,
             index: Some(extreme.designs[0].index),
@@ -236,12 +294,12 @@ impl Event<'_, '_> {
     }
 
     /// Both ends by subset simulation, at the places where short ones found most and least.
-    fn by_subsets(&mut self, seed: u64) -> Result<[End; 2], StudyError> {
+    fn by_subsets(&mut self, seed: u64) -> Result<[End; 2], Missing> {
         let dimensions = self.dimensions();
         let mut compared: Vec<(f64, usize, Vec<f64>)> = Vec::new();
-        for combination in 0..self.plan.box_combinations() {
+        for combination in 0..self.known.plan.box_combinations() {
             self.combination = combination;
-            for place in places(self.plan) {
+            for place in places(self.known.plan) {
                 let settings = SubsetSimulation { level: COMPARING_LEVEL, seed };
                 let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, &place);
                 let found = subset_simulation(&mut limit_state, dimensions, &settings)?;
@@ -255,7 +313,7 @@ impl Event<'_, '_> {
             let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, place);
             let settings = SubsetSimulation { seed: hash(seed, 1), ..SubsetSimulation::default() };
             let estimate = subset_simulation(&mut limit_state, dimensions, &settings)?;
-            let epistemic = self.plan.box_values(*combination, place);
+            let epistemic = self.known.plan.box_values(*combination, place);
             let method = RareMethodUsed::Subset;
             ends.push(End { epistemic, method, estimate, index: None, unresolved: 0.0 });
         }

@@ -51,3 +51,8 @@ impl RunData {
         matches!(self, RunData::F64(_))
     }
 }
+
+/// An angle as it stands in the names of columns of runs: to 1e-9 rad.
+pub fn named_angle_rad(angle_rad: f64) -> f64 {
+    (angle_rad * 1e9).round() / 1e9
+}

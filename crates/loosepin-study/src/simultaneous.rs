@@ -1,6 +1,6 @@
 //! Bands in which a share of mechanisms stays for the whole cycle.
 
-use super::assemble::Material;
+use super::assemble::material::Material;
 use super::columns::pointwise_ends;
 use loosepin_bounds::{DoubleLoop, PlanError, SimultaneousBand};
 

@@ -1,8 +1,8 @@
 //! How long a run of a study takes.
 
-use super::conduct::StudyError;
+use super::error::StudyError;
 use super::file::Study;
-use super::plans::problem;
+use super::problem::problem;
 use super::response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, SampleTable};
 use loosepin_simulate::{Execution, RunFailure};

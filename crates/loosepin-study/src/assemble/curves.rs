@@ -1,7 +1,7 @@
 //! Deviation curves over the cycle with their bands.
 
-use super::Material;
 use super::drawing::Pictures;
+use super::material::Material;
 use super::summary::centre_point;
 use crate::columns::{BAND, PlannedAsk};
 use crate::file::{Deviation, Where};

@@ -1,6 +1,6 @@
 //! What was uncertain and what was run, in words.
 
-use super::Material;
+use super::material::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
 use loosepin_mechanics::model::{QuantityId, QuantityTable};

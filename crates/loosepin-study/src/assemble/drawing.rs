@@ -1,7 +1,9 @@
 //! The mechanism with nominal dimensions, drawn and moving, and the paths of its journals.
 
-use super::{Material, recorded_offset_rad};
+use super::material::Material;
+use crate::file::Study;
 use crate::file::{EpistemicInput, EpistemicSubject};
+use crate::response::StudyResponse;
 use loosepin_result::simulation::{Drawing, JournalOrbit};
 use loosepin_simulate::{Plan, simulate, skeleton};
 
@@ -71,6 +73,12 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         }
     }
     Pictures { drawing, orbits, nominal_row }
+}
+
+/// Angle that the drive turned through before the recorded part in whole turns, rad: poses are shown without it.
+fn recorded_offset_rad(study: &Study, response: &StudyResponse) -> f64 {
+    let sign = study.model.input(study.cycle.span, &response.nominal).speed_rad_s.signum();
+    sign * std::f64::consts::TAU * study.cycle.transient_turns.floor()
 }
 
 /// Keeps about as many poses as a moving picture needs, at angles of the recorded turns.

@@ -1,6 +1,6 @@
 //! Requirements against the bounds of the shares that keep their limits.
 
-use super::Material;
+use super::material::Material;
 use crate::columns::PlannedRequirement;
 use crate::file::Where;
 use loosepin_bounds::{BoundPair, Statistic};
@@ -78,7 +78,7 @@ mod tests {
     use super::requirements;
     use crate::assemble::Material;
     use crate::file::Study;
-    use crate::plans::problem;
+    use crate::problem::problem;
     use crate::response::StudyResponse;
     use loosepin_bounds::{BoundPair, Bounds, DoubleLoop, SampleTable, execute};
     use loosepin_result::study::{CountedMechanisms, RequirementOutcome, Verdict};

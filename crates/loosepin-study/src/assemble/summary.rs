@@ -1,6 +1,6 @@
 //! Counts, energy and impacts over all runs.
 
-use super::Material;
+use super::material::Material;
 use crate::extras::{JointExtras, RunExtras};
 use loosepin_bounds::Purpose;
 use loosepin_result::study::{EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts};

@@ -1,6 +1,6 @@
 //! The three treatments side by side.
 
-use super::{Material, numerical_error};
+use super::material::{Material, numerical_error};
 use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
 use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd};
 

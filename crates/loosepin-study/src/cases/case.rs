@@ -1,20 +1,13 @@
 //! A case as it is read: its mechanism, and the numbers that it must meet.
 
-use std::fs;
-use std::path::Path;
-use std::sync::Arc;
-
-use super::expected::read_expected;
-use super::problem::CaseProblem;
 use super::reference::Reference;
-use crate::Study;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{Model, Values};
 use loosepin_simulate::Column;
 use loosepin_simulate::accuracy::{Scatter, ScatterCorrelation};
-use loosepin_text::diagnostics::{Complaints, Place};
-use loosepin_text::document::read_source;
+use loosepin_text::diagnostics::Place;
 use loosepin_text::units::ReadableUnit;
+use std::sync::Arc;
 
 /// A mechanism whose answer is known.
 #[derive(Debug, Clone)]
@@ -226,33 +219,6 @@ pub(super) enum Ours {
 }
 
 impl Case {
-    /// Reads the case in a folder.
-    ///
-    /// # Errors
-    /// Everything that is wrong with its files, each with its place.
-    pub fn from_folder(folder: &Path) -> Result<Case, Complaints> {
-        let model = Model::from_path(&folder.join("model.toml"))?;
-        let values = model.quantities.nominal();
-        let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
-        let sample = Sample::new(&mechanism, &values).map_err(|error| error.complaint(&model))?;
-        let study_path = folder.join("study.toml");
-        let study = if study_path.is_file() { Some(Study::from_path(&study_path)?) } else { None };
-        let of_study = |study: &Study| -> Vec<Scatter> {
-            let random = study.random.iter().map(|input| Scatter {
-                quantity: input.quantity,
-                standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
-            });
-            random.collect()
-        };
-        let scatter = study.iter().flat_map(of_study).collect();
-        let correlations = study.iter().flat_map(Study::linear_correlations).collect();
-        let name = folder.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let mut case = Case { name, model, mechanism, values, sample, scatter, correlations, checks: Vec::new() };
-        let source = read_source(&folder.join("expected.toml"))?;
-        case.checks = read_expected(&source, folder, &case)?;
-        Ok(case)
-    }
-
     /// How many numbers and histories it must meet.
     pub fn count(&self) -> usize {
         let count = |check: &Check| if let What::Numbers(numbers) = &check.what { numbers.numbers.len() } else { 1 };
@@ -263,21 +229,4 @@ impl Case {
     pub fn histories(&self) -> usize {
         self.checks.iter().filter(|check| matches!(check.what, What::History(_))).count()
     }
-}
-
-/// Names of the cases in a folder, sorted: its folders with a `model.toml` and an `expected.toml`.
-///
-/// # Errors
-/// The folder cannot be read or holds no case.
-pub fn case_names(folder: &Path) -> Result<Vec<String>, Complaints> {
-    let no_cases = || Complaints::one(&CaseProblem::NoCases { folder: folder.display().to_string() }, None);
-    let entries = fs::read_dir(folder).map_err(|_| no_cases())?;
-    let is_case = |path: &Path| path.join("model.toml").is_file() && path.join("expected.toml").is_file();
-    let mut names: Vec<String> = entries
-        .filter_map(|entry| entry.ok())
-        .filter(|entry| is_case(&entry.path()))
-        .map(|entry| entry.file_name().to_string_lossy().into_owned())
-        .collect();
-    names.sort();
-    if names.is_empty() { Err(no_cases()) } else { Ok(names) }
 }

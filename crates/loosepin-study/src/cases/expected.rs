@@ -4,17 +4,17 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::case::{At, Case, Check, ExpectedNumber, History, Numbers, Ours, Quantity, QuantityKind, Reduce, What};
+use super::dimension::{dimension_of, si_unit, state_dimension, stiffness_dimension};
 use super::keys::{COLUMN_KEYS, EXPECTED_KEYS, HISTORY_KEYS, NUMBER_KEYS, ORIGINS, QUANTITIES, REDUCTIONS};
 use super::problem::CaseProblem;
-use super::reference::Reference;
+use super::reference::{Reference, open_reference};
 use super::script_file::read_script;
-use loosepin_mechanics::contact::NormalLaw;
 use loosepin_mechanics::model::BodyId;
 use loosepin_simulate::accuracy::position_outputs;
 use loosepin_simulate::{Column, Reading, columns, input};
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
+use loosepin_text::diagnostics::{Complaint, Complaints, Source};
 use loosepin_text::document::{Entry, Reader, Table, Written, parse_toml};
-use loosepin_text::units::{Dimension, ReadableUnit, Rule, SiUnit, parse_unit};
+use loosepin_text::units::{Dimension, ReadableUnit, Rule, SiUnit};
 
 /// Parts of a state of a body, in the order of `history.csv`: positions, velocities, accelerations.
 const STATE_PARTS: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
@@ -375,49 +375,6 @@ impl ExpectedReader<'_> {
         let tolerance_si = self.reader.measured(&entry, due, Rule::NonNegative)?;
         let unit = self.unit(&entry, due);
         Some((words, History { reference: Arc::clone(reference), columns: vec![(column, ours)], tolerance_si, unit }))
-    }
-}
-
-/// Opens a file of rows; complaints without a place get that of its name.
-pub(super) fn open_reference(reader: &mut Reader, folder: &Path, file: &str, place: Place) -> Option<Arc<Reference>> {
-    match Reference::from_path(&folder.join(file)) {
-        Ok(reference) => Some(Arc::new(reference)),
-        Err(complaints) => {
-            for complaint in complaints.sorted() {
-                let place = complaint.place.clone().unwrap_or_else(|| place.clone());
-                reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
-            }
-            None
-        }
-    }
-}
-
-/// The dimension of the stiffness of a joint with play; that of a number for laws without one.
-pub(super) fn stiffness_dimension(case: &Case, play: usize) -> Dimension {
-    match &case.sample.plays[play].normal {
-        NormalLaw::Point(law) => Dimension::contact_stiffness(law.exponent),
-        NormalLaw::Linear(_) => Dimension::contact_stiffness(1.0),
-        _ => Dimension::NUMBER,
-    }
-}
-
-/// The SI unit of a dimension.
-pub(super) fn si_unit(dimension: Dimension) -> ReadableUnit {
-    ReadableUnit { text: dimension.si_unit(), si_per_unit: 1.0 }
-}
-
-fn dimension_of(unit: &SiUnit) -> Dimension {
-    parse_unit(unit.symbol()).map_or(Dimension::NUMBER, |measured| measured.dimension)
-}
-
-fn state_dimension(part: usize) -> Dimension {
-    match part {
-        0 | 1 => Dimension::LENGTH,
-        2 => Dimension::ANGLE,
-        3 | 4 => Dimension::VELOCITY,
-        5 => Dimension::ANGULAR_VELOCITY,
-        6 | 7 => Dimension::ACCELERATION,
-        _ => Dimension::ANGULAR_ACCELERATION,
     }
 }
 

@@ -5,7 +5,9 @@
 
 mod case;
 mod compare;
+mod dimension;
 mod expected;
+mod folder;
 mod history;
 mod ideal;
 mod keys;
@@ -15,6 +17,7 @@ pub use loosepin_result::cases as record;
 mod reference;
 mod script_file;
 
-pub use case::{Case, case_names};
+pub use case::Case;
 pub use compare::{compare, compare_all};
+pub use folder::case_names;
 pub use problem::CaseProblem;

@@ -7,9 +7,10 @@ use std::path::Path;
 use super::case::{
     Case, Check, ExpectedNumber, History, ImpactNumber, Impacts, Numbers, Ours, Quantity, QuantityKind, What,
 };
-use super::expected::{open_reference, si_unit, stiffness_dimension};
+use super::dimension::{si_unit, stiffness_dimension};
 use super::keys::{IMPACT_KEYS, SCRIPT_KEYS};
 use super::problem::CaseProblem;
+use super::reference::open_reference;
 use loosepin_text::diagnostics::Place;
 use loosepin_text::document::{Reader, Table};
 use loosepin_text::units::{Dimension, ReadableUnit, decimal_exponent, power_of_ten};

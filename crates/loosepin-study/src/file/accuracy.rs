@@ -5,48 +5,14 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::StudyReader;
 use super::description::{Ask, Study};
 use super::problem::StudyProblem;
+use super::reader::StudyReader;
+use super::target::{AccuracyTarget, Budget};
 use super::words::{NUMBERS, statistic_name};
 use loosepin_text::diagnostics::{Code, Complaint, Place, Problem, Source, Span, nearest_name};
 use loosepin_text::document::{Entry, Table, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
-
-/// By how much bounds may be widened at most.
-///
-/// It concerns the bounds that measure what it measures, of one output or statistic where these are named. Of several that concern
-/// a bound, that of the command line counts before that of the file, the one that names more before the one that names less, and
-/// the later one before the earlier.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AccuracyTarget {
-    /// Whether it comes from the command line.
-    pub is_argument: bool,
-    /// The question it stands in, by its place in [`Study::asks`].
-    pub ask: Option<usize>,
-    /// The output, by its place in the model.
-    pub output: Option<usize>,
-    /// The statistic, by the name that it has in study files.
-    pub statistic: Option<&'static str>,
-    /// What the bounds measure.
-    pub dimension: Dimension,
-    /// The most that is allowed, SI, > 0.
-    pub most_si: f64,
-}
-
-/// When a study ends although its bounds are not yet as near as asked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Budget {
-    /// Before it comes to more runs than this.
-    Runs(u64),
-    /// Before a round that would end later than this after the beginning.
-    Time {
-        /// Seconds.
-        seconds: f64,
-    },
-    /// After this many rounds: what a study that ended by its time has made.
-    Rounds(u32),
-}
 
 /// What can be wrong with an accuracy or a budget. `what` says what it is of, in words.
 #[derive(Debug, Clone, PartialEq, Error)]

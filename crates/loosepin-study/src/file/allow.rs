@@ -1,9 +1,9 @@
 //! What may be loosened: the unknowns of the inverse question.
 
-use super::StudyReader;
 use super::description::{Allowance, AllowedInput, Requirement};
 use super::keys::ALLOW_KEYS;
 use super::problem::StudyProblem;
+use super::reader::StudyReader;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};

@@ -1,15 +1,15 @@
 //! Questions and requirements.
 
-use super::StudyReader;
-use super::accuracy::AccuracyTarget;
 use super::description::{Ask, Limit, RareMethod, Requirement, Where};
 use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
+use super::reader::{Asked, KnownPose, StudyReader};
+use super::target::AccuracyTarget;
 use super::words::{
     DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
     SIMULTANEOUS_BAND, STATISTICS,
 };
-use crate::columns::named_angle_rad;
+use crate::runs::named_angle_rad;
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::model::OutputKind;
 use loosepin_result::study::{Deviation, Reduction};
@@ -31,23 +31,6 @@ const FORMS: [(&str, &str); 7] = [
 
 /// Keys that say where in the cycle; one is due.
 const PLACES: [&str; 3] = ["at", "poses", "reduce"];
-
-/// An entry of the list of statistics.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Asked {
-    Statistic(Statistic),
-    Contributors,
-    Rare(Statistic, RareMethod),
-    /// A band that a share of whole curves stays in.
-    SimultaneousBand(f64),
-}
-
-/// An angle at which a number is asked for or required.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KnownPose {
-    of: Option<(usize, Deviation)>,
-    angle_rad: f64,
-}
 
 /// The number of a curve that lies beyond the limit of a probability where any of its values does.
 pub fn furthest(statistic: Statistic) -> Reduction {

@@ -1,21 +1,11 @@
 //! Questions that are asked twice: the results would name two numbers alike.
 
-use super::StudyReader;
-use super::ask::{Asked, furthest};
+use super::ask::furthest;
 use super::description::Where;
 use super::problem::StudyProblem;
+use super::reader::{Asked, KnownQuestion, StudyReader};
 use loosepin_result::study::Deviation;
 use loosepin_text::document::Entry;
-
-/// One number, or one curve, that is asked for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KnownQuestion {
-    output: usize,
-    deviation: Deviation,
-    /// With one angle at most.
-    location: Where,
-    asked: Asked,
-}
 
 /// Angle by angle.
 fn places(location: &Where) -> Vec<Where> {

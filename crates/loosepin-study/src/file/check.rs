@@ -1,8 +1,8 @@
 //! Checks of the inputs together with the rules of the model.
 
-use super::StudyReader;
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
+use super::reader::StudyReader;
 use loosepin_bounds::Reading;
 use loosepin_mechanics::model::{QuantityError, QuantityId};
 use loosepin_text::diagnostics::Complaint;

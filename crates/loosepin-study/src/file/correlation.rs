@@ -1,9 +1,9 @@
 //! Correlations of random inputs.
 
-use super::StudyReader;
 use super::description::{Correlation, CorrelationMeasure, StatedCorrelation};
 use super::keys::CORRELATION_KEYS;
 use super::random_problem::{RandomProblem, pair_words, short_number};
+use super::reader::StudyReader;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::format_number;
 use loosepin_uncertainty::{CopulaError, CorrelationSeries, GaussianCopula, Pair, normal_of_rank};

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::accuracy::{AccuracyTarget, Budget};
+use super::target::{AccuracyTarget, Budget};
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
@@ -68,6 +68,11 @@ impl Study {
 }
 
 impl RandomInput {
+    /// The unit of its values.
+    pub fn unit(&self, model: &Model) -> SiUnit {
+        SiUnit::of_dimension(model.quantities[self.quantity].dimension)
+    }
+
     /// Parameters of the distributions of `random` that are epistemic inputs.
     pub fn epistemic_parameters(random: &[Self]) -> Vec<EpistemicParameter> {
         let of_input = |(random, input): (usize, &RandomInput)| {

@@ -1,8 +1,8 @@
 //! Epistemic inputs made of several intervals: evidence, fuzzy numbers, boxes from quantiles or a mean.
 
-use super::StudyReader;
 use super::keys::{CUT_KEYS, ELEMENT_KEYS, FUZZY_KEYS};
 use super::problem::StudyProblem;
+use super::reader::StudyReader;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_number, format_value};

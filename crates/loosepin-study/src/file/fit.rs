@@ -1,9 +1,9 @@
 //! The clearance of a fit: an interval, or a distribution.
 
-use super::StudyReader;
 use super::description::AllowedFit;
 use super::random::Stated;
 use super::random_problem::RandomProblem;
+use super::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
 use loosepin_mechanics::model::{Joint, JointKind, QuantityId};
 use loosepin_text::diagnostics::{Complaint, Place};

@@ -1,6 +1,5 @@
 //! Random and epistemic inputs.
 
-use super::StudyReader;
 use super::description::{EpistemicInput, EpistemicSubject, RandomInput};
 use super::keys::{
     BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
@@ -8,6 +7,7 @@ use super::keys::{
 };
 use super::parameter_keys::PARAMETER_FAMILIES;
 use super::problem::StudyProblem;
+use super::reader::StudyReader;
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, QuantityId};
 use loosepin_text::document::{DocumentProblem, Entry, Keys, Table};

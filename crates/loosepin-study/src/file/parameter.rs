@@ -1,9 +1,9 @@
 //! Parameters of distributions that are themselves uncertain: known by an interval, a list, or a distribution of their own.
 
-use super::StudyReader;
 use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
 use super::parameter_keys::{PARAMETER_FAMILIES, PARAMETER_KEYS};
 use super::problem::StudyProblem;
+use super::reader::{Parameters, Pass, StudyReader};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};
 use loosepin_uncertainty::{
@@ -12,30 +12,6 @@ use loosepin_uncertainty::{
 
 /// Parameters of one distribution that may be uncertain: every corner of their box is checked.
 const MOST_PARAMETERS: usize = 4;
-
-/// Which values stand for the uncertain parameters while a distribution is read.
-#[derive(Debug, Clone, Copy)]
-pub enum Pass {
-    /// A corner of their box: bit k chooses the upper end of the k-th one.
-    Corner(usize),
-    /// The middle of each.
-    Middle,
-}
-
-/// The uncertain parameters of the distribution that is being read.
-#[derive(Debug)]
-pub struct Parameters {
-    pass: Pass,
-    found: Vec<(Parameter, Dimension, EpistemicVariable)>,
-    /// Whether the distribution of one of them is being read: the numbers of that one are numbers.
-    is_inner: bool,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self { pass: Pass::Middle, found: Vec::new(), is_inner: false }
-    }
-}
 
 impl StudyReader {
     /// Reads a distribution some of whose parameters may be uncertain. It is read once for every corner of their box, so that

@@ -1,10 +1,10 @@
 //! Random inputs, however their distribution is stated: by a family, a sample, a tolerance or a fit.
 
-use super::StudyReader;
 use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
 use super::keys::{DISCRETE_KEYS, EXPONENTIAL_KEYS, FITTED, GAMMA_KEYS, GUMBEL_KEYS, TRUNCATED_KEYS, WEIBULL_KEYS};
 use super::problem::StudyProblem;
 use super::random_problem::{RandomProblem, short_number};
+use super::reader::StudyReader;
 use super::tolerance::parse_tolerance;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;

@@ -1,9 +1,9 @@
 //! The surrogate of a study: which kind, and from how many runs.
 
-use super::StudyReader;
 use super::description::{Ask, EpistemicInput, StudySurrogate};
 use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
+use super::reader::StudyReader;
 use super::words::{DIRECT_RUNS, SURROGATES};
 use loosepin_surrogate::Choice;
 use loosepin_text::document::Table;

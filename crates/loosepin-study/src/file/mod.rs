@@ -16,17 +16,17 @@ mod parameter_keys;
 mod problem;
 mod random;
 mod random_problem;
+mod reader;
 mod surrogate;
+mod target;
 mod tolerance;
 mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+pub use accuracy::AccuracyProblem;
 use accuracy::WrittenAccuracies;
-pub use accuracy::{AccuracyProblem, AccuracyTarget, Budget};
-use ask::KnownPose;
-use asked_before::KnownQuestion;
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, EpistemicInput, EpistemicSubject, Limit,
     RandomInput, RareMethod, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate, UncertainParameter,
@@ -34,9 +34,10 @@ pub use description::{
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Deviation, Reduction};
-use parameter::Parameters;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
+use reader::{Parameters, StudyReader};
+pub use target::{AccuracyTarget, Budget};
 use words::READINGS;
 pub(super) use words::statistic_name;
 
@@ -44,7 +45,7 @@ use loosepin_bounds::Reading;
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
-use loosepin_text::document::{Entry, Reader, Table, json_schema, parse_toml, read_source};
+use loosepin_text::document::{Reader, Table, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
 
@@ -224,23 +225,6 @@ fn adopt(reader: &mut Reader, complaints: Complaints, span: Span) {
     }
 }
 
-/// A study in the making.
-pub(super) struct StudyReader {
-    pub reader: Reader,
-    pub model: Model,
-    pub random: Vec<RandomInput>,
-    pub epistemic: Vec<EpistemicInput>,
-    /// The one that answers first; never empty.
-    pub readings: Vec<Reading>,
-    pub tables: Vec<Arc<Source>>,
-    /// Of the distribution that is being read.
-    pub parameters: Parameters,
-    /// Angles at which single numbers are asked for or required.
-    pub poses: Vec<KnownPose>,
-    /// What is asked so far.
-    pub questions: Vec<KnownQuestion>,
-}
-
 impl StudyReader {
     fn cycle(&mut self, root: &Table<'_>) -> Cycle {
         let mut cycle = self.model.cycle.clone();
@@ -326,11 +310,6 @@ impl StudyReader {
         let accuracies = self.accuracies(&table);
         let budget = self.budget(&table);
         (sampling, accuracies, budget)
-    }
-
-    /// Complains about an entry.
-    fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
-        self.reader.complain(problem, entry.span);
     }
 }
 

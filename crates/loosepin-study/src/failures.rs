@@ -1,8 +1,7 @@
 //! Failed runs: their reasons, and how to repeat one.
 
-use super::describe::unit;
-use crate::file::{EpistemicSubject, Study};
-use crate::response::StudyResponse;
+use super::file::{EpistemicSubject, Study};
+use super::response::StudyResponse;
 use loosepin_bounds::{RunInputs, SampleTable};
 use loosepin_result::study::{ExampleRun, FailureGroup};
 use loosepin_simulate::RunFailure;
@@ -48,7 +47,7 @@ fn command(study: &Study, inputs: &RunInputs) -> String {
     };
     let mut words = format!("loosepin simulate {}", shell_word(&study.model_path));
     for (input, &value) in study.random.iter().zip(&inputs.random) {
-        words.push_str(&number(&input.path, &unit(&study.model.quantities, input.quantity), value));
+        words.push_str(&number(&input.path, &input.unit(&study.model), value));
     }
     for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {
         // A parameter of a distribution has done its work: the value drawn from it is set above.

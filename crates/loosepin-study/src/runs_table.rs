@@ -1,10 +1,9 @@
 //! Every run as a row: inputs, single numbers, status, counters.
 
-use super::describe::unit;
-use crate::columns::{ColumnPlan, Spot, named_angle_rad};
-use crate::file::{EpistemicSubject, Study, Where};
-use crate::response::StudyResponse;
-use crate::runs::{RunColumn, RunData, RunsTable};
+use super::columns::{ColumnPlan, Spot};
+use super::file::{EpistemicSubject, Study, Where};
+use super::response::StudyResponse;
+use super::runs::{RunColumn, RunData, RunsTable, named_angle_rad};
 use loosepin_bounds::SampleTable;
 use loosepin_simulate::RunFailure;
 use loosepin_text::units::SiUnit;
@@ -41,7 +40,7 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
     push("replicate".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].replicate)));
     push("inner".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].index)));
     for (k, input) in study.random.iter().enumerate() {
-        let unit = unit(&study.model.quantities, input.quantity);
+        let unit = input.unit(&study.model);
         push(input.path.clone(), unit, number(&|run| inputs[run].random[k]));
     }
     for (k, input) in study.epistemic.iter().enumerate() {

@@ -1,0 +1,110 @@
+//! Bounds as they are stored: those asked for, at every degree of possibility, as percentiles, and bands for whole curves.
+
+use super::material::Material;
+use crate::file::Where;
+use crate::simultaneous::CurveBand;
+use loosepin_bounds::{BoundPair, Bounds, LevelBounds, Percentile};
+use loosepin_result::study::{BoundRecord, CutBounds, Guarantee, PercentileBounds, Statistic, Treatment};
+use loosepin_text::units::SiUnit;
+
+/// The bounds at every degree of possibility.
+pub fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
+    let of_level = |level: &LevelBounds| {
+        let &Material { study, response, table, bounds, .. } = material;
+        // What was estimated for all that is possible says nothing of a degree: there the runs are counted.
+        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs, rare: &[] });
+        Some(CutBounds { alpha: level.alpha?, bounds })
+    };
+    material.bounds.levels.iter().filter_map(of_level).collect()
+}
+
+/// The percentiles of every statistic that was asked for.
+pub fn percentiles(material: &Material<'_>) -> Vec<PercentileBounds> {
+    let found = &material.bounds.percentiles;
+    let probabilities: Vec<f64> =
+        found.first().map_or_else(Vec::new, |first| first.percentiles.iter().map(|each| each.probability).collect());
+    let of_percentile = |(place, &percentile): (usize, &f64)| {
+        let pair = |pair: &BoundPair| {
+            let same = found.iter().find(|each| each.column == pair.column && each.statistic == pair.statistic)?;
+            let Percentile { lower, upper, .. } = same.percentiles[place].clone();
+            Some(BoundPair { lower, upper, ..pair.clone() })
+        };
+        let pairs: Vec<BoundPair> = material.pairs.iter().filter_map(pair).collect();
+        let &Material { study, response, table, bounds, .. } = material;
+        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &pairs, rare: &[] });
+        PercentileBounds { percentile, bounds }
+    };
+    probabilities.iter().enumerate().map(of_percentile).collect()
+}
+
+/// Every bound that was asked for, in the order of the asks; within a curve pose by pose.
+pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
+    let mut records = Vec::new();
+    for planned in &material.plan().asks {
+        let in_curve = planned.ask.location == Where::Cycle;
+        for &column in &planned.columns {
+            for &asked in &planned.ask.statistics {
+                let Some(pair) = material.pair(column, asked) else { continue };
+                let Some([mut lower, mut upper]) = material.ends(column, asked) else { continue };
+                let rare = material.rare.iter().find(|rare| rare.column == column && rare.statistic == asked);
+                if let Some(rare) = rare {
+                    [lower, upper] = rare.bounds.each_ref().map(|bound| material.end(bound));
+                }
+                let unit = if asked.is_probability() { SiUnit::NONE } else { material.unit_of(column) };
+                records.push(BoundRecord {
+                    output: material.name_of(column),
+                    of: planned.ask.deviation,
+                    at: material.point_of(column, in_curve),
+                    statistic: asked,
+                    treatment: Treatment::Mixed,
+                    reading: material.bounds.reading,
+                    unit,
+                    lower,
+                    upper,
+                    guarantee: if rare.is_some_and(|rare| !rare.is_confirmed) {
+                        Guarantee::Inner
+                    } else {
+                        pair.guarantee()
+                    },
+                });
+            }
+        }
+    }
+    records
+}
+
+/// Every bound: those asked for, bands for whole curves, then those asked for by each of the other readings.
+pub fn all_bounds(material: &Material<'_>, curve_bands: &[CurveBand], beside: &[Bounds]) -> Vec<BoundRecord> {
+    let mut records = asked_bounds(material);
+    records.extend(simultaneous_bounds(material, curve_bands));
+    for bounds in beside {
+        let &Material { study, response, table, .. } = material;
+        // What was estimated otherwise than by counting belongs to the first reading.
+        records.extend(asked_bounds(&Material { study, response, table, bounds, pairs: &bounds.pairs, rare: &[] }));
+    }
+    records
+}
+
+/// The bands for whole curves, pose by pose.
+fn simultaneous_bounds(material: &Material<'_>, bands: &[CurveBand]) -> Vec<BoundRecord> {
+    let of_band = |band: &CurveBand| -> Vec<BoundRecord> {
+        let Some(found) = &band.found else { return Vec::new() };
+        let record = |(place, &column): (usize, &usize)| {
+            let [lower, upper] = found.ends(place).map(|bound| material.end(&bound));
+            BoundRecord {
+                output: material.name_of(column),
+                of: material.plan().columns[column].deviation,
+                at: material.point_of(column, true),
+                statistic: Statistic::SimultaneousBand(band.share),
+                treatment: Treatment::Mixed,
+                reading: material.bounds.reading,
+                unit: material.unit_of(column),
+                lower,
+                upper,
+                guarantee: found.guarantee(),
+            }
+        };
+        band.columns.iter().enumerate().map(record).collect()
+    };
+    bands.iter().flat_map(of_band).collect()
+}

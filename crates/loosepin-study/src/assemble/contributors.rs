@@ -1,0 +1,214 @@
+//! What contributes to the answers.
+
+use super::material::Material;
+use crate::columns::{PlannedAsk, Spot};
+use crate::contributors::{ContributorPlan, groups};
+use crate::file::{Deviation, EpistemicInput, Study, Where};
+use loosepin_bounds::{DoubleLoop, Pinching};
+use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::study::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
+use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
+use loosepin_uncertainty::contributors::{Index, Indices, SHARES_CONFIDENCE};
+
+/// Positions of the quasi-static answer in a turn.
+const POSITIONS: usize = 72;
+/// The contributors to every question that asks for them.
+pub fn contributors(
+    material: &Material<'_>,
+    double_loop: &DoubleLoop,
+    plan: Option<&ContributorPlan>,
+) -> Vec<Contributors> {
+    let asks = material.response.shared.plan.asks.iter().filter(|planned| planned.ask.contributors);
+    let quasi_static = quasi_static(material);
+    asks.flat_map(|planned| {
+        // A curve is answered as a whole, poses one by one.
+        let parts: Vec<&[usize]> = match planned.ask.location {
+            Where::Cycle => vec![&planned.columns[..]],
+            _ => planned.columns.chunks(1).collect(),
+        };
+        parts
+            .into_iter()
+            .map(|columns| of_columns(material, double_loop, plan, planned, columns, quasi_static.as_ref()))
+    })
+    .collect()
+}
+
+fn of_columns(
+    material: &Material<'_>,
+    double_loop: &DoubleLoop,
+    plan: Option<&ContributorPlan>,
+    planned: &PlannedAsk,
+    columns: &[usize],
+    quasi_static: Option<&MotionRecord>,
+) -> Contributors {
+    let study = material.study;
+    let indices = plan.map(|plan| plan.indices(material.table, columns)).unwrap_or_default();
+    let pinching = double_loop.pinching(material.table, columns).ok().flatten();
+    let at = match planned.ask.location {
+        Where::Cycle => ResponsePoint::Whole,
+        _ => material.point_of(columns[0], false),
+    };
+    let output = material.name_of(columns[0]);
+    let still = quasi_static.and_then(|record| {
+        Some(Still {
+            record,
+            output: record.outputs.iter().find(|o| o.name == output)?,
+            spot: spot(material, planned, columns),
+        })
+    });
+    let share_of_scatter = pinching.as_ref().map_or(f64::NAN, |p| (p.scatter / p.width).clamp(0.0, 1.0));
+    let groups = groups(study);
+    let mut random: Vec<RandomContributor> = groups
+        .iter()
+        .enumerate()
+        .map(|(group, members)| {
+            let paths: Vec<String> = members.iter().map(|&input| study.random[input].path.clone()).collect();
+            let total = range(&indices, |indices| indices.total[group]);
+            let shares = still
+                .as_ref()
+                // Shares of a variance add up to 1 only where the inputs are independent.
+                .filter(|_| planned.ask.deviation != Deviation::Clearance && study.correlation.is_none())
+                .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
+            RandomContributor {
+                paths,
+                first: range(&indices, |indices| indices.first[group]),
+                total,
+                band_share: share_of_scatter * (1.0 - (1.0 - total.centre).clamp(0.0, 1.0).sqrt()),
+                quasi_static_share: shares,
+            }
+        })
+        .collect();
+    random.sort_by(|a, b| b.band_share.total_cmp(&a.band_share));
+    let mut epistemic: Vec<EpistemicContributor> = study
+        .epistemic
+        .iter()
+        .enumerate()
+        .map(|(index, input)| {
+            let (band_share, error) = pinching.as_ref().map_or(([f64::NAN; 2], f64::NAN), |p| gone(p, index));
+            EpistemicContributor {
+                path: input.path.clone(),
+                band_share,
+                error,
+                quasi_static_share: still
+                    .as_ref()
+                    .filter(|_| planned.ask.deviation != Deviation::Dimensional)
+                    .and_then(|still| still.play_share(&play_from(study, input))),
+            }
+        })
+        .collect();
+    epistemic.sort_by(|a, b| b.band_share[1].total_cmp(&a.band_share[1]));
+    let per_pose = 1.0 / columns.len() as f64;
+    Contributors {
+        output,
+        of: planned.ask.deviation,
+        at,
+        unit: material.unit_of(columns[0]),
+        band_width_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width),
+        band_width_error_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width_error),
+        points: plan.map(|plan| plan.points.iter().map(|u| material.witness(u)).collect()).unwrap_or_default(),
+        pairs: plan.map_or(0, |plan| (plan.indices.runs() / (2 + groups.len())) as u64),
+        left_out: indices.iter().flatten().map(|indices| indices.left_out as u64).sum(),
+        confidence: SHARES_CONFIDENCE,
+        random,
+        epistemic,
+    }
+}
+
+/// A share at the middle and over all points that have one.
+fn range(indices: &[Option<Indices>], of: impl Fn(&Indices) -> Index) -> ShareRange {
+    let centre = indices.first().and_then(Option::as_ref).map(&of);
+    let (mut lower, mut upper) = (f64::NAN, f64::NAN);
+    for index in indices.iter().flatten().map(&of) {
+        lower = lower.min((index.value - index.error).clamp(0.0, 1.0));
+        upper = upper.max((index.value + index.error).clamp(0.0, 1.0));
+    }
+    let (centre, error) = centre.map_or((f64::NAN, f64::NAN), |index| (index.value, index.error));
+    ShareRange { centre, error, lower, upper }
+}
+
+/// The least and the largest share of the band that goes where input `index` is known, and their error.
+fn gone(pinching: &Pinching, index: usize) -> ([f64; 2], f64) {
+    let input = &pinching.inputs[index];
+    let share = |remaining: f64| (1.0 - remaining / pinching.width).clamp(0.0, 1.0);
+    let error = (input.error + pinching.width_error) / pinching.width;
+    ([share(input.remaining[1]), share(input.remaining[0])], error.min(1.0))
+}
+
+/// The quasi-static answer with the epistemic inputs in the middle; nothing where the mechanism has none.
+fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
+    let study = material.study;
+    let scatter = study
+        .random
+        .iter()
+        .map(|input| Scatter { quantity: input.quantity, standard_deviation_si: input.variable.standard_deviation() })
+        .collect();
+    let plan = MotionPlan {
+        span: study.cycle.span,
+        positions: POSITIONS,
+        scatter,
+        correlations: study.linear_correlations(),
+        overrides: Vec::new(),
+    };
+    motion(material.response.mechanism(), &material.response.nominal, &plan).ok()
+}
+
+/// Names of the joints whose play an input decides.
+fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
+    let joints = input.quantity().into_iter().flat_map(|id| study.model.play_from(id));
+    joints.map(|(joint, _)| joint.name.as_str()).collect()
+}
+
+/// The pose of a question at a single one.
+fn spot(material: &Material<'_>, planned: &PlannedAsk, columns: &[usize]) -> Option<f64> {
+    match material.response.shared.plan.columns[columns[0]].spot {
+        Spot::Pose { angle_rad, .. } if planned.ask.location != Where::Cycle => Some(angle_rad),
+        _ => None,
+    }
+}
+
+/// The quasi-static answer for one output: at one pose, or added over the turn.
+struct Still<'a> {
+    record: &'a MotionRecord,
+    output: &'a OutputMotion,
+    spot: Option<f64>,
+}
+
+impl Still<'_> {
+    /// The sum over the positions that count.
+    fn sum(&self, values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
+        let turn = |angle: f64| (angle / std::f64::consts::TAU).rem_euclid(1.0);
+        match self.spot {
+            None => values.iter().map(|&value| of(value)).sum(),
+            Some(angle_rad) => {
+                let distance = |at: f64| {
+                    let apart = (turn(at) - turn(angle_rad)).abs();
+                    apart.min(1.0 - apart)
+                };
+                let near = |a: &(usize, &f64), b: &(usize, &f64)| distance(*a.1).total_cmp(&distance(*b.1));
+                let nearest = self.record.drive_angle_rad.iter().enumerate().min_by(near);
+                nearest.and_then(|(position, _)| values.get(position)).map_or(f64::NAN, |&value| of(value))
+            }
+        }
+    }
+
+    /// The share of a scattering quantity in the variance.
+    fn variance_share(&self, path: &str) -> Option<f64> {
+        let all = &self.output.dimensional_contributors;
+        let square = |values: &[f64]| self.sum(values, |value| value * value);
+        let own = all.iter().find(|dimension| dimension.path == path).map_or(0.0, |d| square(&d.standard_deviation_si));
+        let total: f64 = all.iter().map(|dimension| square(&dimension.standard_deviation_si)).sum();
+        (total > 0.0).then(|| own / total)
+    }
+
+    /// The share of `joints` in the worst case of all; nothing where there are none.
+    fn play_share(&self, joints: &[&str]) -> Option<f64> {
+        let all = &self.output.clearance.contributors;
+        let own: Vec<f64> = all
+            .iter()
+            .filter(|known| joints.contains(&known.joint.as_str()))
+            .map(|own| self.sum(&own.worst_case_si, |value| value))
+            .collect();
+        let total = self.sum(&self.output.clearance.worst_case_si, |value| value);
+        (total > 0.0 && !own.is_empty()).then(|| own.iter().sum::<f64>() / total)
+    }
+}

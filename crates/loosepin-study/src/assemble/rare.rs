@@ -1,0 +1,26 @@
+//! How small probabilities were estimated.
+
+use super::material::Material;
+use crate::rare::{self, Rare};
+use loosepin_result::study::{RareEnd, RareRecord};
+
+/// How small probabilities were estimated.
+pub fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
+    let end = |end: &rare::RareEnd| RareEnd {
+        method: end.method,
+        probability: end.estimate.value,
+        standard_error: end.estimate.standard_error,
+        reliability_index: end.index,
+        runs: end.estimate.runs as u64,
+        failed: end.estimate.failed as u64,
+    };
+    let record = |rare: &Rare| RareRecord {
+        output: material.name_of(rare.column),
+        of: material.plan().columns[rare.column].deviation,
+        at: material.point_of(rare.column, false),
+        statistic: rare.statistic,
+        lower: end(&rare.ends[0]),
+        upper: end(&rare.ends[1]),
+    };
+    material.rare.iter().map(record).collect()
+}

@@ -1,0 +1,57 @@
+//! The direct double loop as a question: rounds until its goals are reached.
+
+use super::error::StudyError;
+use super::file::Budget;
+use super::goals::Ended;
+use super::question::{Next, Question};
+use loosepin_bounds::{Bounds, DoubleLoop, Refinement, SampleTable};
+
+/// The direct double loop.
+pub(super) struct DirectQuestion {
+    refinement: Refinement,
+    budget: Option<Budget>,
+    rounds: u32,
+    /// Runs of the round that the budget did not allow.
+    left: Option<usize>,
+}
+
+/// Answer of the direct double loop.
+pub(super) struct Direct {
+    /// The plan of its last round.
+    pub plan: DoubleLoop,
+    /// The bounds.
+    pub bounds: Bounds,
+    /// How its rounds ended.
+    pub ended: Ended,
+}
+
+impl DirectQuestion {
+    /// The rounds of `refinement`, none made yet.
+    pub fn new(refinement: Refinement, budget: Option<Budget>) -> Self {
+        Self { refinement, budget, rounds: 0, left: None }
+    }
+}
+
+impl Question for DirectQuestion {
+    type Answer = Direct;
+
+    fn next(&mut self, runs: &SampleTable) -> Result<Next<Direct>, StudyError> {
+        if self.left.is_none() {
+            let round = self.refinement.next_round(runs)?;
+            if !round.is_empty() {
+                self.rounds += 1;
+                let most = round.len();
+                return Ok(Next::Step(round, most));
+            }
+        }
+        let plan = self.refinement.plan(runs).clone();
+        let bounds = plan.results(runs)?;
+        let ended = Ended::new(&self.refinement, self.left, (self.rounds, runs.len()), self.budget);
+        Ok(Next::Answer(Direct { plan, bounds, ended }))
+    }
+
+    fn refuse(&mut self, runs: usize) {
+        self.rounds -= 1;
+        self.left = Some(runs);
+    }
+}

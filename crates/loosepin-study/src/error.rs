@@ -1,0 +1,138 @@
+//! Why a study has no result.
+
+use super::part::OpenRound;
+use super::response::PrepareError;
+use super::runs::RunsTable;
+use loosepin_bounds::{PlanError, SurrogatePlanError, TableError};
+use loosepin_result::study::FailureGroup;
+use loosepin_simulate::RunFailure;
+use loosepin_store::StoreError;
+use loosepin_uncertainty::SobolError;
+use loosepin_uncertainty::contributors::IndexPlanError;
+use std::fmt;
+use thiserror::Error;
+
+/// Why a study has no result.
+#[derive(Debug, Error)]
+pub enum StudyError {
+    /// It cannot begin.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// Its sampling is not possible.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The runs of its surrogate are not possible.
+    #[error("surrogate: {0}")]
+    Surrogate(#[from] SurrogatePlanError),
+    /// Shares of the variance are not possible.
+    #[error(transparent)]
+    Contributors(#[from] IndexPlanError),
+    /// A value of an input that may be loosened is not possible.
+    #[error("'{path}' under [allow] at {value_si} in SI units: {reason}")]
+    Loosened {
+        /// The input.
+        path: String,
+        /// The value that was tried.
+        value_si: f64,
+        /// Why not.
+        reason: String,
+    },
+    /// The threads could not be started.
+    #[error("the threads could not be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// A budget that the runs which nothing can be said without go beyond.
+    #[error("a budget of {budget} runs; the first round and what follows it take at most {least}")]
+    BudgetTooSmall {
+        /// The budget.
+        budget: u64,
+        /// Runs of the first round and of what follows the rounds.
+        least: usize,
+    },
+    /// Finished runs cannot be kept, or not be taken over.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// A row did not fit.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// It was interrupted; what was finished is in the table.
+    #[error("interrupted after {} of at most {most_runs} runs", finished.columns.first().map_or(0, |column| column.data.len()))]
+    Interrupted {
+        /// The finished runs.
+        finished: Box<RunsTable>,
+        /// How many there would have been at most.
+        most_runs: usize,
+    },
+    /// A round waits for runs that are made elsewhere; what was made here is in the store.
+    #[error("{0}")]
+    RoundOpen(OpenRound),
+    /// Runs that were to be made outside of this process; what was made is in the store.
+    #[error("the runs could not be made: {reason}")]
+    NotMade {
+        /// Why, in the words of whoever was to make them.
+        reason: String,
+    },
+    /// A budget of time where shards make the runs.
+    #[error("a budget of time cannot be shared by shards, which run at different times")]
+    TimeOfShards,
+    /// More numbers than a computer holds.
+    #[error("{runs} runs of {numbers} numbers each are {size_gib:.0} GiB; must be at most {most_gib:.0} GiB")]
+    TooManyNumbers {
+        /// Runs of the study at most.
+        runs: usize,
+        /// Numbers of each, its inputs included.
+        numbers: usize,
+        /// What they take.
+        size_gib: f64,
+        /// What they may take.
+        most_gib: f64,
+    },
+    /// More runs failed than may; what was run is in the table, and in the store.
+    #[error("{0}")]
+    TooManyFailed(Box<TooManyFailed>),
+    /// Every run failed.
+    #[error("all {runs} runs failed; the first one: {reason}")]
+    AllFailed {
+        /// How many.
+        runs: usize,
+        /// Why the first one did.
+        reason: RunFailure,
+    },
+}
+
+/// More failed runs than a study may have.
+#[derive(Debug)]
+pub struct TooManyFailed {
+    /// All runs, finished and failed.
+    pub runs: RunsTable,
+    /// How many runs there are.
+    pub made: usize,
+    /// How many of them failed.
+    pub failed: usize,
+    /// The share that may fail.
+    pub most_failed: f64,
+    /// The most frequent reason, with a command that repeats such a run.
+    pub commonest: Option<FailureGroup>,
+}
+
+/// `148 of 1344 runs failed (11.01 %); at most 10 % may: most_failed under [sampling]. 120 of them: ...`.
+impl fmt::Display for TooManyFailed {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { made, failed, most_failed, .. } = self;
+        let share = 100.0 * *failed as f64 / *made as f64;
+        let most = 100.0 * most_failed;
+        write!(
+            formatter,
+            "{failed} of {made} runs failed ({share:.3} %); at most {most} % may: most_failed under [sampling]"
+        )?;
+        match &self.commonest {
+            Some(reason) => write!(formatter, "; {} of them: {}", reason.count, reason.words),
+            None => Ok(()),
+        }
+    }
+}
+
+impl From<SobolError> for StudyError {
+    fn from(error: SobolError) -> Self {
+        Self::Plan(error.into())
+    }
+}

@@ -1,0 +1,87 @@
+//! A study in the making: what was read so far, and what of it must be remembered until the end.
+
+use super::description::{EpistemicInput, RandomInput, RareMethod, Where};
+use super::problem::StudyProblem;
+use loosepin_bounds::{Reading, Statistic};
+use loosepin_mechanics::model::Model;
+use loosepin_result::study::Deviation;
+use loosepin_text::diagnostics::Source;
+use loosepin_text::document::{Entry, Reader};
+use loosepin_text::units::Dimension;
+use loosepin_uncertainty::{EpistemicVariable, Parameter};
+use std::sync::Arc;
+
+/// A study in the making.
+pub struct StudyReader {
+    pub reader: Reader,
+    pub model: Model,
+    pub random: Vec<RandomInput>,
+    pub epistemic: Vec<EpistemicInput>,
+    /// The one that answers first; never empty.
+    pub readings: Vec<Reading>,
+    pub tables: Vec<Arc<Source>>,
+    /// Of the distribution that is being read.
+    pub parameters: Parameters,
+    /// Angles at which single numbers are asked for or required.
+    pub poses: Vec<KnownPose>,
+    /// What is asked so far.
+    pub questions: Vec<KnownQuestion>,
+}
+
+impl StudyReader {
+    /// Complains about an entry.
+    pub fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
+        self.reader.complain(problem, entry.span);
+    }
+}
+
+/// An angle at which a number is asked for or required.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownPose {
+    pub of: Option<(usize, Deviation)>,
+    pub angle_rad: f64,
+}
+
+/// One number, or one curve, that is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownQuestion {
+    pub output: usize,
+    pub deviation: Deviation,
+    /// With one angle at most.
+    pub location: Where,
+    pub asked: Asked,
+}
+
+/// An entry of the list of statistics.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Asked {
+    Statistic(Statistic),
+    Contributors,
+    Rare(Statistic, RareMethod),
+    /// A band that a share of whole curves stays in.
+    SimultaneousBand(f64),
+}
+
+/// Which values stand for the uncertain parameters while a distribution is read.
+#[derive(Debug, Clone, Copy)]
+pub enum Pass {
+    /// A corner of their box: bit k chooses the upper end of the k-th one.
+    Corner(usize),
+    /// The middle of each.
+    Middle,
+}
+
+/// The uncertain parameters of the distribution that is being read.
+#[derive(Debug)]
+pub struct Parameters {
+    pub pass: Pass,
+    pub found: Vec<(Parameter, Dimension, EpistemicVariable)>,
+    /// Whether the distribution of one of them is being read: the numbers of that one are numbers.
+    pub is_inner: bool,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self { pass: Pass::Middle, found: Vec::new(), is_inner: false }
+    }
+}

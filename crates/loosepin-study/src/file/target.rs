@@ -1,0 +1,38 @@
+//! Accuracies and budgets as a study states them.
+
+use loosepin_text::units::Dimension;
+
+/// By how much bounds may be widened at most.
+///
+/// It concerns the bounds that measure what it measures, of one output or statistic where these are named. Of several that concern
+/// a bound, that of the command line counts before that of the file, the one that names more before the one that names less, and
+/// the later one before the earlier.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AccuracyTarget {
+    /// Whether it comes from the command line.
+    pub is_argument: bool,
+    /// The question it stands in, by its place in [`Study::asks`](super::Study::asks).
+    pub ask: Option<usize>,
+    /// The output, by its place in the model.
+    pub output: Option<usize>,
+    /// The statistic, by the name that it has in study files.
+    pub statistic: Option<&'static str>,
+    /// What the bounds measure.
+    pub dimension: Dimension,
+    /// The most that is allowed, SI, > 0.
+    pub most_si: f64,
+}
+
+/// When a study ends although its bounds are not yet as near as asked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Budget {
+    /// Before it comes to more runs than this.
+    Runs(u64),
+    /// Before a round that would end later than this after the beginning.
+    Time {
+        /// Seconds.
+        seconds: f64,
+    },
+    /// After this many rounds: what a study that ended by its time has made.
+    Rounds(u32),
+}

@@ -1,0 +1,164 @@
+//! The runs of a study so far, and the one way to make more of them: on threads or elsewhere, with progress, an emergency stop, and
+//! a store.
+
+use super::elsewhere::{RunMaker, made_elsewhere};
+use super::error::{StudyError, TooManyFailed};
+use super::evaluate::{Row, Work, evaluate};
+use super::failures::failures;
+use super::file::Study;
+use super::keep::{Keeping, KeptList};
+use super::part::{OpenRound, Part};
+use super::response::StudyResponse;
+use super::runs::RunsTable;
+use super::runs_table::runs_table;
+use loosepin_bounds::{RunInputs, SampleTable};
+use loosepin_store::Shard;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Runs that are handed to the threads at once: so many that the lanes which idle at the end hardly count.
+const RUNS_PER_BATCH: usize = 8192;
+/// Runs between two reports of progress.
+const RUNS_PER_REPORT: usize = 64;
+
+/// Hears how far a study is.
+pub trait Progress: Sync {
+    /// `finished` of at most `most` runs are done.
+    fn runs(&self, finished: usize, most: usize);
+}
+
+/// Makes the runs of all sheets of a study.
+pub(super) struct Runner<'s> {
+    pub pool: &'s rayon::ThreadPool,
+    pub progress: &'s dyn Progress,
+    pub stop: &'s AtomicBool,
+    /// Runs of sheets that are finished.
+    pub before: AtomicUsize,
+    /// Where finished runs are kept.
+    pub keeping: Keeping<'s>,
+    /// Which of the runs are made here.
+    pub part: Part,
+    /// Makes the runs in place of the threads.
+    pub maker: Option<&'s dyn RunMaker>,
+}
+
+/// Runs of one study: of the study itself, or of one with loosened inputs.
+pub(super) struct Sheet<'s> {
+    pub runner: &'s Runner<'s>,
+    pub study: &'s Study,
+    pub response: &'s StudyResponse,
+    /// Inputs that the inverse question has loosened, as [`super::elsewhere::AskedRuns::loosened`].
+    pub loosened: &'s [(usize, f64)],
+    /// Runs at most, of all sheets.
+    pub most_runs: usize,
+    /// The runs so far.
+    pub table: SampleTable,
+    list: KeptList<'s>,
+}
+
+impl<'s> Sheet<'s> {
+    /// An empty sheet, the next list of the store.
+    pub fn new(
+        runner: &'s Runner<'s>,
+        study: &'s Study,
+        response: &'s StudyResponse,
+        table: SampleTable,
+        most_runs: usize,
+    ) -> Self {
+        Self { runner, study, response, loosened: &[], most_runs, table, list: runner.keeping.begin() }
+    }
+
+    /// The runs so far as a table for people.
+    pub fn runs_table(&self) -> RunsTable {
+        runs_table(self.study, self.response, &self.table)
+    }
+
+    /// Counts the runs of this sheet for the progress of others.
+    pub fn close(&self) {
+        self.runner.before.fetch_add(self.table.len(), Ordering::Relaxed);
+    }
+
+    /// That no more of the runs so far failed than may: bounds would say little, and every further round as little.
+    ///
+    /// # Errors
+    /// More failed.
+    pub fn refuse_failures(&self) -> Result<(), StudyError> {
+        let (made, failed, most_failed) = (self.table.len(), self.table.failed(), self.study.sampling.most_failed);
+        if failed as f64 <= most_failed * made as f64 {
+            return Ok(());
+        }
+        let commonest = failures(self.study, self.response, &self.table).into_iter().next();
+        let runs = self.runs_table();
+        Err(StudyError::TooManyFailed(Box::new(TooManyFailed { runs, made, failed, most_failed, commonest })))
+    }
+
+    /// Makes the runs of `round` and adds their rows; those that are kept are taken over.
+    ///
+    /// # Errors
+    /// The study was interrupted, the store cannot be used, or runs are missing that are made elsewhere.
+    pub fn make(&mut self, round: &[RunInputs]) -> Result<(), StudyError> {
+        let Runner { pool, progress, stop, part, maker, .. } = self.runner;
+        let begin = self.table.len();
+        let before = self.runner.before.load(Ordering::Relaxed) + begin;
+        let mut open = OpenRound { runs_before: before, runs: round.len(), made: 0, missing: BTreeMap::new() };
+        let mut done = before;
+        for (number, batch) in round.chunks(RUNS_PER_BATCH).enumerate() {
+            let first = begin + number * RUNS_PER_BATCH;
+            let kept = self.list.find(first, batch)?;
+            let is_waiting: Vec<bool> = (kept.iter().zip(first as u64..))
+                .map(|(kept, place)| kept.is_none() && part.makes(place, round.len()))
+                .collect();
+            let known = kept.iter().flatten().count();
+            let making = is_waiting.iter().filter(|is_waiting| **is_waiting).count();
+            let finished = AtomicUsize::new(done + known);
+            let note = |index: usize, row: &Row| {
+                self.list.keep(first + index, &batch[index], row);
+                let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
+                if runs.is_multiple_of(RUNS_PER_REPORT) {
+                    progress.runs(runs, self.most_runs);
+                }
+            };
+            let is_stopped = || stop.load(Ordering::Relaxed) || self.list.is_broken();
+            let work = Work { batch, is_waiting: &is_waiting, response: self.response };
+            let outcomes = match maker {
+                None => pool.install(|| evaluate(&work, kept, &is_stopped, &note)),
+                Some(maker) => {
+                    let made = made_elsewhere(*maker, &work, kept, self.loosened, &is_stopped, &note);
+                    // What came back before something went wrong is kept.
+                    made.or_else(|error| self.list.settle().and(Err(error)))?
+                }
+            };
+            if self.list.is_broken() {
+                self.list.settle()?;
+            }
+            let made =
+                outcomes.iter().zip(&is_waiting).filter(|(row, is_waiting)| **is_waiting && row.is_some()).count();
+            for ((inputs, outcome), place) in batch.iter().zip(&outcomes).zip(first as u64..) {
+                match outcome {
+                    // Rows behind one that is missing are in the store, and wait there.
+                    Some(outcome) if open.missing.is_empty() || made < making => {
+                        self.table.push(inputs.clone(), outcome.as_deref().map_err(|&failure| failure))?;
+                    }
+                    Some(_) => {}
+                    None => {
+                        let maker = Shard::maker(place, part.shards().unwrap_or(1));
+                        *open.missing.entry(maker).or_default() += 1;
+                    }
+                }
+            }
+            if made < making {
+                self.list.settle()?;
+                let finished = Box::new(self.runs_table());
+                return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
+            }
+            open.made += made;
+            done += known + made;
+            progress.runs(done, self.most_runs);
+        }
+        if open.missing.is_empty() {
+            return Ok(());
+        }
+        self.list.settle()?;
+        Err(StudyError::RoundOpen(open))
+    }
+}
