@@ -258,7 +258,7 @@ const CRANK_MM: [f64; 2] = [50.0, 0.02];
 const ROD_MM: [f64; 2] = [120.0, 0.03];
 const CLEARANCE_MM: (f64, f64) = (0.1, 0.5);
 
-/// The slider-crank with play of method.md section 4 at a crank angle: lengths r and l normal, the clearance in an interval, its
+/// The slider-crank with play at a crank angle: lengths r and l normal, the clearance in an interval, its
 /// direction anywhere in the turn.
 ///
 /// The crank angle is an interval of no width, so that one function serves all poses.

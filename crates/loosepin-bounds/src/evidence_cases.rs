@@ -278,7 +278,7 @@ fn analytic_the_slider_crank_when_the_play_has_an_unknown_distribution() {
     let bounds = read(Reading::UnknownDistribution, problem);
     assert_eq!(bounds.reading, Reading::UnknownDistribution);
     check(&bounds.pairs[0], (-0.536_290_6, 0.535_951_9), 0.005);
-    // method.md has 0.53710; by Gauss quadrature over r and l, and min over c of the greatest variance about c: 0.537 095 558.
+    // By Gauss quadrature over r and l, and min over c of the greatest variance about c: 0.537 095 558.
     check(&bounds.pairs[1], (0.032_290_24, 0.537_095_55), 0.005);
     check(&bounds.pairs[2], (0.0, 0.024_466_5), 0.015);
 }

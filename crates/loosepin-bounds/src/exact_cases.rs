@@ -141,7 +141,7 @@ fn analytic_power_of_two_intervals() {
     check(&bounds.pairs[1], (0.0, 0.0), 0.0);
 }
 
-/// method.md section 4, lengths in mm.
+/// Closed-form slider-crank, lengths in mm.
 pub(super) fn slider_crank(x: &[f64], u: &[f64]) -> f64 {
     const CRANK_ANGLE_RAD: f64 = core::f64::consts::FRAC_PI_3;
     const NOMINAL_MM: f64 = 136.915_146_427_996_96;

@@ -5,7 +5,7 @@ use super::{Bounds, Sampling, Statistic, evaluate};
 use core::f64::consts::TAU;
 use loosepin_uncertainty::{EpistemicVariable, Interval};
 
-/// Bounds of the closed-form slider-crank of method.md section 4, ψ on a circle that is cut open at `begin_rad`.
+/// Bounds of the closed-form slider-crank, ψ on a circle that is cut open at `begin_rad`.
 fn slider_crank_bounds(statistics: &[Statistic], begin_rad: f64) -> Bounds {
     let mut problem = problem(&SLIDER_CRANK_RANDOM, &SLIDER_CRANK_EPISTEMIC, statistics);
     let period = Interval::try_new(begin_rad, begin_rad + TAU).unwrap();

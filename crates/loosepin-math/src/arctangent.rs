@@ -4,7 +4,7 @@ use super::Real;
 
 /// Arguments from which the next of [`PLACES`] is the nearer one, as in fdlibm's `s_atan.c`.
 const BREAKS: [f64; 4] = [0.4375, 0.6875, 1.1875, 2.4375];
-/// What the arctangent of the reduced argument is added to: atan 0, atan ½, atan 1, atan 3/2, π/2.
+/// Summands to the arctangent of the reduced argument: atan 0, atan ½, atan 1, atan 3/2, π/2.
 const PLACES: [f64; 5] =
     [0.0, 0.463_647_609_000_806_1, std::f64::consts::FRAC_PI_4, 0.982_793_723_247_329, std::f64::consts::FRAC_PI_2];
 

@@ -2,7 +2,7 @@
 
 use super::{Real, factor_ldl, solve_ldl};
 
-/// What is added to the diagonal, as a share of the scale of its row. Round-off leaves 1e-16 of what vanishes.
+/// Addition to the diagonal, as a share of the scale of its row. Round-off leaves 1e-16 of a sum that vanishes.
 const REGULARISATION: f64 = 1e-10;
 /// Passes of refinement. Each leaves the share `REGULARISATION`/s of what is still wrong in a direction of relative size s.
 const PASSES: usize = 3;

@@ -13,15 +13,15 @@ pub struct Column {
     pub output: usize,
     /// Name of the output; paths add ` x` and ` y`.
     pub name: String,
-    /// What it is in words, for example `x of slider.pin`.
+    /// Its quantity in words, for example `x of slider.pin`.
     pub words: String,
     /// Its unit.
     pub unit: SiUnit,
-    /// What is read.
+    /// The quantity that is read.
     pub reading: Reading,
 }
 
-/// What a column reads, seen from the ground.
+/// The quantity of a column, seen from the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reading {
     /// Coordinate of a point, m.
@@ -155,7 +155,7 @@ impl Reading {
         self.position_jet(arms, dynamics.mechanism(), &dynamics.kinematics, |slot| dynamics.acceleration(slot))
     }
 
-    /// The same from poses and velocities by slot of the real tree, and the acceleration of each slot. Zeros for what is
+    /// The value from poses and velocities by slot of the real tree, and the acceleration of each slot. Zeros for what is
     /// neither a position nor an angle.
     #[inline(always)]
     pub fn position_jet<T: Real>(
@@ -229,7 +229,7 @@ impl<T: Real> Arms<T> {
         self.0.iter_mut().flatten().for_each(|point| point.visit(visit));
     }
 
-    /// The same points in every lane.
+    /// The points of `from` as constants of `T`.
     pub fn broadcast(arms: &Arms) -> Self {
         Self(arms.0.iter().map(|body| body.iter().map(|point| Vec2::from_f64(*point)).collect()).collect())
     }

@@ -16,7 +16,7 @@ use super::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 
-/// What one attempted step of all lanes showed: a bit for each lane.
+/// Findings of one attempted step of all lanes: a bit for each lane.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Attempt {
     /// The error is small enough.
@@ -158,12 +158,12 @@ impl<'a> Core<'a> {
     pub fn set_state(&mut self, lane: usize, index: usize, value: f64) {
         self.memory.set(Block::Start, index, lane, value);
     }
-    /// What was read of a lane at the start of the step.
+    /// A number of a lane as read at the start of the step.
     #[inline]
     pub fn start_read(&self, lane: usize, place: usize) -> f64 {
         self.memory.get(Block::StartReads, place, lane)
     }
-    /// What was read of a lane at the end of the step.
+    /// A number of a lane as read at the end of the step.
     #[inline]
     pub fn end_read(&self, lane: usize, place: usize) -> f64 {
         self.memory.get(Block::EndReads, place, lane)

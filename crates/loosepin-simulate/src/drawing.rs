@@ -1,4 +1,4 @@
-//! What a page needs to draw the mechanism: its points, joints and poses.
+//! Points, joints and poses of a mechanism, for drawings.
 
 use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Tree, points_of};
 use loosepin_mechanics::model::{JointKind, Values};

@@ -19,7 +19,7 @@ use super::watched::Watched;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
-use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Values};
+use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
     OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
@@ -27,7 +27,7 @@ use loosepin_result::simulation::{
 use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::AtomicBool;
 
-/// What is run and recorded.
+/// Plan of a run that is recorded in full.
 #[derive(Debug, Clone)]
 pub struct Plan {
     /// Drive, transient and recorded turns, samples.
@@ -38,11 +38,17 @@ pub struct Plan {
     pub with_states: bool,
     /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; none where it is not asked for.
     pub lyapunov_turns: Option<u32>,
-    /// What was set on the command line, for the record.
+    /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
 
 impl Plan {
+    /// The cycle that `model` states, with the accuracy of a single run and without further records.
+    pub fn of_model(model: &Model) -> Self {
+        let (cycle, settings) = (model.cycle.clone(), Settings::for_simulation());
+        Self { cycle, settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() }
+    }
+
     /// The recorded part of the run.
     ///
     /// # Errors
@@ -73,7 +79,7 @@ pub struct Simulation {
     pub record: SimulationRecord,
     /// States of all bodies, where asked for.
     pub states: Option<BodyStates>,
-    /// What the run counted.
+    /// Counters, energy account and joints of the run.
     pub report: RunReport,
 }
 
@@ -95,7 +101,7 @@ pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<S
     simulate_until(mechanism, values, plan, &AtomicBool::new(false))
 }
 
-/// The same until `stop` is set, in a moment's time. The run of a Lyapunov exponent goes on to its end.
+/// As [`simulate`], until `stop` is set, in a moment's time. The run of a Lyapunov exponent goes on to its end.
 ///
 /// # Errors
 /// As for [`simulate`]; [`RunFailure::Stopped`].

@@ -1,4 +1,4 @@
-//! What steers one run: its steps, its search for events, its counts. One lane follows one of these.
+//! State of one run: its steps, its search for events, its counts. One lane follows one of these.
 
 use super::batch::{DepthLimit, Seat};
 use super::column::Arms;
@@ -7,7 +7,7 @@ use super::report::{Counters, PlaySummary};
 use super::settings::Window;
 use loosepin_mechanics::mechanism::{GapMeasure, Sample};
 
-/// What ends a step before its error does.
+/// Event that ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event {
     /// A contact begins or ends.
@@ -31,7 +31,7 @@ pub enum Event {
 /// A look for the place of an event: steps are taken again until one ends on it.
 #[derive(Debug, Clone, Copy)]
 pub struct Search {
-    /// What is looked for.
+    /// The event that is looked for.
     pub event: Event,
     /// The event lies beyond this step.
     pub low: f64,
@@ -45,7 +45,7 @@ pub struct Search {
     pub before: (f64, f64),
 }
 
-/// What the attempt at hand is for.
+/// Purpose of the attempt at hand.
 #[derive(Debug, Clone, Copy)]
 pub enum Phase {
     /// To go on.
@@ -62,7 +62,7 @@ pub struct LaneRun {
     pub number: u64,
     /// All numbers of the run.
     pub sample: Sample<f64>,
-    /// What is recorded.
+    /// The recorded part.
     pub window: Window,
     /// Who looks at it.
     pub observer: Seat,
@@ -118,7 +118,7 @@ pub struct LaneStep<'s> {
 /// Newton steps onto an event; from the polynomial's root two or three do.
 const MOST_TRIALS: u32 = 12;
 
-/// What becomes of an attempt.
+/// Decision on an attempt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decision {
     /// Try another step.

@@ -1,4 +1,4 @@
-//! One run: steps, events, contact states, outputs.
+#![doc = include_str!("../README.md")]
 
 pub mod accuracy;
 pub mod measured;
@@ -50,6 +50,8 @@ pub use execution::Execution;
 pub use failure::RunFailure;
 pub use flight::FlightClock;
 pub use history::{BodyStates, Plan, Simulation, input, simulate, simulate_until};
+pub use loosepin_mechanics::mechanism::Mechanism;
+pub use loosepin_mechanics::model::Model;
 pub use loosepin_result::simulation::REPEAT_SHARE;
 pub use lyapunov::{ExponentPlan, largest_exponent};
 pub use memory::{Block, LaneLayout};

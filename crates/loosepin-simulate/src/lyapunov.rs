@@ -11,7 +11,7 @@ use loosepin_mechanics::contact::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_result::simulation::{LyapunovRecord, NeighbourKind};
 
-/// What is measured.
+/// Plan of a Lyapunov exponent.
 #[derive(Debug, Clone, Copy)]
 pub struct ExponentPlan {
     /// Turns before anything is measured, as for every run.
@@ -30,7 +30,7 @@ pub const BATCHES: usize = 20;
 const STUDENT_95: f64 = 2.093;
 /// Separation that is set up again and again, as a share of the natural scales: an angle of a radian, the size of the mechanism.
 const SEPARATION: f64 = 1e-7;
-/// The same as a share of the smallest clearance, where that is less: the neighbour must see the same hole.
+/// Distance as a share of the smallest clearance, where that is less: the neighbour must see the same hole.
 const SHARE_OF_CLEARANCE: f64 = 1e-4;
 /// The separation is at least as many times the local error of a step.
 const OVER_LOCAL_ERROR: f64 = 200.0;

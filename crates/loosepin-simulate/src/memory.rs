@@ -10,7 +10,7 @@ pub const BLOCKS: usize = 8;
 pub enum Block {
     /// Numbers of the sample and of the points of bodies.
     Numbers,
-    /// What belongs to a lane or to one of its contacts: [`LaneLayout`].
+    /// Numbers of a lane and of its contacts: [`LaneLayout`].
     Lane,
     /// State at the start of the step.
     Start,
@@ -20,9 +20,9 @@ pub enum Block {
     Point,
     /// State at the end of the step.
     End,
-    /// What was read at the start of the step: [`ReadLayout`].
+    /// Numbers read at the start of the step: [`ReadLayout`].
     StartReads,
-    /// What was read where it was read last, mostly at the end of the step.
+    /// Numbers of the last reading, mostly at the end of the step.
     EndReads,
 }
 

@@ -86,7 +86,7 @@ impl Layout {
     }
 }
 
-/// What was supplied and lost since time zero, J.
+/// Energy supplied and lost since time zero, J.
 #[derive(Debug, Clone, Copy)]
 pub struct Account<T> {
     /// Work of drives, loads and actuators.

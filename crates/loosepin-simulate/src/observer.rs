@@ -1,4 +1,4 @@
-//! What looks at a run while it goes on.
+//! Observers of a run while it goes on.
 
 use super::gap::GapJet;
 use super::motion::{Account, Motion};
@@ -139,7 +139,7 @@ impl<'a> Step<'_, 'a> {
         Some(MotionState::new(&view.layout, state, self.end_s, contacts))
     }
 
-    /// What was supplied and lost since time zero, at `time_s` within the step, which was looked at last. None where the work
+    /// Energy supplied and lost since time zero, J, at `time_s` within the step, which was looked at last. None where the work
     /// of the drives is the change of mechanical energy.
     pub(super) fn account(&mut self, time_s: f64) -> Option<Account<f64>> {
         match &mut self.source {

@@ -30,7 +30,7 @@ pub fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>, end_s: f
     if is_constant && fastest > 0.0 { fastest } else { fastest.max(std::f64::consts::TAU / end_s) }
 }
 
-/// What the evaluated start of `motion` says about the rates to come, rad/s: angular velocities, and the roots of angular
+/// Estimate of the rates to come, rad/s, from the evaluated start of `motion`: angular velocities, and the roots of angular
 /// accelerations; lengths over the size of the mechanism.
 pub fn pace_of_start_rad_s(motion: &Motion<'_, f64>) -> f64 {
     let mechanism = motion.dynamics.mechanism();

@@ -15,7 +15,7 @@ use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
 /// Rates of a contact are taken to be no faster than this, m/s: infinite ones times a law's number that is zero are none.
 const FASTEST_M_S: f64 = 1e100;
 
-/// What a pass is made of, the same in all lanes.
+/// Parts of a pass that all lanes share.
 #[derive(Debug, Clone)]
 pub struct Pass {
     /// Where everything is in a state.

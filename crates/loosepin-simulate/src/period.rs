@@ -6,7 +6,7 @@ use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
 use loosepin_result::simulation::REPEAT_SHARE;
 use std::f64::consts::TAU;
 
-/// What has to be back for a motion to repeat itself, read once a turn: the eccentricity of every joint with play, the tilt of
+/// Numbers that return where a motion repeats itself, read once a turn: the eccentricity of every joint with play, the tilt of
 /// every slider in its guide, and for a
 /// mechanism that its drives do not move alone position, angle and both rates (a turn as the unit of time) of every body.
 pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {

@@ -1,4 +1,4 @@
-//! What a pass does with a lane, written down: the equations of a mechanism and the arithmetic of a step, evaluated once on
+//! The programs of a pass: the equations of a mechanism and the arithmetic of a step, evaluated once on
 //! [`Traced`] numbers.
 
 use super::column::{Arms, Reading};
@@ -19,7 +19,7 @@ use loosepin_tape::trace::{Traced, record};
 pub struct PassPrograms {
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`].
     pub slope: Program,
-    /// The same, and what is read at an end of a step.
+    /// The slope, and the numbers read at an end of a step.
     pub end: Program,
     /// The points of a step at which the slope is evaluated, one after the other; the last one is its end.
     pub points: Vec<Program>,
@@ -29,7 +29,7 @@ pub struct PassPrograms {
     pub dense_points: Vec<Program>,
     /// The dense output.
     pub dense: Program,
-    /// What was evaluated last becomes that of the start of the step.
+    /// The last evaluation becomes that of the start of the step.
     pub take_evaluation: Program,
     /// The end of the step becomes the start of the next one.
     pub accept: Program,
@@ -68,7 +68,7 @@ pub fn fixed(sample: &Sample<f64>, arms: &Arms) -> Vec<Option<f64>> {
     numbers(sample, arms).into_iter().map(|value| (value == 0.0 || value.abs() == 1.0).then_some(value)).collect()
 }
 
-/// What is written down.
+/// Source of the programs.
 pub struct Tracing<'t> {
     /// The mechanism.
     pub mechanism: &'t Mechanism,
@@ -76,7 +76,7 @@ pub struct Tracing<'t> {
     pub sample: &'t Sample<f64>,
     /// Where the points of bodies are.
     pub arms: &'t Arms,
-    /// What is read at the ends of steps.
+    /// The numbers read at the ends of steps.
     pub readings: &'t [Reading],
     /// By number of [`Block::Numbers`]: its value where the programs are to know it.
     pub fixed: &'t [Option<f64>],
@@ -157,7 +157,7 @@ impl Tracing<'_> {
         (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &dense))
     }
 
-    /// What `work` does with the blocks.
+    /// The program of the operations of `work` on the blocks.
     fn written(&self, work: impl FnOnce(&mut Named<'_, Traced>)) -> Program {
         let (graph, outputs) = record(|| {
             let mut memory = self.inputs();

@@ -1,4 +1,4 @@
-//! What is read off the end of a step, as numbers in a row.
+//! Layout of the numbers that are read at the end of a step.
 
 use super::column::{Arms, Reading};
 use super::motion::Motion;

@@ -1,6 +1,6 @@
-//! What every finished run tells.
+//! Report of a finished run.
 
-/// What a run counted.
+/// Counters of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
     /// Accepted steps.
@@ -13,7 +13,7 @@ pub struct Counters {
     pub events: u64,
 }
 
-/// What one joint with play, or one of its contacts, went through during the recorded part of a run.
+/// Contacts and largest values of one joint with play, or of one of its contacts, in the recorded part of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PlaySummary {
     /// Contacts that began.
@@ -68,7 +68,7 @@ impl EnergyAccount {
     }
 }
 
-/// What every finished run tells.
+/// Report of a finished run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunReport {
     /// Counts.

@@ -8,11 +8,11 @@ use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
 use loosepin_result::simulation::{JournalOrbit, MotionKind, REPEAT_SHARE, SectionedOutput};
 
-/// What is kept of each look.
+/// Record of one look.
 #[derive(Debug, Clone)]
 pub struct SectionRecorder {
     turns: Turns,
-    /// What has to be back for the motion to repeat itself, by turn.
+    /// Numbers that return where the motion repeats itself, by turn.
     pub compared: Vec<Vec<Vec2<f64>>>,
     /// Eccentricities in the frames of their bearings, m: x and y by joint with play.
     pub journals: Vec<(Vec<f64>, Vec<f64>)>,
@@ -57,7 +57,7 @@ impl SectionRecorder {
         }
     }
 
-    /// What the turns say; nothing for a mechanism that follows its drives alone, and for less than two turns. `angle_rad`: the
+    /// The kind of motion; nothing for a mechanism that follows its drives alone, and for less than two turns. `angle_rad`: the
     /// angle of the drive, or the phase of the cycle, where each turn begins.
     pub fn kind(
         &self,

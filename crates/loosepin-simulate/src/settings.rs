@@ -5,7 +5,7 @@ use loosepin_math::integrate::{DOP853, Tableau};
 /// Accuracy and limits of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Settings {
-    /// What the positions should keep over the first half turn, m. The error allowed in one step is smaller by
+    /// Error of the positions over the first half turn, m. The error allowed in one step is smaller by
     /// [`STEP_SHARE`]: contact amplifies errors. Default: 1e-9 m for one simulation, 1e-8 m in a study.
     pub tolerance_m: f64,
     /// The embedded pair. Default: DOP853 (`docs/integrators.md` has the measurement).

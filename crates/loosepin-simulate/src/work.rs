@@ -18,7 +18,7 @@ const NODES: [(f64, f64); 5] = [
 /// Needed where springs, loads or friction act: without them the work of the drives is the change of mechanical energy.
 #[derive(Debug, Clone, Copy)]
 pub struct KinematicAccount {
-    /// What was supplied and lost up to the start of the step.
+    /// Energy supplied and lost up to the start of the step.
     before: Account<f64>,
     total: EnergyAccount,
 }
@@ -40,7 +40,7 @@ impl KinematicAccount {
         Self { before: nothing, total }
     }
 
-    /// What was supplied and lost up to `time_s` in the step that begins at `start_s`.
+    /// Energy supplied and lost up to `time_s` in the step that begins at `start_s`.
     ///
     /// # Errors
     /// The loops cannot close on the way.

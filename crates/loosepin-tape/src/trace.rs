@@ -7,7 +7,7 @@ use loosepin_math::{Real, power, sin_cos};
 use std::cell::RefCell;
 
 thread_local! {
-    /// What this thread is writing down.
+    /// The expression that this thread is writing down.
     static GRAPH: RefCell<Graph> = RefCell::new(Graph::new());
 }
 

@@ -86,7 +86,7 @@ def box():
 
 
 def treatments():
-    """The exact bands of 95 % of Y = X + u, method.md section 4."""
+    """The exact bands of 95 % of Y = X + u."""
     picture = Picture(700, 232, "Bands by three treatments")
     middle, scale = 380, 62
     rows = (

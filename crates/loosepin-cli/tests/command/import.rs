@@ -79,7 +79,7 @@ fn a_law_can_be_set_for_one_run() {
         let set = format!("contact.steel_pin.law={law}");
         desk.run(&["simulate", "model.toml", "--turns", "0.1", "--set", &set, "--out", folder])
     };
-    // method, section 2.1: what a nominal restitution of 0.9 delivers.
+    // Delivered restitution for a nominal 0.9: χ(1 + ε) = ln((1 + χ)/(1 - χε)), docs/theory/contact.md.
     assert!(run("flores", "flores").output.contains("0.8939 (0.9)"));
     assert!(run("lankarani-nikravesh", "same").output.contains("0.9132 (0.9)"));
     let refused = run("flors", "none");

@@ -9,7 +9,7 @@ pub trait System<T = f64> {
     /// Writes f(y) to `slope`, and behind it the integrands.
     fn derivative(&mut self, state: &[T], slope: &mut [T]);
 
-    /// The same at an end of a step, where the system may note more than its derivative. The integrals stand behind the
+    /// The derivative at an end of a step, where the system may note more than its derivative. The integrals stand behind the
     /// unknowns of `state`.
     fn derivative_at_end(&mut self, state: &[T], slope: &mut [T]) {
         self.derivative(state, slope);

@@ -1,8 +1,8 @@
-//! What a law delivers: the restitution of a free impact as a function of χ alone.
+//! Delivered restitution: that of a free impact, a function of χ alone.
 
 /// The restitution ε that a free impact under `F = K δⁿ (1 + χ δ̇/v0)` delivers.
 ///
-/// Solves `χ(1 + ε) = ln((1 + χ)/(1 - χε))` (method, section 2.1), which holds for every K, n, mass and speed.
+/// Solves `χ(1 + ε) = ln((1 + χ)/(1 - χε))` (`docs/theory/contact.md`), which holds for every K, n, mass and speed.
 /// χ = 0 gives 1.
 pub fn delivered_restitution(damping_factor: f64) -> f64 {
     if damping_factor <= 0.0 {
@@ -23,7 +23,7 @@ pub fn damping_factor_that_delivers(restitution: f64) -> f64 {
 
 /// Largest penetration of a free impact, m.
 ///
-/// `K δmax^(n+1)/(n+1) = m v0² (1/χ - ln(1 + χ)/χ²)` (method, section 2.1); with χ = 0 the right side is m v0²/2.
+/// `K δmax^(n+1)/(n+1) = m v0² (1/χ - ln(1 + χ)/χ²)`; with χ = 0 the right side is m v0²/2.
 pub fn free_impact_penetration_m(
     stiffness_n_m_n: f64,
     exponent: f64,
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn analytic_hertz_impact() {
-        // method.md, section 2.1: m = 0.14 kg, v0 = 1 m/s, K = 6.610198e10 N/m^1.5.
+        // δmax = (5 m v0²/(4K))^(2/5) with m = 0.14 kg, v0 = 1 m/s, K = 6.610198e10 N/m^1.5.
         let penetration_m = free_impact_penetration_m(6.610198e10, 1.5, 0.0, 0.14, 1.0);
         assert!((penetration_m - 2.33953e-5).abs() < 1e-10);
         let contact = PointContact { stiffness_n_m_n: 6.610198e10, exponent: 1.5, damping_factor: 0.0 };

@@ -1,4 +1,4 @@
-//! What a contact remembers of its beginning.
+//! State of a contact: whether it is closed, and the numbers that it holds from its beginning.
 
 use loosepin_math::Real;
 

@@ -34,12 +34,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn analytic_steel_pin_of_the_method() {
+    fn analytic_steel_pin() {
         let h = compliance_1_pa(207e9, 0.3);
         let k = cylinder_stiffness_n_m1_5([h, h], 0.010, 0.0005);
-        // Seven digits are given in method.md, section 2.1.
+        // Eq. (9) by hand, to seven digits.
         assert!((k / 6.610198e10 - 1.0).abs() < 1e-7, "{k}");
-        // c from 0.5 to 0.1 mm: K x 2.28 (method.md, section 2).
+        // c from 0.5 to 0.1 mm: √(5 · 9.9/9.5) = 2.28 times as stiff.
         let tight = cylinder_stiffness_n_m1_5([h, h], 0.010, 0.0001);
         assert!((tight / k - 2.28).abs() < 0.005);
     }

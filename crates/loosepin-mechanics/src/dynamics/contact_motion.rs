@@ -11,7 +11,7 @@ pub struct DepthRoot<T> {
     pub root: T,
 }
 
-/// What a contact takes from the state vector beside the motion of its bodies.
+/// Unknowns of a contact in the state vector, beside the motion of its bodies.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactUnknowns<T> {
     /// The root of the penetration, where the contact has one.

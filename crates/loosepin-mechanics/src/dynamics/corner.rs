@@ -1,4 +1,4 @@
-//! A corner of a slider on a face of its guide: the four contacts of a prismatic joint with play (method, section 2.5).
+//! A corner of a slider on a face of its guide: the four contacts of a prismatic joint with play (`docs/notation.md`).
 //!
 //! The slider is a block of half-length a and half-height b; y is the ordinate of its centre in the guide, whose line is the
 //! axis of abscissas, and θ its angle. With the clearance c on each side the penetrations are, for both signs of a,

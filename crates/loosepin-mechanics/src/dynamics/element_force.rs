@@ -2,7 +2,7 @@
 
 use loosepin_math::{Real, Vec2};
 
-/// What a spring does to its two bodies.
+/// Force and torque of a spring on its two bodies.
 #[derive(Debug, Clone, Copy)]
 pub struct SpringForce<T> {
     /// Its ends from the origins of the bodies, m, in the ground's frame.
@@ -17,7 +17,7 @@ pub struct SpringForce<T> {
     pub damping_loss_w: T,
 }
 
-/// What a load does to its body.
+/// Force and torque of a load on its body.
 #[derive(Debug, Clone, Copy)]
 pub struct LoadForce<T> {
     /// Slot of the body.
@@ -30,7 +30,7 @@ pub struct LoadForce<T> {
     pub torque_n_m: T,
 }
 
-/// What a control reads and what its actuator does.
+/// Reference, error and effort of a control.
 #[derive(Debug, Clone, Copy)]
 pub struct ActuatorForce<T> {
     /// The reference, rad or m.

@@ -66,7 +66,7 @@ pub struct Dynamics<'a, T> {
     pub(super) error_integrals: Vec<T>,
     /// Power of the actuators at the last evaluation, W.
     pub(super) controls_w: T,
-    /// What controls feed forward.
+    /// The equations behind the torques that controls feed forward.
     pub(super) inverse: Option<InverseDynamics<'a, T>>,
     /// Room for the functions of loads and controls.
     pub(super) function_room: Vec<T>,

@@ -1,4 +1,4 @@
-//! A film of oil between pin and hole (method, section 2.4).
+//! A film of oil between pin and hole (`docs/lubrication.md`).
 
 use super::contact_motion::ContactForce;
 use super::play::PlayMotion;

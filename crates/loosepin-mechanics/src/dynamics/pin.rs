@@ -1,4 +1,4 @@
-//! A pin in a hole: the one contact of a revolute joint with clearance ([SC16] eqs. 1-7; method, section 2).
+//! A pin in a hole: the one contact of a revolute joint with clearance ([SC16] eqs. 1 to 7).
 
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
 use super::play::PlayMotion;

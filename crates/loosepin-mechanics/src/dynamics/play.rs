@@ -1,4 +1,4 @@
-//! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1-6; method, section 2).
+//! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1 to 6).
 
 use crate::mechanism::{Kinematics, PlayGeometry, PlayShape};
 use loosepin_math::{Real, Vec2};

@@ -136,7 +136,7 @@ impl<T: Real> Dynamics<'_, T> {
         forces.map(|(force, _)| force.on_journal_n).reduce(|sum, force| sum + force).unwrap_or(Vec2::zero())
     }
 
-    /// What couplings do to prismatic joints: slots of guide and slider, and force on the slider, N. Revolute joints get torques
+    /// Forces of couplings on prismatic joints: slots of guide and slider, and force on the slider, N. Revolute joints get torques
     /// alone: λ ∂Φ/∂q along the coordinate of each joint.
     fn coupling_forces_n(&self) -> Vec<([usize; 2], Vec2<T>)> {
         let tree = &self.mechanism.real;

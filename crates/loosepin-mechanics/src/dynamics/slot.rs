@@ -1,4 +1,4 @@
-//! A pin in a straight slot with round ends: the one contact of such a joint with play (method, section 2.5).
+//! A pin in a straight slot with round ends: the one contact of such a joint with play (`docs/notation.md`).
 //!
 //! With e from the middle of the slot to the pin, ξ = e·d along the slot's line d and h the half-length between the centres
 //! of the ends, the pin is off the line by `w = e - d clamp(ξ, -h, h)`. At the faces w stands across the line, in the ends it

@@ -33,7 +33,7 @@ impl<T: Real> CamProfile<T> {
         }
     }
 
-    /// The same profile in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &CamProfile<f64>) -> Self {
         let number = T::from_f64;
         Self {

@@ -91,7 +91,7 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// The same mechanism with every clearance at zero: its real tree is the ideal one.
+    /// A copy with every clearance at zero: its real tree is the ideal one.
     pub fn without_play(&self) -> Self {
         Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), dynamic_freedoms: 0, ..self.clone() }
     }
@@ -113,7 +113,7 @@ impl Mechanism {
         behind(play)..behind(play + 1)
     }
 
-    /// What the contact `contact` is called: the name of its joint, for a slider with its corner.
+    /// Name of the contact `contact`: that of its joint, for a slider with its corner.
     pub fn contact_name(&self, contact: usize) -> String {
         let ContactPlace { play, place } = self.contacts[contact];
         contact_name(&self.model, self.plays[play], place)

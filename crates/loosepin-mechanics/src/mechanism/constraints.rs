@@ -187,7 +187,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
     }
 }
 
-/// What imposes a constraint row.
+/// The joint or coupling that imposes a constraint row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RowOwner {
     /// A cut joint.
@@ -217,12 +217,12 @@ impl RowOwner {
         }
     }
 
-    /// What it is in words, for example `joint 'rod'`.
+    /// Its name in words, for example `joint 'rod'`.
     pub fn words(self, model: &Model) -> String {
         describe_path(&self.path(model))
     }
 
-    /// What a residual of it measures. Rows that say that two bodies do not turn against each other count as lengths here.
+    /// Dimension of its residual. Rows that say that two bodies do not turn against each other count as lengths here.
     pub fn dimension(self, model: &Model) -> Dimension {
         match self {
             Self::Joint(_) => Dimension::LENGTH,
@@ -241,7 +241,7 @@ pub struct Opening {
     pub path: String,
     /// How far it stays open, m or rad.
     pub gap: f64,
-    /// What that measures.
+    /// Dimension of the residual.
     pub dimension: Dimension,
 }
 

@@ -12,7 +12,7 @@ pub struct ContactPlace {
     pub place: usize,
 }
 
-/// What plays in what.
+/// Shape of a joint with play.
 #[derive(Debug, Clone, Copy)]
 pub enum PlayShape<T> {
     /// A round pin in a round hole: one contact.
@@ -48,7 +48,7 @@ impl<T: Real> SlotShape<T> {
         visit(&mut self.end_stiffening);
     }
 
-    /// The same slot in every lane.
+    /// The numbers of `slot` as constants of `T`.
     pub fn broadcast(slot: &SlotShape<f64>) -> Self {
         Self {
             half_length_m: T::from_f64(slot.half_length_m),
@@ -84,7 +84,7 @@ impl<T: Real> SliderBlock<T> {
         self.ends_m.iter_mut().flatten().for_each(visit);
     }
 
-    /// The same block in every lane.
+    /// The numbers of `block` as constants of `T`.
     pub fn broadcast(block: &SliderBlock<f64>) -> Self {
         Self {
             half_length_m: T::from_f64(block.half_length_m),
@@ -109,7 +109,7 @@ pub(super) fn contact_places(model: &Model, plays: &[JointId]) -> Vec<ContactPla
     plays.iter().enumerate().flat_map(places).collect()
 }
 
-/// What a contact of `joint` is called: the name of the joint, for a slider with its corner.
+/// Name of a contact of `joint`: that of the joint, for a slider with its corner.
 pub(super) fn contact_name(model: &Model, joint: JointId, place: usize) -> String {
     let joint = &model.joints[joint.0];
     match joint.kind {

@@ -45,7 +45,7 @@ impl<T: Real> ControlGeometry<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &ControlGeometry<f64>) -> Self {
         let number = T::from_f64;
         Self {

@@ -97,7 +97,7 @@ impl<T: Real> CouplingGeometry<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &CouplingGeometry<f64>) -> Self {
         Self {
             joints: [0, 1].map(|side| JointGeometry::broadcast(&from.joints[side])),

@@ -132,7 +132,7 @@ impl<T: Real> DriveMotion<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     fn broadcast(from: &DriveMotion<f64>) -> Self {
         let number = T::from_f64;
         let list = |numbers: &[f64]| numbers.iter().copied().map(number).collect();
@@ -248,7 +248,7 @@ impl Drives<f64> {
         self.law_at(&model.drives[drive.0].law, drive.0, time_s)
     }
 
-    /// The same for the motion of index `index`, whose law is `law`.
+    /// Position, velocity and acceleration of the motion of index `index`, whose law is `law`.
     pub fn law_at(&self, law: &DriveLaw, index: usize, time_s: f64) -> [f64; 3] {
         self.motions[index].at(law, time_s, &mut vec![Dual::constant(Dual::constant(0.0)); steps(law)])
     }
@@ -295,13 +295,13 @@ impl<T: Real> Drives<T> {
         self.motions[drive.0].at(&model.drives[drive.0].law, time_s, room)
     }
 
-    /// The same for the motion of index `index`, whose law is `law`.
+    /// Position, velocity and acceleration of the motion of index `index`, whose law is `law`.
     #[inline(always)]
     pub fn law_motion(&self, law: &DriveLaw, index: usize, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
         self.motions[index].at(law, time_s, room)
     }
 
-    /// The same motions in every lane.
+    /// The motions of `from` as constants of `T`.
     pub fn broadcast(from: &Drives<f64>) -> Self {
         let motions = from.motions.iter().map(DriveMotion::broadcast).collect();
         Self { motions, schedule: Arc::clone(&from.schedule) }

@@ -53,13 +53,13 @@ pub enum MechanismError {
     /// No configuration closes all loops.
     #[error("the links cannot close at the start: {open} at best")]
     CannotClose {
-        /// What stays open furthest.
+        /// The constraint that stays open furthest.
         open: Opening,
     },
     /// No configuration closes all loops with the given positions.
     #[error("the links cannot close at the start that [initial] gives: {open} at best")]
     CannotCloseAsGiven {
-        /// What stays open furthest.
+        /// The constraint that stays open furthest.
         open: Opening,
     },
     /// The initial state leaves something open.
@@ -104,7 +104,7 @@ pub enum MechanismError {
         given_si: f64,
         /// The nearest one, SI.
         found_si: f64,
-        /// What it measures.
+        /// Its dimension.
         dimension: Dimension,
     },
     /// The start is a singular position.
@@ -153,7 +153,7 @@ pub enum SampleError {
         joint: String,
         /// Its clearance in this sample, m.
         clearance_m: f64,
-        /// What it was when the mechanism was compiled.
+        /// Whether it had play when the mechanism was compiled.
         compiled_with_play: bool,
     },
     /// A clearance to which the contact law was not fitted.
@@ -196,7 +196,7 @@ pub enum SampleError {
     /// The loops cannot be closed at this instant.
     #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
     CannotClose {
-        /// What stays open furthest.
+        /// The constraint that stays open furthest.
         open: Opening,
         /// The time, s.
         time_s: f64,
@@ -213,9 +213,9 @@ pub enum SampleError {
         path: String,
         /// The value, SI.
         given_si: f64,
-        /// What it would have to be, SI.
+        /// The value that fits, SI.
         found_si: f64,
-        /// What it measures.
+        /// Its dimension.
         dimension: Dimension,
     },
     /// A singular position is met.

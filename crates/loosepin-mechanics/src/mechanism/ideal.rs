@@ -168,7 +168,7 @@ impl<'a> IdealMotion<'a> {
         matrix
     }
 
-    /// What a unit of a driven length counts as an angle: the mechanism's size.
+    /// Scale of driven coordinates: the size of the mechanism, m, or one radian, the smaller.
     fn drive_scale(&self) -> f64 {
         // Driven lengths are compared with the mechanism, driven angles with a radian; the smaller one is cautious.
         self.mechanism.size_m.min(1.0)

@@ -48,7 +48,7 @@ impl<T: Real> JointFriction<T> {
             .collect()
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &JointFriction<f64>) -> Self {
         Self {
             joint: from.joint,

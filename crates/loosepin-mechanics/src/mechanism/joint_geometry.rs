@@ -36,7 +36,7 @@ impl<T: Real> JointGeometry<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &JointGeometry<f64>) -> Self {
         Self { arms_m: from.arms_m.map(Vec2::from_f64), line: Vec2::from_f64(from.line) }
     }

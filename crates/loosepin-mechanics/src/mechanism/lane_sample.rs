@@ -13,7 +13,7 @@ use crate::contact::{Film, FrictionLaw, NormalContact, NormalLaw};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Sample<T> {
-    /// The same sample in every lane.
+    /// The numbers of `sample` as constants of `T`.
     pub fn broadcast(sample: &Sample<f64>) -> Self {
         Self {
             ideal: Geometry::broadcast(&sample.ideal),
@@ -33,7 +33,7 @@ impl<T: Real> Sample<T> {
     /// Shows every number that the equations of motion use, those of the real tree, plays, springs, loads and drives, in an order that
     /// depends on the mechanism alone.
     ///
-    /// What is no number (which laws, which exponent) belongs to the mechanism and is the same in all lanes.
+    /// The laws and the exponent of a contact are no numbers: they belong to the mechanism and are the same in all runs.
     pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
         self.real.gravity_m_s2.visit(visit);
         for link in &mut self.real.links {
@@ -95,7 +95,7 @@ impl Sample<f64> {
 }
 
 impl<T: Real> Geometry<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &Geometry<f64>) -> Self {
         let (number, vector) = (T::from_f64, Vec2::from_f64);
         Self {

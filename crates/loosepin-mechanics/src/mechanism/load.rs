@@ -53,7 +53,7 @@ impl<T: Real> CourseNumbers<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &CourseNumbers<f64>) -> Self {
         let number = T::from_f64;
         match from {
@@ -124,7 +124,7 @@ impl<T: Real> LoadGeometry<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &LoadGeometry<f64>) -> Self {
         Self {
             arm_m: Vec2::from_f64(from.arm_m),

@@ -13,7 +13,7 @@ use loosepin_math::Elimination;
 /// mechanisms leave more than 1e-4.
 pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
-/// What the loop equations say about a mechanism with all clearances at zero.
+/// Mobility of a mechanism with all clearances at zero, from its loop equations.
 #[derive(Debug, Clone)]
 pub struct Mobility {
     /// Degrees of freedom, drives not counted as constraints.
@@ -96,7 +96,7 @@ pub(super) fn eliminate_free(tree: &Tree, jacobian: &[f64]) -> Elimination {
     eliminate(tree, &jacobian[..tree.constraint_rows() * tree.coordinates()])
 }
 
-/// The same for any number of rows.
+/// As [`eliminate_free`], for any number of rows.
 fn eliminate(tree: &Tree, jacobian: &[f64]) -> Elimination {
     let columns = tree.coordinates();
     let rows = jacobian.len() / columns.max(1);

@@ -16,7 +16,7 @@ impl<T: Real, const N: usize> Pieces<T, N> {
         Self { breaks, numbers }
     }
 
-    /// The same pieces in every lane.
+    /// The pieces of `from` as constants of `T`.
     pub fn broadcast(from: &Pieces<f64, N>) -> Self {
         Self {
             breaks: from.breaks.iter().copied().map(T::from_f64).collect(),

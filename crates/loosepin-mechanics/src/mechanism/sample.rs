@@ -27,7 +27,7 @@ pub struct PlayGeometry<T> {
     pub bearing_arm_m: Vec2<T>,
     /// Centre P_j of the journal (pin), or of the slider, in its body's frame, m.
     pub journal_arm_m: Vec2<T>,
-    /// What plays in what.
+    /// Pin, slider or slot, with its numbers.
     pub shape: PlayShape<T>,
     /// Clearance c, m: radial of a pin, on each side of a slider.
     pub clearance_m: T,
@@ -143,7 +143,7 @@ impl Sample<f64> {
 }
 
 impl<T: Real> Sample<T> {
-    /// The same sample of [`Mechanism::without_play`].
+    /// The sample for [`Mechanism::without_play`].
     pub fn without_play(self) -> Self {
         Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), ..self }
     }

@@ -87,7 +87,7 @@ impl<T: Real> SpringGeometry<T> {
         }
     }
 
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &SpringGeometry<f64>) -> Self {
         let number = T::from_f64;
         Self {

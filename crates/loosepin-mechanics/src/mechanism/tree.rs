@@ -197,7 +197,7 @@ impl Tree {
         Self::with_driven(model, is_ideal, &driven)
     }
 
-    /// The same, as if there were drives of the joints `driven`.
+    /// As [`Tree::new`], as if there were drives of the joints `driven`.
     ///
     /// # Errors
     /// A loop of driven joints alone.

@@ -33,13 +33,13 @@ pub struct Control {
     pub reference: DriveLaw,
 }
 
-/// What an actuator does beside its feedback.
+/// Action of an actuator beside its feedback.
 #[derive(Debug, Clone)]
 pub enum FeedForward {
     /// Nothing.
     None,
     /// A course over time, coordinate and rate of the measured joint, N m or N.
     Course(Course),
-    /// What inertia and weight need along the references, without play.
+    /// The torque or force that inertia and weight need along the references, without play.
     InverseDynamics,
 }

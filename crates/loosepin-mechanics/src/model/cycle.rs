@@ -1,12 +1,12 @@
-//! What is run and recorded, and by what it is counted.
+//! The recorded part of a run, and the turn that it is counted by.
 
 use super::ids::DriveId;
 use super::quantity::QuantityId;
 
-/// What `simulate` runs and a study records.
+/// The part of the motion that `simulate` runs and a study records.
 #[derive(Debug, Clone)]
 pub struct Cycle {
-    /// What a turn is.
+    /// The turn that everything is counted by.
     pub span: CycleSpan,
     /// Turns run before recording, >= 0.
     pub transient_turns: f64,
@@ -16,7 +16,7 @@ pub struct Cycle {
     pub samples_per_turn: usize,
 }
 
-/// What is counted as a turn.
+/// The turn that a cycle is counted by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CycleSpan {
     /// A turn of a revolute drive at constant speed: 2π of its joint coordinate.

@@ -34,7 +34,7 @@ impl CycleInput {
     }
 }
 
-/// What the phase of a cycle that counts no drive is called.
+/// Name of the phase of a cycle that counts no drive.
 const PHASE: &str = "cycle";
 
 impl Model {

@@ -20,7 +20,7 @@ pub struct Function {
     steps: Vec<Step>,
     /// The quantities that it reads.
     pub parameters: Vec<QuantityId>,
-    /// What its value measures.
+    /// Dimension of its value.
     pub dimension: Dimension,
 }
 
@@ -47,7 +47,7 @@ enum Step {
     Power(usize, i32),
 }
 
-/// What a function cannot do.
+/// Operation that a function cannot have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beyond {
     /// An inverse trigonometric function.

@@ -9,7 +9,7 @@ use loosepin_text::units::Dimension;
 pub struct InitialValue {
     /// Where it stands in the file.
     pub path: String,
-    /// What has this value at time zero.
+    /// The coordinate that has this value at time zero.
     pub of: InitialOf,
     /// Whether it is the rate of that.
     pub is_rate: bool,
@@ -30,7 +30,7 @@ pub enum InitialNumber {
 }
 
 impl InitialValue {
-    /// What it measures.
+    /// Its dimension.
     pub fn dimension(&self) -> Dimension {
         let position = match self.of {
             InitialOf::BodyAngle(_) | InitialOf::JointAngle(_) => Dimension::ANGLE,
@@ -40,7 +40,7 @@ impl InitialValue {
     }
 }
 
-/// What an initial value can be of.
+/// Coordinates that can have an initial value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InitialOf {
     /// The angle of a body's x axis from the ground's.

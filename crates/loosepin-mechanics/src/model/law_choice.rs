@@ -61,7 +61,7 @@ impl Model {
         }))
     }
 
-    /// The same model with another normal force law in one contact; the numbers, their table and their order stay.
+    /// A copy with another normal force law in one contact; the numbers, their table and their order stay.
     ///
     /// # Errors
     /// The law needs what the model does not give.

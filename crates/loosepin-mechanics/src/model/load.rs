@@ -9,7 +9,7 @@ use super::quantity::QuantityId;
 pub struct Load {
     /// Name in the file.
     pub name: String,
-    /// What it acts on.
+    /// Its kind, with the point or body that it acts on.
     pub kind: LoadKind,
     /// Its size over time.
     pub course: Course,

@@ -1,4 +1,4 @@
-//! What can be wrong with a model beyond its single entries.
+//! Errors of a model beyond its single entries.
 
 use thiserror::Error;
 
@@ -6,7 +6,7 @@ use loosepin_text::diagnostics::{Code, Problem};
 use loosepin_text::document::listed;
 use loosepin_text::units::{Dimension, quoted};
 
-/// What can be wrong with a model file. `entry` is a path in words.
+/// An error in a model file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ModelProblem {
     /// A parameter with a name that expressions could not use.
@@ -34,7 +34,7 @@ pub enum ModelProblem {
         name: String,
         /// The nearest name there is.
         nearest: Option<String>,
-        /// What there is.
+        /// The names that there are.
         known: Vec<String>,
     },
     /// A point not written `body.point`.
@@ -86,7 +86,7 @@ pub enum ModelProblem {
         entry: String,
         /// The key.
         key: &'static str,
-        /// What is missing.
+        /// The missing keys.
         needs: Vec<&'static str>,
     },
     /// A film of oil in a bearing without a length.
@@ -102,7 +102,7 @@ pub enum ModelProblem {
         entry: String,
         /// The key.
         key: &'static str,
-        /// What makes it meaningless.
+        /// The entry that makes it meaningless.
         beside: &'static str,
     },
     /// A torsional spring without the two bodies that it turns.
@@ -168,9 +168,9 @@ pub enum ModelProblem {
         entry: String,
         /// The contact.
         contact: String,
-        /// What of it.
+        /// The numbers of it that do not apply, in words.
         what: String,
-        /// What touches a plane.
+        /// The part that touches a plane.
         what_touches: &'static str,
     },
     /// A drive of a joint that has no coordinate to prescribe.
@@ -224,7 +224,7 @@ pub enum ModelProblem {
     CsvDimension {
         /// The cell.
         text: String,
-        /// What is due.
+        /// The dimension that is due.
         due: Dimension,
     },
     /// A cell that is no number.
@@ -268,7 +268,7 @@ pub enum ModelProblem {
         entry: String,
         /// The joint.
         joint: String,
-        /// What moves it, in words.
+        /// The drive or control that moves it, in words.
         other: String,
     },
     /// A cycle over a drive that does not turn.
@@ -314,7 +314,7 @@ pub enum ModelProblem {
         entry: String,
         /// The unit.
         unit: String,
-        /// What the output measures.
+        /// Dimension of the output.
         due: loosepin_text::units::Dimension,
     },
     /// A parameter or contact that nothing refers to.

@@ -17,17 +17,17 @@ pub struct QuantityId(pub usize);
 pub struct Quantity {
     /// Where it stands in the file, for example `joint.gudgeon.radial_clearance`.
     pub path: String,
-    /// What it measures; its value is in the SI unit of this dimension.
+    /// Dimension of its value, which is in the SI unit of it.
     pub dimension: Dimension,
     /// The range it must lie in.
     pub rule: Rule,
-    /// What gives its value.
+    /// Origin of its value.
     pub origin: Origin,
     /// Place of its value in the file; absent for a default.
     pub span: Option<Span>,
 }
 
-/// What gives the value of a quantity.
+/// Origin of the value of a quantity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Origin {
     /// A number in the file.
@@ -83,7 +83,7 @@ pub enum QuantityError {
         path: String,
         /// The value, SI.
         value_si: f64,
-        /// What it measures.
+        /// Its dimension.
         dimension: Dimension,
         /// The rule in words, for example `> 0`.
         rule: &'static str,
@@ -105,7 +105,7 @@ pub enum QuantityError {
         limit_path: String,
         /// Its value, SI.
         limit_si: f64,
-        /// What both measure.
+        /// Dimension of both.
         dimension: Dimension,
     },
     /// A quantity given by an expression, or one that fixes units, was set.

@@ -67,7 +67,7 @@ pub enum SettingError {
         path: String,
         /// The text.
         text: String,
-        /// What is due.
+        /// The dimension that is due.
         due: Dimension,
     },
     /// A value of another dimension.
@@ -75,9 +75,9 @@ pub enum SettingError {
     WrongDimension {
         /// The path.
         path: String,
-        /// What it measures.
+        /// Its dimension.
         found: Dimension,
-        /// What is due.
+        /// The dimension that is due.
         due: Dimension,
     },
     /// A value that breaks a rule.
@@ -91,7 +91,7 @@ pub enum SettingError {
     UnknownLaw {
         /// The name.
         name: String,
-        /// What was probably meant.
+        /// The probable meaning.
         nearest: Option<String>,
     },
     /// A quantity set twice.

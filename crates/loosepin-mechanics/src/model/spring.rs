@@ -8,7 +8,7 @@ use super::quantity::QuantityId;
 pub struct Spring {
     /// Name in the file.
     pub name: String,
-    /// What it connects, and along what it acts.
+    /// Its kind, with the points or bodies that it connects.
     pub kind: SpringKind,
     /// How it pulls without its damper.
     pub elasticity: Elasticity,

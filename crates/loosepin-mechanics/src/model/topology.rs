@@ -45,11 +45,11 @@ pub struct Model {
     pub guesses: Vec<Guess>,
     /// The initial state of what the drives do not move alone.
     pub initial: Vec<InitialValue>,
-    /// What is run and recorded.
+    /// The part of the motion that is run and recorded.
     pub cycle: Cycle,
     /// Outputs in file order.
     pub outputs: Vec<Output>,
-    /// What is allowed and yet looks like an oversight.
+    /// Warnings: entries that are allowed and yet look like an oversight.
     pub warnings: Vec<Complaint>,
     /// The file.
     pub(super) source: Arc<Source>,
@@ -123,7 +123,7 @@ pub struct Point {
 pub struct Joint {
     /// Name in the file.
     pub name: String,
-    /// What it connects and how.
+    /// Its kind, with the points that it connects.
     pub kind: JointKind,
     /// Friction of an ideal revolute or prismatic joint.
     pub friction: Option<JointFriction>,
@@ -143,9 +143,9 @@ pub struct JointFriction {
 pub enum JointKind {
     /// The journal point turns about the bearing point; with a clearance, it may leave it.
     Revolute {
-        /// Point of the body with the hole (body i of the method).
+        /// Point of the body with the hole (body i).
         bearing: PointId,
-        /// Point of the body with the pin (body j of the method).
+        /// Point of the body with the pin (body j).
         journal: PointId,
         /// Absent for an ideal joint.
         clearance: Option<Clearance>,
@@ -314,7 +314,7 @@ pub enum Stiffness {
 pub struct Friction {
     /// The law.
     pub law: &'static FrictionDescription,
-    /// What it takes from the file, in the order of [`FrictionDescription::numbers`].
+    /// Its numbers, in the order of [`FrictionDescription::numbers`].
     pub numbers: Vec<QuantityId>,
     /// Which reading of eq. (7) gives the sliding velocity.
     pub sliding_velocity: SlidingVelocity,
@@ -343,14 +343,14 @@ pub struct Guess {
 pub struct Output {
     /// Name in the file.
     pub name: String,
-    /// What is measured.
+    /// The measured quantity.
     pub kind: OutputKind,
     /// The unit in which people read it.
     pub unit: ReadableUnit,
 }
 
 impl OutputKind {
-    /// What its columns measure.
+    /// Dimension of its columns.
     pub fn dimension(&self) -> Dimension {
         match self {
             Self::Position { .. } | Self::Path(_) => Dimension::LENGTH,
@@ -364,7 +364,7 @@ impl OutputKind {
     }
 }
 
-/// What an output measures, seen from the ground.
+/// The quantity that an output measures, seen from the ground.
 #[derive(Debug, Clone)]
 pub enum OutputKind {
     /// Coordinate of a point, m.

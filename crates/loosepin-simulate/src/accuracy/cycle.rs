@@ -59,7 +59,7 @@ impl<'a> Cycle<'a> {
     }
 }
 
-/// What is noted on the way.
+/// Notes of a walk through a cycle.
 struct Walk<'m> {
     mechanism: &'m Mechanism,
     input: &'m CycleInput,
@@ -150,7 +150,7 @@ impl Walk<'_> {
         fastest < DEAD_POINT_RATIO * self.input.speed_rad_s.abs()
     }
 
-    /// What is said where branches cross, with the ways on.
+    /// Error where branches cross, with the ways on.
     fn crossing_words(&self, state: &IdealMotion<'_>) -> String {
         let Some(ways) = state.ways_on() else { return CROSSING_WORDS.to_owned() };
         let link = &self.mechanism.ideal.links[ways.slot - 1];
@@ -205,7 +205,7 @@ impl Walk<'_> {
     }
 }
 
-/// What is said of a dead point, by why the loops do not close beyond it.
+/// Error at a dead point, by why the loops do not close beyond it.
 fn dead_point_words(error: &SampleError) -> String {
     match error {
         SampleError::CannotClose { open, .. } => format!(

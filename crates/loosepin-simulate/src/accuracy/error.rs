@@ -26,7 +26,7 @@ pub enum AccuracyError {
     /// Too few positions to describe a cycle.
     #[error("{positions} positions a cycle were asked for; must be at least {least}")]
     TooFewPositions {
-        /// What was asked for.
+        /// The number asked for.
         positions: usize,
         /// The smallest number.
         least: usize,
@@ -36,7 +36,7 @@ pub enum AccuracyError {
     BadStandardDeviation {
         /// Path of the quantity.
         path: String,
-        /// What was given, SI.
+        /// The given value, SI.
         standard_deviation_si: f64,
     },
     /// A slider that its guide does not hold upright.
@@ -48,7 +48,7 @@ pub enum AccuracyError {
     /// Journals displaced within their clearances leave a loop open: a dead point lies within the play.
     #[error("the links cannot close when the journals are displaced within their clearances: {open}")]
     CannotCloseWithPlay {
-        /// What stays open furthest.
+        /// The constraint that stays open furthest.
         open: Opening,
     },
     /// Journals displaced within their clearances bring the mechanism into a singular position.

@@ -27,7 +27,7 @@ pub struct DisplacedLoops<'a> {
     mechanism: &'a Mechanism,
     values: &'a Values,
     geometry: Geometry<f64>,
-    /// The same numbers as constants, for derivatives.
+    /// The numbers as constants, for derivatives.
     dual_geometry: Geometry<Dual<f64>>,
     /// The numbers with all joints in the middle of their play.
     centred_geometry: Geometry<f64>,

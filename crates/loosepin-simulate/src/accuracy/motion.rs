@@ -18,10 +18,10 @@ use loosepin_text::units::DisplayUnits;
 /// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
 const LEAST_POSITIONS: usize = 12;
 
-/// What is computed.
+/// Plan of a quasi-static answer.
 #[derive(Debug, Clone)]
 pub struct MotionPlan {
-    /// What is counted as the one turn that is walked through.
+    /// The turn that is walked through.
     pub span: CycleSpan,
     /// Steps of the cycle, at least 12; the record has one position more where the mechanism can turn fully.
     pub positions: usize,
@@ -29,7 +29,7 @@ pub struct MotionPlan {
     pub scatter: Vec<Scatter>,
     /// Those of them that do not scatter independently of each other.
     pub correlations: Vec<ScatterCorrelation>,
-    /// What was set on the command line, for the record.
+    /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
 

@@ -142,7 +142,7 @@ impl PlayReach {
     }
 }
 
-/// What a tilt takes from the gap, m: a sin θ - b (1 - cos θ) for θ >= 0.
+/// Gap that a tilt uses up, m: a sin θ - b (1 - cos θ) for θ >= 0.
 fn taken_m(tilt_rad: f64, half_length_m: f64, half_height_m: f64) -> f64 {
     let half_sine = sin_cos(0.5 * tilt_rad).0;
     half_length_m * sin_cos(tilt_rad).0 - 2.0 * half_height_m * half_sine * half_sine

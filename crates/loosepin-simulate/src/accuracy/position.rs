@@ -10,15 +10,15 @@ use loosepin_text::units::SiUnit;
 pub struct PositionOutput {
     /// Name of the output of the model; paths add ` x` and ` y`.
     pub name: String,
-    /// What it is in words, for example `x of slider.pin`.
+    /// Its quantity in words, for example `x of slider.pin`.
     pub words: String,
     /// Unit of its values.
     pub unit: SiUnit,
-    /// What is read.
+    /// The quantity that is read.
     pub reading: PositionReading,
 }
 
-/// What a [`PositionOutput`] reads, seen from the ground.
+/// The quantity of a [`PositionOutput`], seen from the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PositionReading {
     /// Coordinate of a point, m.

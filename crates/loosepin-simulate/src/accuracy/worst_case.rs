@@ -1,4 +1,4 @@
-//! What clearances can do to an output: first order, and on the exact loops.
+//! Worst case of an output over clearances: to first order, and on the exact loops.
 
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;

@@ -4,33 +4,35 @@
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
 mod depth;
+mod depth_limit;
+mod queue;
 mod seats;
 mod switch;
 
-pub use depth::{DepthLimit, LARGEST_RESIDUAL};
+pub use depth_limit::{DepthLimit, LARGEST_RESIDUAL};
+pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
-use crate::column::{Arms, Reading};
+use crate::column::Reading;
 use crate::core::{Attempt, Core};
 use crate::execution::Execution;
 use crate::failure::RunFailure;
 use crate::gap::{ContactStep, GapJet};
 use crate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::motion::Motion;
-use crate::observer::{DenseOutput, Observer, Source, Step};
+use crate::observer::{DenseOutput, Source, Step};
 use crate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::projection::Projection;
 use crate::reads::ReadLayout;
 use crate::report::{Counters, PlaySummary, RunReport};
-use crate::resume::MotionState;
-use crate::settings::{Settings, Window};
+use crate::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
+use loosepin_mechanics::mechanism::{GapMeasure, Mechanism};
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
 pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
-/// What starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
+/// A motion that starts from rest is taken to have at least this share of the energy of all masses at the pace of the start over the
 /// size of the mechanism: tolerances of the energy account need a size.
 const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
@@ -39,31 +41,6 @@ const SMALLEST_STEP_TURNS: f64 = 1e-14;
 const LARGEST_GROWTH: f64 = 6.0;
 /// Steps after which a run is asked whether it is stopped: a millisecond or so.
 const STEPS_PER_QUESTION: u64 = 64;
-
-/// A run that waits for a lane.
-pub struct Run<O> {
-    /// All its numbers.
-    pub sample: Sample<f64>,
-    /// Where its points are in their bodies: for the outputs that are followed.
-    pub arms: Arms,
-    /// What is recorded.
-    pub window: Window,
-    /// Who looks at it.
-    pub observer: O,
-    /// Where it goes on from; without, it starts at time zero in the ideal position.
-    pub resume: Option<MotionState>,
-}
-
-/// Runs that wait for a lane, and where they go when they are over.
-pub trait Queue {
-    /// Who looks at a run.
-    type Observer: Observer;
-
-    /// The next run, if any is left.
-    fn next(&mut self) -> Option<Run<Self::Observer>>;
-    /// Takes back the observer of a run that is over.
-    fn finished(&mut self, observer: Self::Observer, outcome: Result<RunReport, RunFailure>);
-}
 
 /// The passes over all lanes.
 pub(super) struct Batch<'a> {
@@ -285,7 +262,7 @@ impl<'a> Batch<'a> {
         is_beyond.then_some(RunFailure::TooManyEvaluations { time_s, limit })
     }
 
-    /// What becomes of an attempt in `lane` that may hold an event.
+    /// The decision on an attempt in `lane` that may hold an event.
     fn decide(&mut self, lane: usize) -> Decision {
         self.read_gaps(lane);
         let step = LaneStep {

@@ -1,7 +1,7 @@
-//! What the passes over lanes see of a queue: runs whose observers sit elsewhere, so that the passes are compiled once for all
+//! A queue as the passes over lanes see it: runs whose observers sit elsewhere, so that the passes are compiled once for all
 //! kinds of observers.
 
-use super::{Queue, Run};
+use super::queue::{Queue, Run};
 use crate::failure::RunFailure;
 use crate::observer::Observer;
 use crate::report::RunReport;

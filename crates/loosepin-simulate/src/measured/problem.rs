@@ -1,17 +1,17 @@
-//! What can be wrong with a table of measured values.
+//! Errors of a table of measured values.
 
 use thiserror::Error;
 
 use loosepin_text::diagnostics::{Code, Problem};
 use loosepin_text::units::{Dimension, ExpressionProblem};
 
-/// What can be wrong with a table of measured values.
+/// An error in a table of measured values.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeasuredProblem {
     /// No header, or no row below it.
     #[error("the table has no {what}")]
     Empty {
-        /// What is missing.
+        /// The missing column.
         what: &'static str,
     },
     /// A cell of the header without a unit.
@@ -31,7 +31,7 @@ pub enum MeasuredProblem {
     FirstColumn {
         /// Its name.
         name: String,
-        /// What it measures.
+        /// Its dimension.
         found: Dimension,
     },
     /// Nothing beside the first column.
@@ -79,7 +79,7 @@ pub enum MeasuredProblem {
     /// A line of comment.
     #[error("a table has no lines of comment")]
     Comment,
-    /// What is no finite number.
+    /// A cell that is no finite number.
     #[error("'{text}' is no finite number")]
     NotANumber {
         /// The cell.
@@ -110,9 +110,9 @@ pub enum MeasuredProblem {
     OtherDimension {
         /// The name.
         name: String,
-        /// What the column measures.
+        /// Dimension of the column.
         found: Dimension,
-        /// What the output measures.
+        /// Dimension of the output.
         due: String,
     },
     /// A row outside what was recorded.

@@ -14,7 +14,7 @@ use loosepin_text::units::Dimension;
 pub struct SampleColumn {
     /// Its name in the header.
     pub name: String,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// The values; rows with an empty cell are left out.
     pub values_si: Vec<f64>,
@@ -32,7 +32,7 @@ impl SampleColumn {
         Self::from_source(read_source(path)?, name)
     }
 
-    /// The same of a table that was read already.
+    /// The sample of a table that was read already.
     ///
     /// # Errors
     /// As for [`SampleColumn::from_path`].

@@ -12,7 +12,7 @@ use loosepin_text::units::{Dimension, SiUnit, parse_unit};
 /// A table of measured values: one instant or angle a row, one output a column, in SI.
 #[derive(Debug, Clone)]
 pub struct MeasuredTable {
-    /// What the first column is.
+    /// Meaning of the first column.
     pub abscissa: Abscissa,
     /// Its name in the header.
     pub name: String,
@@ -30,7 +30,7 @@ pub struct MeasuredTable {
 pub struct MeasuredColumn {
     /// Name of the output that it is to be held against.
     pub name: String,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// Its values, SI; not a number where the cell is empty.
     pub values_si: Vec<f64>,
@@ -49,7 +49,7 @@ impl MeasuredColumn {
 /// A cell of the header.
 pub(super) struct Header {
     pub name: String,
-    /// What one unit is in SI.
+    /// One unit in SI.
     pub factor_si: f64,
     pub dimension: Dimension,
     pub place: Span,

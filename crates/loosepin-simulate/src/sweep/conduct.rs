@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use thiserror::Error;
 
-/// What is swept.
+/// Plan of a sweep.
 #[derive(Debug, Clone)]
 pub struct SweepPlan {
     /// The quantity and the ends of its values.
@@ -28,7 +28,7 @@ pub struct SweepPlan {
     pub recorded_turns: u32,
     /// Accuracy.
     pub settings: Settings,
-    /// What was set on the command line, for the record.
+    /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
 
@@ -137,7 +137,7 @@ pub fn sweep(
     })
 }
 
-/// What all runs share.
+/// Mechanism, plan and counts that all runs share.
 struct SweepRuns<'a> {
     mechanism: &'a Mechanism,
     ideal: Mechanism,
@@ -179,7 +179,7 @@ impl SweepRuns<'_> {
         Ok(Run { sample, arms, window, observer, resume: None })
     }
 
-    /// What a finished run found.
+    /// The point of the sweep for a finished run.
     fn point(&self, run: TurnsRecorder<'_>, report: &RunReport) -> Result<SweepPoint, RunFailure> {
         if let Some(failure) = run.failure {
             return Err(failure.into());

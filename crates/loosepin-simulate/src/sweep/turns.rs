@@ -14,7 +14,7 @@ pub struct TurnsRecorder<'a> {
     ideal: IdealReference<'a>,
     /// Deviations by output, once a turn.
     pub sections_si: Vec<Vec<f64>>,
-    /// What has to be back for the motion to repeat itself, once a turn.
+    /// Numbers that return where the motion repeats itself, once a turn.
     pub sections: Vec<Vec<Vec2<f64>>>,
     /// Loss of contact.
     pub flight: FlightClock,

@@ -132,7 +132,7 @@ impl Observer for Speeds {
 
 #[test]
 fn identity_laws_that_promise_a_restitution_deliver_it_in_a_mechanism() {
-    /// What the other forces of the mechanism do while a contact lasts: slow as it turns, 0.006 with the softest law. Half or twice
+    /// Effect of the other forces of the mechanism while a contact lasts: slow as it turns, 0.006 with the softest law. Half or twice
     /// the mass that the contact meets would change the restitution by 0.05.
     const OTHER_FORCES: f64 = 8e-3;
     const RESTITUTION: f64 = 0.83;

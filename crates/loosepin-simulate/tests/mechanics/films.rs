@@ -115,7 +115,7 @@ fn analytic_a_loaded_journal_settles_at_its_attitude_angle() {
     /// At L/D = 0.02 the bearing is a little longer than infinitely short.
     const FINITE: [f64; 2] = [0.1, 1e-3];
     let (radius_m, clearance_m, speed_rad_s, load_n) = (12e-3, 80e-6, 300.0, (0.9 + 1.3) * 9.81);
-    // F_r and F_t of a steady load at ε = 0.5 over μ ω and the factor of the film; method, section 2.4.
+    // F_r and F_t of a steady load at ε = 0.5 over μ ω and the factor of the film (`docs/lubrication.md`).
     let short = f64::hypot(0.25 / 0.5625, std::f64::consts::PI * 0.5 / (4.0 * 0.75_f64.powf(1.5)));
     let long = f64::hypot(1.777_778, 4.836_798);
     let viscosity_pa_s = |force: f64, length_m: f64, power: i32| {

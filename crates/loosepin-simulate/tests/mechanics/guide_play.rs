@@ -1,4 +1,4 @@
-//! A slider with play in its guide (method, section 2.5): its corners, their forces, and the case of Flores, Leine and Glocker.
+//! A slider with play in its guide (`docs/notation.md`): its corners, their forces, and the case of Flores, Leine and Glocker.
 
 use loosepin_math::Dual;
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};

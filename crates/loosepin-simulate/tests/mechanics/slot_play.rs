@@ -1,4 +1,4 @@
-//! A pin with play in a straight slot with round ends (method, section 2.5).
+//! A pin with play in a straight slot with round ends (`docs/notation.md`).
 
 use loosepin_math::{Dual, Vec2};
 use loosepin_mechanics::contact::{compliance_1_pa, cylinder_stiffness_n_m1_5};

@@ -1,6 +1,6 @@
 //! Instructions with registers: one pass over the units in their order.
 //!
-//! What lies in memory is read by the instruction itself where its format allows: loading what is read again into a
+//! An operand in memory is read by the instruction itself where its format allows: loading what is read again into a
 //! register was measured to gain nothing.
 
 use super::Level;
@@ -197,7 +197,7 @@ impl Allocator<'_> {
         Instruction::MulAdd { form, signs, accumulator, second: registers[second], third }
     }
 
-    /// What goes over inputs goes last; an input that is itself an output elsewhere is taken to safety before.
+    /// A store over inputs goes last; an input that is itself an output elsewhere is taken to safety before.
     fn late_stores(&mut self) {
         let lowered = self.lowered;
         for &(value, _) in &lowered.late_stores {

@@ -1,4 +1,4 @@
-//! What a program is made of: how many operations of each kind.
+//! Number of operations of each kind in a program.
 
 use std::fmt;
 

@@ -122,7 +122,7 @@ impl Encoder {
         Self { level, bytes: Vec::new(), fixups: Vec::new() }
     }
 
-    /// What is written so far; addresses of constants are still zero.
+    /// The code so far; addresses of constants are still zero.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }

@@ -18,7 +18,7 @@ pub enum NativeError {
     ExecutableMemoryRefused {
         /// The size of the machine code.
         bytes: usize,
-        /// What the operating system said.
+        /// Message of the operating system.
         source: std::io::Error,
     },
     /// The lanes do not fill whole vectors.

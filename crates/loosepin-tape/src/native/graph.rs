@@ -14,7 +14,7 @@ pub struct Mask(pub(super) NodeIndex);
 
 /// Straight-line arithmetic on `f64`, written down by method calls.
 ///
-/// The same operation on the same operands is one node. Operations on constants are done at once. What needs no operation
+/// Equal operations on equal operands are one node. Operations on constants are done at once. What needs no operation
 /// gets none: `x + 0`, `x · 1`, `x · 0`, `x - x`, `fma(±1, b, c)`, `fma(a, b, 0)`, `fma(0, b, c)`, division by a power of
 /// two, double negation; negations move into the operation that takes them. Nothing is reassociated, and a product and a
 /// sum are never fused, so the results are those of the operations as written, bit for bit, with three exceptions:

@@ -13,13 +13,13 @@ pub(super) type MaskRegister = u8;
 pub(super) enum Memory {
     /// In a block of the caller.
     Slot { block: u8, offset_bytes: i32 },
-    /// The same number in every lane, behind the code.
+    /// A constant for all lanes, behind the code.
     Constant(u32),
     /// In the stack frame of the kernel, counted in vectors.
     Spill(u32),
 }
 
-/// What an instruction reads last.
+/// Last operand of an instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Operand {
     Register(VectorRegister),
@@ -56,7 +56,7 @@ pub(super) enum FusedForm {
     Form231,
 }
 
-/// What a comparison asks; all answers are without exceptions.
+/// Predicate of a comparison; all answers are without exceptions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Predicate {
     Less,

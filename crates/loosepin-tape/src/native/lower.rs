@@ -10,7 +10,7 @@ use super::program::Program;
 /// The position of a vector in [`Lowered::values`].
 pub(super) type ValueIndex = u32;
 
-/// What a [`Unit`] computes.
+/// Operation of a [`Unit`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum UnitOperation {
     Arithmetic(Arithmetic),

@@ -68,7 +68,7 @@ impl Kernel {
         &self.values_per_block
     }
 
-    /// What the kernel is made of.
+    /// Number of operations of each kind in the kernel.
     pub fn size(&self) -> KernelSize {
         self.size
     }

@@ -1,4 +1,4 @@
-//! What a node of an expression graph computes.
+//! Nodes of an expression graph.
 
 /// A place of a block: `slot.index` counts values, each of which is as many numbers long as there are lanes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -12,7 +12,7 @@ pub struct Slot {
 /// The position of a node: a number or a mask, by what the node computes.
 pub(super) type NodeIndex = u32;
 
-/// What takes one number.
+/// Operation on one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum UnaryOperation {
     Negate,
@@ -30,7 +30,7 @@ impl UnaryOperation {
     }
 }
 
-/// What takes two numbers.
+/// Operation on two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum BinaryOperation {
     Add,
@@ -73,7 +73,7 @@ impl BinaryOperation {
     }
 }
 
-/// What takes two masks.
+/// Operation on two masks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum MaskOperation {
     And,
@@ -122,7 +122,7 @@ pub(super) enum Node {
         right: NodeIndex,
         is_negated: bool,
     },
-    /// The same answer in every lane; never reaches a program.
+    /// A constant answer for every lane; never reaches a program.
     Always(bool),
     MaskBinary {
         operation: MaskOperation,
@@ -154,7 +154,7 @@ impl Node {
         operands.into_iter().flatten()
     }
 
-    /// The same operation on other nodes.
+    /// The operation on other nodes.
     pub fn renumbered(self, mut new: impl FnMut(NodeIndex) -> NodeIndex) -> Self {
         match self {
             Self::Input(_) | Self::Constant(_) | Self::Always(_) => self,

@@ -147,7 +147,7 @@ impl Generator<'_> {
     }
 }
 
-/// What the instructions are meant to do, one lane at a time.
+/// Expected results of the instructions, one lane at a time.
 struct Model {
     /// Registers, bits of a lane.
     vectors: [u64; 32],

@@ -32,7 +32,7 @@ impl Random {
     }
 }
 
-/// What a random program is made of.
+/// Operations and sizes of a random program.
 struct Shape {
     nodes: usize,
     inputs: usize,

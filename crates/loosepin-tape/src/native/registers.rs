@@ -31,7 +31,7 @@ impl RegisterFile {
     }
 }
 
-/// What must be stored first goes only if it is needed so many times later than what need not.
+/// A value that must be stored first gives up its register only if it is needed so many times later than one that need not.
 const STORE_WEIGHT: usize = 4;
 
 /// Position of the vector registers in [`Allocator::files`].

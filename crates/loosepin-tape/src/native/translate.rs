@@ -9,7 +9,7 @@ use super::program::Program;
 use super::schedule::schedule;
 use super::{LARGEST_BLOCKS, LARGEST_FRAME_BYTES, LARGEST_LANES, Level};
 
-/// What the machine code of a kernel consists of.
+/// Parts of the machine code of a kernel.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct KernelSize {
     /// Vectors that are computed side by side, 1 or 2.

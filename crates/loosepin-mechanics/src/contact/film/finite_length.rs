@@ -162,7 +162,7 @@ impl<T: Real> Place<T> {
 }
 
 impl<T: Real> FiniteLengthFilm<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &FiniteLengthFilm<f64>) -> Self {
         Self {
             short: OcvirkFilm::broadcast(&from.short),
@@ -299,7 +299,7 @@ mod tests {
 
     #[test]
     fn analytic_a_very_short_bearing_is_that_of_ocvirk() {
-        /// What the task of the film asks for.
+        /// Largest relative error that a film may have.
         const RELATIVE: f64 = 0.01;
         let (film, reynolds) = (FiniteLengthFilm::with_length(0.02), Reynolds::new(0.02));
         for k in 1..=9 {
@@ -319,7 +319,7 @@ mod tests {
 
     #[test]
     fn analytic_a_very_long_bearing_is_the_infinitely_long_one() {
-        /// What the task of the film asks for.
+        /// Largest relative error that a film may have.
         const RELATIVE: f64 = 0.01;
         let (film, reynolds) = (FiniteLengthFilm::with_length(200.0), Reynolds::new(200.0));
         for k in 1..=9 {

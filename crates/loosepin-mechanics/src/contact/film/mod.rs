@@ -54,7 +54,7 @@ pub struct FilmLoad<T> {
     pub loss_w: T,
 }
 
-/// A film between the journal and the bearing of a joint (method, section 2.4).
+/// A film between the journal and the bearing of a joint (`docs/lubrication.md`).
 ///
 /// The force of [`FilmPressure`] along n and t; forces at the two centres leave the couple |e| F_t, so
 ///
@@ -84,7 +84,7 @@ impl Film<f64> {
 }
 
 impl<T: Real> Film<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &Film<f64>) -> Self {
         Self {
             law: FilmLaw::broadcast(&from.law),
@@ -166,7 +166,7 @@ macro_rules! film_laws {
         }),*];
 
         impl<T: Real> FilmLaw<T> {
-            /// The same numbers in every lane.
+            /// The numbers of `from` as constants of `T`.
             pub fn broadcast(from: &FilmLaw<f64>) -> Self {
                 match from {
                     $(FilmLaw::$variant(film) => Self::$variant($film::broadcast(film))),*

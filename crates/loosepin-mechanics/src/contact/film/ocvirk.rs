@@ -4,7 +4,7 @@ use super::motion::{FilmForce, FilmMotion};
 use super::pressure::{FilmBearing, FilmPressure};
 use loosepin_math::{Real, arctangent};
 
-/// Infinitely short bearing (Ocvirk 1953; method, section 2.4), the positive half of its pressure: with h = 1 + ε cos θ, θ from the
+/// Infinitely short bearing (Ocvirk 1953), the positive half of its pressure: with h = 1 + ε cos θ, θ from the
 /// thickest film, p ~ V sin(θ - α)/h³ is positive from α = atan2(2ε̇, wε) to α + π, V = √((wε)² + 4ε̇²).
 ///
 /// F_r = ½ M V (C cos α - A sin α), F_t = ½ M V (B cos α - C sin α), M = μ R L³/c², with the integrals of cos²θ/h³, sin²θ/h³ and
@@ -36,7 +36,7 @@ impl OcvirkFilm<f64> {
 }
 
 impl<T: Real> OcvirkFilm<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &OcvirkFilm<f64>) -> Self {
         Self { factor_n_s: T::from_f64(from.factor_n_s) }
     }

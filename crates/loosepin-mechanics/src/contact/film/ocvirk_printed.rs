@@ -7,7 +7,7 @@ use loosepin_math::Real;
 /// β: where |wε| is below this times |ε̇|, the jump of F_t is spread out.
 const BAND: f64 = 0.05;
 
-/// Infinitely short bearing (Ocvirk 1953; method, section 2.4) as it is printed: the half of the film that the rotation alone would
+/// Infinitely short bearing (Ocvirk 1953) as it is printed: the half of the film that the rotation alone would
 /// load, θ from 0 to π for w > 0 and from -π to 0 for w < 0. With M = μ R L³/c² and S = 1 - ε²
 ///
 /// F_r = -M (|w| ε²/S² + π ε̇ (1 + 2ε²)/(2 S^2.5)), F_t = M (w π ε/(4 S^1.5) + sgn(w) 2 ε ε̇/S²).
@@ -36,7 +36,7 @@ impl OcvirkPrintedFilm<f64> {
 }
 
 impl<T: Real> OcvirkPrintedFilm<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &OcvirkPrintedFilm<f64>) -> Self {
         Self { factor_n_s: T::from_f64(from.factor_n_s) }
     }

@@ -4,7 +4,7 @@ use super::motion::{FilmForce, FilmMotion};
 use super::pressure::{FilmBearing, FilmPressure};
 use loosepin_math::Real;
 
-/// Infinitely long bearing with squeeze (Pinkus and Sternlicht 1961; method, section 2.4, with its corrected sign). With
+/// Infinitely long bearing with squeeze (Pinkus and Sternlicht 1961, with its sign corrected, see `docs/lubrication.md`). With
 /// M = μ L R³/c², S = 1 - ε² and k² = S ((w/(2ε̇))² + 1/ε²)
 ///
 /// F_r = -6 M ε̇ (4kε² + (2 + ε²)π)/((2 + ε²) S^1.5) g, F_t = 6π M ε w/((2 + ε²) √S) g, g = (k + 3)/(k + 3/2) for ε̇ > 0; for ε̇ < 0 with
@@ -37,7 +37,7 @@ impl PinkusSternlichtFilm<f64> {
 }
 
 impl<T: Real> PinkusSternlichtFilm<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &PinkusSternlichtFilm<f64>) -> Self {
         Self { factor_n_s: T::from_f64(from.factor_n_s) }
     }

@@ -3,7 +3,7 @@
 use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
 use loosepin_math::Real;
 
-/// Friction that grows linearly between two sliding speeds (Ambrósio 2003; method, section 2.3):
+/// Friction that grows linearly between two sliding speeds (Ambrósio 2003):
 /// μ(v) = 0 for v <= v_a, μ (v - v_a)/(v_b - v_a) between, μ beyond v_b.
 #[derive(Debug, Clone, Copy)]
 pub struct AmbrosioFriction<T> {

@@ -3,8 +3,8 @@
 use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
 use loosepin_math::{Real, exponential};
 
-/// A parabola up to the static coefficient, then an exponential down to the dynamic one (Bengisu and Akay 1994; method,
-/// section 2.3): μ(v) = μ_s - (μ_s/v_a²)(v - v_a)² for v < v_a, μ_c + (μ_s - μ_c) exp(-ξ(v - v_a)) beyond.
+/// A parabola up to the static coefficient, then an exponential down to the dynamic one (Bengisu and Akay 1994):
+/// μ(v) = μ_s - (μ_s/v_a²)(v - v_a)² for v < v_a, μ_c + (μ_s - μ_c) exp(-ξ(v - v_a)) beyond.
 #[derive(Debug, Clone, Copy)]
 pub struct BengisuAkayFriction<T> {
     /// Dynamic coefficient μ_c.

@@ -3,7 +3,7 @@
 use super::law::{Friction, FrictionDescription, FrictionNumber};
 use loosepin_math::{Real, hyperbolic_tangent};
 
-/// A smooth Stribeck curve (Brown and McPhee 2016; method, section 2.3):
+/// A smooth Stribeck curve (Brown and McPhee 2016):
 /// μ(v) = μ_d tanh(4v/v_t) + (μ_s - μ_d) (v/v_t)/(¼(v/v_t)² + ¾)² + η v. It peaks at v_t.
 ///
 /// Their viscous force grows with the normal force up to a transition force; ours is proportional to it, in units of μ.

@@ -66,7 +66,7 @@ pub struct FrictionDescription {
     pub name: &'static str,
     /// Author, year and equation.
     pub source: &'static str,
-    /// What it takes from the model file.
+    /// Its numbers in the model file.
     pub numbers: &'static [FrictionNumber],
     /// Two of its keys: the value of the first must be below that of the second.
     pub below: Option<[&'static str; 2]>,

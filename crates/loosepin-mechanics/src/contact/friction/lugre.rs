@@ -6,7 +6,7 @@ use loosepin_math::{Real, exponential};
 /// g(v) is at least this: bristles settle in a time g/(σ0 |v|), so that with no friction at all they would be infinitely fast.
 const SMALLEST_COEFFICIENT: f64 = 1e-4;
 
-/// Friction with a memory (Canudas de Wit, Olsson, Åström and Lischinsky 1995; method, section 2.3): bristles of mean deflection z
+/// Friction with a memory (Canudas de Wit, Olsson, Åström and Lischinsky 1995): bristles of mean deflection z
 /// between the surfaces, ż = v - σ0 |v| z/g(v), F_T = -F_N (σ0 z + σ1 ż + η v), g(v) = μ_c + (μ_s - μ_c) exp(-(v/v_s)²).
 ///
 /// All coefficients are in units of μ, so that the force vanishes with F_N; z is zero where contact begins. The law that the

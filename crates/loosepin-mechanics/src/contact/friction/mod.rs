@@ -65,7 +65,7 @@ macro_rules! friction_laws {
         }
 
         impl<T: Real> FrictionLaw<T> {
-            /// The same numbers in every lane.
+            /// The numbers of `from` as constants of `T`.
             pub fn broadcast(from: &FrictionLaw<f64>) -> Self {
                 let mut numbers = Vec::new();
                 from.clone().visit(&mut |number| numbers.push(T::from_f64(*number)));

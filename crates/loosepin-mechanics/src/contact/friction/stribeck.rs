@@ -3,7 +3,7 @@
 use super::law::{Friction, FrictionDescription, FrictionNumber};
 use loosepin_math::{Real, exponential, hyperbolic_tangent};
 
-/// Friction that falls from its static to its dynamic value (Stribeck 1902, as Bo and Pavelescu 1982 write it; method, section 2.3):
+/// Friction that falls from its static to its dynamic value (Stribeck 1902, as Bo and Pavelescu 1982 write it):
 /// μ(v) = (μ_c + (μ_s - μ_c) exp(-(v/v_s)²)) tanh(4v/v_t) + η v.
 ///
 /// The hyperbolic tangent stands for the sign of v: the curve itself does not begin at zero. It is full, 0.9993, at v_t.

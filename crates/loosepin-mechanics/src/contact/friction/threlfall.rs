@@ -3,7 +3,7 @@
 use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
 use loosepin_math::{Real, exponential};
 
-/// Friction that grows steeply and evens out (Threlfall 1978; method, section 2.3): μ(v) = μ (1 - exp(-3v/v_r)) up to v_r, and from
+/// Friction that grows steeply and evens out (Threlfall 1978): μ(v) = μ (1 - exp(-3v/v_r)) up to v_r, and from
 /// there on what it is at v_r, 0.95 μ.
 #[derive(Debug, Clone, Copy)]
 pub struct ThrelfallFriction<T> {

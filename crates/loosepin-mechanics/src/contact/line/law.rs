@@ -4,7 +4,7 @@ use super::pair::LinePair;
 use crate::contact::normal::NormalLaw;
 use std::fmt::Debug;
 
-/// A line-contact law (method, section 2.2), with the energy loss of a point-contact law: F_N = F_el(δ)(1 + χ δ̇/v0).
+/// A line-contact law (`docs/contact-laws.md`), with the energy loss of a point-contact law: F_N = F_el(δ)(1 + χ δ̇/v0).
 pub trait LineLaw: Debug + Sync {
     /// The name used in model files, in kebab case.
     fn name(&self) -> &'static str;

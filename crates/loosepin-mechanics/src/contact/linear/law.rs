@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-/// A linear contact law `F_N = K δ + D δ̇`, cut at zero (method, section 2.1): it tells where D comes from.
+/// A linear contact law `F_N = K δ + D δ̇`, cut at zero: it tells where D comes from.
 pub trait LinearLaw: Debug + Sync {
     /// The name used in model files, in kebab case.
     fn name(&self) -> &'static str;

@@ -16,7 +16,7 @@ pub struct BaiZhaoContact<T> {
 }
 
 impl<T: Real> BaiZhaoContact<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &BaiZhaoContact<f64>) -> Self {
         Self {
             stiffness_n_m: T::from_f64(from.stiffness_n_m),

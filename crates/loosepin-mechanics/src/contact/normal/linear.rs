@@ -22,7 +22,7 @@ pub struct LinearContact<T> {
 }
 
 impl<T: Real> LinearContact<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &LinearContact<f64>) -> Self {
         Self {
             stiffness_n_m: T::from_f64(from.stiffness_n_m),
@@ -89,7 +89,7 @@ impl<T: Real> NormalContact<T> for LinearContact<T> {
 /// The restitution ε that a free impact delivers with the damping ratio ξ, the force cut at zero:
 /// `-ln ε = 2ξ acos(ξ)/√(1 - ξ²)`, beyond critical damping `2ξ acosh(ξ)/√(ξ² - 1)`.
 ///
-/// The same as (ξ/s)(π - atan2(2ξs, 1 - 2ξ²)) with s = √(1 - ξ²) (method, section 2.1), which is the phase at which the force
+/// Equal to (ξ/s)(π - atan2(2ξs, 1 - 2ξ²)) with s = √(1 - ξ²), which is the phase at which the force
 /// reaches zero; from there on the speed stays.
 pub fn restitution_of_damping_ratio(damping_ratio: f64) -> f64 {
     libm::exp(-logarithmic_loss(damping_ratio))
@@ -150,7 +150,7 @@ mod tests {
             // Bisection to the last place of ξ, and round-off near critical damping.
             assert!((delivered / restitution - 1.0).abs() < 1e-12, "{restitution}: {damping_ratio} {delivered}");
         }
-        // The form of the method, below critical damping.
+        // The other form, below critical damping.
         for ratio in [0.1, 0.4, 0.9] {
             let s = f64::sqrt(1.0 - ratio * ratio);
             let other = ratio / s * (std::f64::consts::PI - f64::atan2(2.0 * ratio * s, 1.0 - 2.0 * ratio * ratio));

@@ -15,7 +15,7 @@ pub struct LiuContact<T> {
 }
 
 impl<T: Real> LiuContact<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &LiuContact<f64>) -> Self {
         Self {
             stiffness_n_m: T::from_f64(from.stiffness_n_m),

@@ -18,7 +18,7 @@ pub struct LogarithmicContact<T> {
 }
 
 impl<T: Real> LogarithmicContact<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &LogarithmicContact<f64>) -> Self {
         Self {
             stiffness_n_m: T::from_f64(from.stiffness_n_m),

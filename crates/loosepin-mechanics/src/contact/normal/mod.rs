@@ -32,7 +32,7 @@ macro_rules! normal_laws {
         }
 
         impl<T: Real> NormalLaw<T> {
-            /// The same numbers in every lane.
+            /// The numbers of `from` as constants of `T`.
             pub fn broadcast(from: &NormalLaw<f64>) -> Self {
                 match from {
                     $(NormalLaw::$variant(contact) => Self::$variant($contact::broadcast(contact))),*

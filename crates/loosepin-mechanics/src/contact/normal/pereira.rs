@@ -15,7 +15,7 @@ pub struct PereiraContact<T> {
 }
 
 impl<T: Real> PereiraContact<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &PereiraContact<f64>) -> Self {
         Self {
             force_at_1_mm_n: T::from_f64(from.force_at_1_mm_n),

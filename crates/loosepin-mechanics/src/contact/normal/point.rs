@@ -17,7 +17,7 @@ pub struct PointContact<T> {
 }
 
 impl<T: Real> PointContact<T> {
-    /// The same numbers in every lane.
+    /// The numbers of `from` as constants of `T`.
     pub fn broadcast(from: &PointContact<f64>) -> Self {
         Self {
             stiffness_n_m_n: T::from_f64(from.stiffness_n_m_n),

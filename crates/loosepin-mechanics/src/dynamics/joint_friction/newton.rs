@@ -1,4 +1,4 @@
-//! What joints with friction carry: Newton's method with a fixed number of steps.
+//! Normal forces of joints with friction, by Newton's method with a fixed number of steps.
 
 use super::{JointFrictions, PARTS};
 use loosepin_math::Real;

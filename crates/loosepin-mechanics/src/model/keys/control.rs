@@ -4,7 +4,7 @@ use super::drive::MOTION_KINDS;
 use loosepin_text::document::{Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 
-/// What feeds forward the torques that the references need.
+/// Value of `feed_forward` that asks for the torques that the references need.
 pub(in crate::model) const INVERSE_DYNAMICS: &str = "inverse dynamics";
 
 pub(in crate::model) static CONTROL_KEYS: Keys = Keys::new(

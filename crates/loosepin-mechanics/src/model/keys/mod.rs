@@ -490,7 +490,7 @@ pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
     ],
 );
 
-/// What an output may measure.
+/// Quantities that an output may measure.
 pub(in crate::model) const MEASURES: [&str; 8] = [
     "position_of",
     "velocity_of",

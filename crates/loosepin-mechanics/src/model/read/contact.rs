@@ -15,7 +15,7 @@ use loosepin_text::units::{Dimension, Rule};
 
 /// The law where the file names none: that of the source paper.
 const DEFAULT_LAW: &str = "lankarani-nikravesh";
-/// v_min where the file gives none (method, section 2), m/s.
+/// v_min where the file gives none (our choice), m/s.
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
 /// The friction law where the file names none.
 const DEFAULT_FRICTION_LAW: &str = "ambrosio";

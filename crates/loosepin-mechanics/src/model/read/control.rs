@@ -14,7 +14,7 @@ use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
-/// What the coordinate of a joint measures, and what acts along it.
+/// Dimensions of the coordinate of a joint and of the effort along it; none for a rigid joint.
 fn coordinate_and_effort(kind: &JointKind) -> Option<(Dimension, Dimension)> {
     match kind {
         JointKind::Revolute { .. } => Some((Dimension::ANGLE, Dimension::TORQUE)),
@@ -137,7 +137,7 @@ impl ModelReader {
     }
 }
 
-/// What is not there is right; what is there and could not be read is not.
+/// An absent entry is right (`Some(None)`); an entry that could not be read is not (`None`).
 fn present(found: Option<Option<QuantityId>>) -> Option<Option<QuantityId>> {
     match found {
         None => Some(None),

@@ -83,7 +83,7 @@ impl ModelReader {
         Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points } })
     }
 
-    /// What the coordinate of a joint measures.
+    /// Dimension of the coordinate of a joint.
     fn coordinate_of(&self, joint: JointId) -> Dimension {
         match self.joints[joint.0].kind {
             JointKind::Prismatic { .. } | JointKind::Slot { .. } => Dimension::LENGTH,

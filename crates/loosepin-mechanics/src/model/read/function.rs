@@ -7,7 +7,7 @@ use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Entry, Written};
 use loosepin_text::units::{Dimension, ExpressionProblem, Names, parse_expression};
 
-/// What is written where a value that may change is due.
+/// A value that may change.
 pub(super) enum Changing {
     /// A value without variables.
     Constant(QuantityId),

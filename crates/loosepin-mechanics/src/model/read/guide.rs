@@ -12,9 +12,9 @@ use loosepin_text::units::{Dimension, Rule};
 
 /// Keys of a joint kind that go with its `clearance`.
 pub(super) struct PlayKeys {
-    /// What a clearance above zero needs.
+    /// Keys that a clearance above zero needs.
     pub needed: &'static [&'static str],
-    /// What has a meaning beside a clearance only.
+    /// Keys that have a meaning beside a clearance only.
     pub further: &'static [&'static str],
 }
 

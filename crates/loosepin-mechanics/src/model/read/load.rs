@@ -82,7 +82,7 @@ impl ModelReader {
         Some(joint)
     }
 
-    /// What expressions may read: the time, and coordinate and rate of a joint.
+    /// Variables of an expression: the time, and coordinate and rate of a joint.
     pub(super) fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
         let mut variables = vec![TIME];
         match joint.map(|joint| &self.joints[joint.0].kind) {

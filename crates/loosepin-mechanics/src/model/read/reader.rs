@@ -20,7 +20,7 @@ use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Rule, parse
 /// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
 pub(super) const UNREAD: QuantityId = QuantityId(0);
 
-/// What a name of the file stands for; absent where it was complained about already.
+/// Names of the file with the things that they stand for; absent where they were complained about already.
 pub(super) type NamesOf<T> = Vec<(String, Option<T>)>;
 
 /// A model in the making.
@@ -120,7 +120,7 @@ impl ModelReader {
         self.add(entry, &expression, rule)
     }
 
-    /// What is written at an entry, as an expression over parameters.
+    /// The text or number at an entry as an expression over parameters.
     pub fn expression(&mut self, entry: &Entry<'_>) -> Option<Expression> {
         match self.reader.written(entry)? {
             Written::Number(value) => Some(Expression::number(value)),
@@ -226,7 +226,7 @@ impl ModelReader {
         None
     }
 
-    /// What `name` stands for in a list of names.
+    /// The thing that `name` stands for in a list of names.
     pub fn named<T: Copy>(
         &mut self,
         entry: &Entry<'_>,

@@ -10,7 +10,7 @@ use loosepin_text::units::{Dimension, Rule, parse_quantity};
 /// A cubic spline needs two intervals to have a bend.
 const LEAST_POINTS: usize = 3;
 
-/// What a column holds: its name in paths, and what it measures.
+/// A column: its name in paths, and its dimension.
 pub(super) type Column = (&'static str, Dimension);
 
 impl ModelReader {

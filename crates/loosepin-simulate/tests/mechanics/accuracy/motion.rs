@@ -63,7 +63,7 @@ fn analytic_slider_crank_over_the_cycle() {
 
 #[test]
 fn published_extremes_of_the_ideal_slider_acceleration() {
-    /// Half a unit of the last digit of method.md, section 5, case 2, m/s².
+    /// Half a unit of the last printed digit, m/s².
     const LAST_DIGIT_M_S2: f64 = 0.5e-4;
     let built = build_case("slider_crank_5000");
     let sample = built.sample();

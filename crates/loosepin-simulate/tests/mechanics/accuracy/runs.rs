@@ -172,7 +172,7 @@ impl Observer for Drift {
 
 #[test]
 fn identity_loops_of_ideal_joints_do_not_drift_over_ten_cycles() {
-    /// What the six-bar must keep, m.
+    /// Error allowed to the six-bar, m.
     const DRIFT_M: f64 = 1e-12;
     for (case, turns) in [("six_bar", 10.0), ("six_bar_stephenson", 1.0), ("eight_bar", 1.0)] {
         let built = build_case(case);

@@ -13,7 +13,7 @@ const GUDGEON: PlayReach = PlayReach::Disc { radius_m: 5e-4 };
 /// Round-off of positions of order 0.1 m, m.
 const ROUND_OFF_M: f64 = 1e-15;
 
-/// Slider of r = 50 mm, l = 120 mm with the eccentricity c at ψ in the gudgeon (method.md, section 4), m.
+/// Slider of r = 50 mm, l = 120 mm with the eccentricity c at ψ in the gudgeon, in closed form, m.
 fn slider_m(angle: f64, c: f64, psi: f64) -> f64 {
     let (r, l): (f64, f64) = (0.05, 0.12);
     let height = r * angle.sin() + c * psi.sin();
@@ -107,7 +107,7 @@ fn published_first_order_is_exceeded_by_0_17_micrometres_at_60_degrees() {
     let first_order = worst_case_si(&[(GUDGEON, gradient)]);
     let exact = exact_worst_case(&mut loops, reading, &[GUDGEON], &[]).expect("it is regular");
     let excess_m = -exact.lowest.deviation_si - first_order;
-    // method.md, section 1: 0.17 µm, to the digits given.
+    // 0.17 µm, to its two digits: what the first-order worst case lacks.
     assert!((excess_m - 0.17e-6).abs() < 0.005e-6, "{excess_m:e}");
 }
 

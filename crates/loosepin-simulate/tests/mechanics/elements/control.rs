@@ -11,10 +11,10 @@ use loosepin_simulate::{Observer, RunReport, Settings, Step, Window, run};
 const ACCOUNT: f64 = 1e-7;
 /// Tolerance of the runs below, m: a hundredth of that of a simulation, so that what is left is the law.
 const TOLERANCE_M: f64 = 1e-11;
-/// What that leaves of angles over a few hundred steps, rad.
+/// Error that this leaves in angles over a few hundred steps, rad.
 const ANGLE_RAD: f64 = 1e-9;
 
-/// What `look` finds at the ends of all steps.
+/// Values that `look` gives at the ends of all steps.
 struct Looks<F, R> {
     look: F,
     found: Vec<(f64, R)>,
@@ -308,7 +308,7 @@ duration = "0.9 s"
 
 /// Amplitude, rad, and period, s, of the swings of the load of `backlash.toml`, by `backlash_limit_cycle.py 12`.
 const BACKLASH_SWING: [f64; 2] = [0.003_540_77, 0.391_812_19];
-/// What may be between the two programs, relative: the largest error lies between rows 0.5 ms and 0.1 ms apart.
+/// Difference allowed between the two programs, relative: the largest error lies between rows 0.5 ms and 0.1 ms apart.
 const SWING: f64 = 2e-4;
 
 /// Integral action through backlash never comes to rest; without the play it does.

@@ -10,7 +10,7 @@ use loosepin_simulate::{Observer, Settings, Step, Window, run};
 const ACCOUNT: f64 = 1e-7;
 /// Round-off of angles of a few turns, rad, and of their rates over those.
 const ROUND_OFF: f64 = 1e-12;
-/// What the tolerance of a simulation leaves of the motion over half a second, relative.
+/// Error of the motion over half a second within the tolerance of a simulation, relative.
 const MOTION: f64 = 1e-8;
 
 /// Two wheels and a carriage on the ground, with `elements`.

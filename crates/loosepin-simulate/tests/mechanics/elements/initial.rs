@@ -199,8 +199,8 @@ fn identity_a_double_four_bar_starts_as_given_and_keeps_its_energy() {
     assert!(account.largest_residual_j < 1e-9, "{account:?}");
 }
 
-/// The same over ten seconds. Twice a turn all bars lie in a line: there the loops leave more than one free motion, and inertia
-/// decides which way it goes on. The tip at the end is that of the IFToMM benchmark (method.md section 5, case 5).
+/// Ten seconds of it. Twice a turn all bars lie in a line: there the loops leave more than one free motion, and inertia
+/// decides which way it goes on. The tip at the end is that of the IFToMM benchmark (`cases/README.md`).
 #[test]
 fn published_a_double_four_bar_passes_its_change_points() {
     const TIP_M: [f64; 2] = [0.3284581115, 0.9445185382];
@@ -282,7 +282,7 @@ along = "y"
     assert_eq!(with.quasi_static_check, []);
 }
 
-/// What is not given follows from the joints, or is refused in words.
+/// A number that is not given follows from the joints, or is refused in words.
 #[test]
 fn starts_that_do_not_fit_are_refused() {
     let refused = |initial: &str| {

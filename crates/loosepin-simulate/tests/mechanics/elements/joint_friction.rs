@@ -264,7 +264,7 @@ fn slider_crank(law: &str) -> Built {
 const LUGRE: &str = "{ law = \"lugre\", coefficient = 0.06, static_coefficient = 0.09, stribeck_speed = \"20 mm/s\", \
                      bristle_stiffness = \"2e3 m^-1\", bristle_damping = \"0.004 s/m\" }";
 
-/// What a pin carries is the force of its joint, found from the balance of all bodies beyond it.
+/// A pin carries the force of its joint, found from the balance of all bodies beyond it.
 struct Forces {
     looks: usize,
 }

@@ -58,7 +58,7 @@ pub(crate) fn crank(speed: &str, elements: &str) -> Built {
     crank_with_drive(&format!("speed = \"{speed}\"\nstart_angle = \"20 deg\""), "drive = \"crank\"", elements)
 }
 
-/// The same crank with any motion and any cycle.
+/// A crank with any motion and any cycle.
 pub(crate) fn crank_with_drive(motion: &str, cycle: &str, elements: &str) -> Built {
     build(&format!(
         r#"

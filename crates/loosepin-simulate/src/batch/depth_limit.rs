@@ -1,0 +1,34 @@
+//! Limits of what a run may do to its joints.
+
+use loosepin_mechanics::contact::NormalContact;
+use loosepin_mechanics::mechanism::{GapMeasure, PlayGeometry, PlayShape};
+
+/// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
+/// solution, and round-off is far below.
+pub const LARGEST_RESIDUAL: f64 = 1e-9;
+
+/// How deep a contact may be pressed in: the centre of a pin must stay inside its hole or slot, the axis of a slider inside its
+/// guide, and the penetration where the law has one meaning.
+#[derive(Debug, Clone, Copy)]
+pub struct DepthLimit {
+    /// The largest penetration, m.
+    pub penetration_m: f64,
+    /// The gap function there.
+    pub gap: f64,
+    /// Whether the law ends there, and not the bodies.
+    pub is_of_law: bool,
+}
+
+impl DepthLimit {
+    /// The limit of the contacts of a joint with play.
+    pub fn new(play: &PlayGeometry<f64>) -> Self {
+        let body_m = match play.shape {
+            PlayShape::Pin { bearing_radius_m } => (bearing_radius_m - play.clearance_m).max(0.0),
+            PlayShape::Slider(block) => block.half_height_m,
+            PlayShape::Slot(slot) => (slot.end_radius_m - play.clearance_m).max(0.0),
+        };
+        let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
+        let penetration_m = body_m.min(law_m);
+        Self { penetration_m, gap: GapMeasure::of(play).gap(penetration_m), is_of_law: law_m < body_m }
+    }
+}
