@@ -165,6 +165,19 @@ pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     matrix.chunks(vector.len().max(1)).map(|row| dot(row, vector)).collect()
 }
 
+/// AᵀA of a matrix A with rows of `size` entries, its rows added in their order.
+pub fn gram(rows: &[f64], size: usize) -> Vec<f64> {
+    let mut gram = vec![0.0; size * size];
+    for row in rows.chunks(size) {
+        for i in 0..size {
+            for j in 0..size {
+                gram[i * size + j] += row[i] * row[j];
+            }
+        }
+    }
+    gram
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Cholesky, dot, multiply};

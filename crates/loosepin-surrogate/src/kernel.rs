@@ -1,5 +1,6 @@
 //! Covariance of a Gaussian process between two points.
 
+use super::gaussian_process::matern_five_halves;
 use serde::{Deserialize, Serialize};
 
 /// How alike the outputs at two points are, by r² = Σ (x_k - x'_k)²/ℓ_k² with one length scale an input.
@@ -17,8 +18,8 @@ impl Kernel {
         match self {
             Self::Matern52 => {
                 let s = (5.0 * square).sqrt();
-                let decay = libm::exp(-s);
-                ((1.0 + s + s * s / 3.0) * decay, 5.0 / 3.0 * (1.0 + s) * decay)
+                let (correlation, decay) = matern_five_halves(s);
+                (correlation, 5.0 / 3.0 * (1.0 + s) * decay)
             }
             Self::SquaredExponential => {
                 let value = libm::exp(-0.5 * square);

@@ -159,9 +159,7 @@ impl Kriging {
             terms.extend(point);
         }
         let value = dot(&terms, &self.solved.coefficients) + dot(&covariances, &self.solved.weights);
-        let white = self.solved.whitening.multiply(&covariances);
-        let rest: Vec<f64> =
-            terms.iter().zip(&self.solved.white_trend).map(|(term, column)| term - dot(column, &white)).collect();
+        let (white, rest) = self.solved.whitened.at_place(&covariances, &terms);
         let mut gain = rest.clone();
         self.solved.information.solve(&mut gain);
         let square = variance - dot(&white, &white) + dot(&rest, &gain);
@@ -171,12 +169,6 @@ impl Kriging {
     /// The kernel.
     pub fn kernel(&self) -> Kernel {
         self.stored.kernel
-    }
-
-    /// ℓ_k, in standard deviations of the inputs.
-    pub fn length_scales(&self) -> Vec<f64> {
-        let count = self.stored.parameters.len() - 2;
-        self.stored.parameters[..count].iter().map(|length| libm::exp(*length)).collect()
     }
 
     /// τ², in variances of the output over the runs.

@@ -8,8 +8,9 @@
 //! L is the restricted likelihood: that of what the trend F β cannot explain. Source: C. E. Rasmussen and C. K. I. Williams,
 //! "Gaussian Processes for Machine Learning", MIT Press 2006, sections 2.7 and 5.4.1.
 
+use super::gaussian_process::Whitened;
 use super::kernel::Kernel;
-use loosepin_math::dense::{Cholesky, LowerTriangle, dot};
+use loosepin_math::dense::{Cholesky, dot};
 
 /// What a process is fitted to.
 pub(super) struct Observations<'a> {
@@ -26,10 +27,7 @@ pub(super) struct Observations<'a> {
 /// V factorised, with what the trend takes away.
 #[derive(Clone)]
 pub(super) struct Solved {
-    /// L⁻¹ of V = L Lᵀ.
-    pub whitening: LowerTriangle,
-    /// L⁻¹ F, column by column.
-    pub white_trend: Vec<Vec<f64>>,
+    pub whitened: Whitened,
     /// FᵀV⁻¹F
     pub information: Cholesky,
     /// β
@@ -76,23 +74,18 @@ impl Observations<'_> {
 
     fn solve_covariance(&self, covariance: Vec<f64>) -> Option<Solved> {
         let count = self.points.len();
-        let cholesky = Cholesky::new(covariance, count)?;
-        let whitening = cholesky.inverse_factor();
-        let white_trend: Vec<Vec<f64>> = self.trend.iter().map(|column| whitening.multiply(column)).collect();
-        let size = white_trend.len();
-        let gram = (0..size * size).map(|k| dot(&white_trend[k / size], &white_trend[k % size])).collect();
+        let whitened = Whitened::try_new(covariance, &self.trend, count)?;
+        let trend = &whitened.trend;
+        let size = trend.len();
+        let gram = (0..size * size).map(|k| dot(&trend[k / size], &trend[k % size])).collect();
         let information = Cholesky::new(gram, size)?;
-        let mut rest = whitening.multiply(self.values);
-        let mut coefficients: Vec<f64> = white_trend.iter().map(|column| dot(column, &rest)).collect();
+        let mut rest = whitened.whitening.multiply(self.values);
+        let mut coefficients = whitened.products(&rest);
         information.solve(&mut coefficients);
-        for (factor, column) in coefficients.iter().zip(&white_trend) {
-            for (entry, value) in rest.iter_mut().zip(column) {
-                *entry -= factor * value;
-            }
-        }
-        let deviance = cholesky.ln_determinant() + information.ln_determinant() + dot(&rest, &rest);
-        let weights = whitening.multiply_transposed(&rest);
-        deviance.is_finite().then_some(Solved { whitening, white_trend, information, coefficients, weights, deviance })
+        whitened.take_out(&mut rest, &coefficients);
+        let deviance = whitened.ln_determinant + information.ln_determinant() + dot(&rest, &rest);
+        let weights = whitened.whitening.multiply_transposed(&rest);
+        deviance.is_finite().then_some(Solved { whitened, information, coefficients, weights, deviance })
     }
 
     /// -2 ln L and its gradient.
@@ -131,7 +124,7 @@ impl Solved {
     /// P, row by row, its lower triangle.
     fn projection(&self) -> Vec<f64> {
         let count = self.weights.len();
-        let mut projection = self.whitening.gram();
+        let mut projection = self.whitened.whitening.gram();
         for column in self.trend_directions() {
             for i in 0..count {
                 let factor = column[i];
@@ -145,10 +138,9 @@ impl Solved {
 
     /// Columns D with D Dᵀ = V⁻¹F (FᵀV⁻¹F)⁻¹ FᵀV⁻¹.
     fn trend_directions(&self) -> Vec<Vec<f64>> {
-        let size = self.white_trend.len();
+        let size = self.whitened.trend.len();
         let root = self.information.inverse_factor();
-        let columns: Vec<Vec<f64>> =
-            self.white_trend.iter().map(|column| self.whitening.multiply_transposed(column)).collect();
+        let columns = self.whitened.projected_trend();
         let count = self.weights.len();
         let mut directions = vec![vec![0.0; count]; size];
         for i in 0..count {
@@ -162,7 +154,7 @@ impl Solved {
 
     /// Errors of predicting each value from all the others, (P y)_i/P_ii, and their variances 1/P_ii.
     pub fn leave_one_out(&self) -> (Vec<f64>, Vec<f64>) {
-        let mut diagonal = self.whitening.column_squares();
+        let mut diagonal = self.whitened.whitening.column_squares();
         for direction in self.trend_directions() {
             for (entry, value) in diagonal.iter_mut().zip(&direction) {
                 *entry -= value * value;

@@ -1,4 +1,4 @@
-//! Functions with known shape on which the surrogates are tried.
+//! Functions with known shape, on which the surrogates are tried: for tests and for `tools/compare`. No study uses them.
 //!
 //! **Ishigami**: sin x_1 + 7 sin² x_2 + 0.1 x_3⁴ sin x_1, x_i uniform in \[-π, π\] (T. Ishigami and T. Homma, 1990).
 //!

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use thiserror::Error;
 
 use super::normal::normal_quantile;
-use super::random_variable::{Level, RandomVariable};
+use super::random_variable::{QuantileLevel, RandomVariable};
 
 /// Correlated standard normal variables behind the random inputs: z = L w, w independent, L Lᵀ = R, X_i = F_i⁻¹(Φ(z_i)).
 ///
@@ -127,7 +127,7 @@ impl GaussianCopula {
     }
 
     /// Which part of its distribution each input takes at a point of the unit cube.
-    pub fn levels(&self, point: &[f64]) -> Vec<Level> {
+    pub fn levels(&self, point: &[f64]) -> Vec<QuantileLevel> {
         let is_used = |input: usize| self.is_correlated(input);
         let normal: Vec<f64> = point
             .iter()
@@ -136,9 +136,9 @@ impl GaussianCopula {
             .collect();
         let level = |(input, &at): (usize, &f64)| match self.rows.get(input) {
             Some(row) if !row.is_empty() => {
-                Level::StandardNormal(row.iter().zip(&normal).fold(0.0, |sum, (factor, z)| sum + factor * z))
+                QuantileLevel::StandardNormal(row.iter().zip(&normal).fold(0.0, |sum, (factor, z)| sum + factor * z))
             }
-            _ => Level::Probability(at),
+            _ => QuantileLevel::Probability(at),
         };
         point.iter().enumerate().map(level).collect()
     }

@@ -37,7 +37,7 @@ pub use interval::{Interval, IntervalError};
 pub use linear_correlation::{CorrelationSeries, UnattainableCorrelation};
 pub use normal::{normal_cdf, normal_quantile};
 pub use parameter::{EpistemicParameter, Parameter};
-pub use random_variable::{Level, RandomVariable};
+pub use random_variable::{QuantileLevel, RandomVariable};
 pub use sample_fit::{FEWEST_FITTED, FittedFamily, Goodness, SampleFit, SampleFitError};
 pub use second_order::SecondOrder;
 pub use sobol::{MAXIMUM_DIMENSIONS, ScrambledSobol, SobolError};

@@ -18,9 +18,9 @@ pub struct RandomVariable {
     family: Arc<dyn Family>,
 }
 
-/// Which part of a distribution is meant.
+/// Quantile level: the place of a value in a distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Level {
+pub enum QuantileLevel {
     /// The share that lies below.
     Probability(f64),
     /// The value of a standard normal variable below which the same share lies; it keeps the digits of both tails.
@@ -78,11 +78,11 @@ impl RandomVariable {
         self.family.quantile(Tails::at(probability))
     }
 
-    /// The value at a level.
-    pub fn at(&self, level: Level) -> f64 {
+    /// The value at a quantile level.
+    pub fn at(&self, level: QuantileLevel) -> f64 {
         match level {
-            Level::Probability(probability) => self.quantile(probability),
-            Level::StandardNormal(z) => self.at_standard_normal(z),
+            QuantileLevel::Probability(probability) => self.quantile(probability),
+            QuantileLevel::StandardNormal(z) => self.at_standard_normal(z),
         }
     }
 

@@ -2,14 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use super::super::exact_cases::{Function, STANDARD_NORMAL, problem};
-use super::super::{
-    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Reading, Request, Response, RunInputs, SampleTable,
-    Sampling, Standing, Statistic, evaluate, execute,
-};
 use super::{
     ColumnGroup, GroupBounds, SurrogateBounds, SurrogatePair, SurrogatePlan, SurrogatePlanError, SurrogateRounds,
     SurrogateSettings,
+};
+use crate::Function;
+use crate::cases::exact::{STANDARD_NORMAL, paired, problem};
+use crate::{
+    Band, BoundPair, Failure, Goal, Guarantee, Problem, Purpose, Reading, Request, Response, RunInputs, SampleTable,
+    Sampling, Standing, Statistic, evaluate, execute,
 };
 use loosepin_surrogate::{Choice, Kind, SurrogateError, SurrogateVerdict};
 use loosepin_uncertainty::{Distribution, EpistemicParameter, Members, Parameter, hash, normal_cdf};
@@ -66,7 +67,7 @@ fn identity_what_a_polynomial_gives_exactly_has_the_direct_bounds() {
     let of = || small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &statistics), 3);
     let response = Function(|x: &[f64], u: &[f64]| x[0] + 2.0 * u[0] * u[0]);
     let found = bounds(of(), settings(Kind::Chaos, 20), &response);
-    for (pair, direct) in found.groups[0].pairs.iter().zip(direct(of(), &response)) {
+    for (pair, direct) in paired(&found.groups[0].pairs, direct(of(), &response)) {
         for (own, direct) in [(&pair.pair.lower, &direct.lower), (&pair.pair.upper, &direct.upper)] {
             assert!((own.value - direct.value).abs() < TOLERANCE, "{own:?} {direct:?}");
             assert!(own.error.surrogate < TOLERANCE, "{own:?}");
@@ -138,7 +139,7 @@ fn identity_shares_inside_stand_at_their_own_points_where_direct_runs_widened_a_
         let found = bounds(of, settings(Kind::Chaos, 40), &response);
         let points = &found.groups[0].treatments.as_ref().unwrap().outer_points;
         assert_ne!(points[1].len(), points[0].len(), "seed {seed}");
-        for (band, points) in bands(&found).iter().zip(points) {
+        for (band, points) in paired(&bands(&found), points) {
             let coverage = &band.coverage;
             assert_eq!(coverage.points.len(), points.len(), "{:?}, seed {seed}", band.treatment);
             let least = coverage.points.iter().min_by(|a, b| a.lower.total_cmp(&b.lower)).unwrap();
@@ -174,7 +175,7 @@ fn analytic_a_slider_crank_with_play_from_a_hundred_runs() {
     let of = Problem { sampling: Sampling { inner: 256, seed: 5, ..Sampling::default() }, ..of };
     let settings = SurrogateSettings { confirming: 64, ..settings(Kind::Chaos, 100) };
     let found = bounds(of, settings, &Function(slider));
-    for (pair, (_, exact)) in found.groups[0].pairs.iter().zip(statistics) {
+    for (pair, (_, exact)) in paired(&found.groups[0].pairs, statistics) {
         holds(pair, exact);
     }
     let mean = &found.groups[0].pairs[0].pair;
@@ -197,7 +198,7 @@ fn analytic_white_noise_is_recognised_and_its_scatter_kept() {
     let group = &found.groups[0];
     assert!(matches!(verdict(group), SurrogateVerdict::Nothing | SurrogateVerdict::Floor), "{:?}", verdict(group));
     assert!(group.learned.keeps_residual());
-    for (pair, exact) in group.pairs.iter().zip([(0.0, 0.0), (0.3, 0.3), (0.6, 0.6)]) {
+    for (pair, exact) in paired(&group.pairs, [(0.0, 0.0), (0.3, 0.3), (0.6, 0.6)]) {
         holds(pair, exact);
     }
     let quantile = &group.pairs[2].pair;
@@ -264,7 +265,7 @@ fn analytic_a_step_in_a_random_input_is_said_and_its_bounds_hold() {
     let found = bounds(of, settings(Kind::Kriging, 80), &step);
     assert!(found.groups[0].learned.keeps_residual(), "{:?}", verdict(&found.groups[0]));
     let probability = |u: f64| normal_cdf(-limit(u));
-    for (pair, (offset, height)) in found.groups[0].pairs.iter().zip([(0.4, 1.9), (0.0, 1.0)]) {
+    for (pair, (offset, height)) in paired(&found.groups[0].pairs, [(0.4, 1.9), (0.0, 1.0)]) {
         holds(pair, (offset + height * probability(0.7), offset + height * probability(-1.5)));
     }
 }
@@ -296,7 +297,7 @@ fn analytic_a_constant_has_no_width() {
     let of = small(problem(&[STANDARD_NORMAL], &[(-1.5, 0.7)], &[Statistic::Mean, Statistic::StandardDeviation]), 3);
     let found = bounds(of, settings(Kind::Chaos, 9), &Function(|_: &[f64], _: &[f64]| 0.3));
     assert_eq!(verdict(&found.groups[0]), SurrogateVerdict::Constant);
-    for (pair, exact) in found.groups[0].pairs.iter().zip([0.3, 0.0]) {
+    for (pair, exact) in paired(&found.groups[0].pairs, [0.3, 0.0]) {
         holds(pair, (exact, exact));
         assert!((pair.pair.upper.widened - pair.pair.lower.widened).abs() < ROUND_OFF, "{pair:?}");
     }
@@ -335,7 +336,7 @@ fn identity_a_mean_that_is_only_known_within_an_interval_has_the_direct_bounds()
     };
     let response = Function(|x: &[f64], _: &[f64]| 2.0 * x[0]);
     let found = bounds(of(), settings(Kind::Chaos, 30), &response);
-    for (pair, direct) in found.groups[0].pairs.iter().zip(direct(of(), &response)) {
+    for (pair, direct) in paired(&found.groups[0].pairs, direct(of(), &response)) {
         for (own, direct) in [(&pair.pair.lower, &direct.lower), (&pair.pair.upper, &direct.upper)] {
             assert!((own.value - direct.value).abs() < TOLERANCE, "{own:?} {direct:?}");
         }
@@ -467,7 +468,7 @@ fn analytic_runs_are_added_until_bounds_are_as_near_as_asked() {
     let (rounds, found, table) = approach(of, settings(Kind::Kriging, 15), &goals, &Function(slider));
     let history = rounds.history();
     assert_eq!(rounds.standing(), Standing::Reached, "{history:#?}");
-    for ((pair, (_, most)), exact) in found.groups[0].pairs.iter().zip(goals).zip(exact) {
+    for ((pair, (_, most)), exact) in paired(&found.groups[0].pairs, goals).zip(exact) {
         holds(pair, exact);
         let ends = [&pair.pair.lower, &pair.pair.upper];
         assert!(ends.into_iter().all(|end| (end.widened - end.value).abs() <= most), "{pair:?}");

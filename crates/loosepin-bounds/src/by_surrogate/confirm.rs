@@ -2,27 +2,25 @@
 
 use std::collections::BTreeSet;
 
-use super::super::bound::Bound;
-use super::super::sample::{Confidence, replicate_error};
-use super::super::search::Direction;
-use super::super::statistic::Statistic;
-use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::learned::LearnedGroup;
 use super::plan::SurrogatePlan;
 use super::response::{DeviationsOverX, LearnedFunction};
 use super::search::Searched;
+use super::settings::MOST_WITNESSES;
+use crate::data::bound::Bound;
+use crate::data::direction::Direction;
+use crate::data::statistic::Statistic;
+use crate::data::table::{Purpose, RunInputs, SampleTable};
+use crate::estimators::estimate::{Confidence, replicate_error};
 
 /// ŝ for the runs of a replicate; nothing where the surrogate gave no answer.
 type Answers = Vec<Option<Vec<f64>>>;
 /// Values of the direct runs of a replicate, with ŝ and σ at the same inputs; nothing where a run failed.
 type DirectAnswers = Vec<Option<[Vec<f64>; 3]>>;
 
-/// Values of the epistemic inputs at which direct runs are made, at most.
-pub const MOST_WITNESSES: usize = 24;
-
 /// Which direct runs the bounds on the surrogates are to be held against.
 pub struct Confirmation {
-    pub(super) searched: Vec<Vec<Searched>>,
+    pub(crate) searched: Vec<Vec<Searched>>,
     /// Values of the epistemic inputs.
     witnesses: Vec<Vec<f64>>,
     /// The runs that are still to be made, in their order.
@@ -30,7 +28,7 @@ pub struct Confirmation {
 }
 
 impl Confirmation {
-    pub(super) fn new(plan: &SurrogatePlan, searched: Vec<Vec<Searched>>, round: u32, table: &SampleTable) -> Self {
+    pub(crate) fn new(plan: &SurrogatePlan, searched: Vec<Vec<Searched>>, round: u32, table: &SampleTable) -> Self {
         let mut witnesses: Vec<Vec<f64>> = Vec::new();
         for group in &searched {
             for bound in extreme_bounds(group) {
@@ -80,25 +78,25 @@ fn extreme_bounds(group: &[Searched]) -> Vec<&Bound> {
 }
 
 /// One group at one witness: the surrogate at all inner runs, and direct runs at some of them.
-pub(super) struct Confirmed {
+pub(crate) struct Confirmed {
     epistemic: Vec<f64>,
     /// Replicate by replicate and run by run, ŝ of every place; nothing where the surrogate gave no answer.
     surrogate: Vec<Answers>,
-    /// The same for the direct runs: their values, ŝ and σ.
+    /// Replicate by replicate and run by run, the direct runs: their values, ŝ and σ.
     direct: Vec<DirectAnswers>,
     /// σ over X; nothing where the surrogate gave no answer.
     deviations: Option<DeviationsOverX>,
 }
 
 /// A corrected estimate with the distances to both ends of its confidence interval.
-pub(super) struct Corrected {
+pub(crate) struct Corrected {
     pub value: f64,
     pub below: f64,
     pub above: f64,
 }
 
-/// What the direct runs in `table` say of `group`, witness by witness.
-pub(super) fn confirmed(
+/// `group` against the direct runs in `table`, witness by witness.
+pub(crate) fn confirmed(
     plan: &SurrogatePlan,
     group: &LearnedGroup,
     confirmation: &Confirmation,
@@ -183,12 +181,12 @@ impl Confirmed {
         Some([mean * mean, mean_square])
     }
 
-    /// The same for all replicates; nothing where runs are missing.
+    /// Errors in all replicates; nothing where runs are missing.
     fn errors(&self, place: usize) -> Option<Vec<f64>> {
         Some(self.differences(place).into_iter().collect::<Option<Vec<Vec<f64>>>>()?.concat())
     }
 
-    /// What direct runs are beyond ŝ, replicate by replicate; nothing in those where runs are missing.
+    /// Differences of direct runs from ŝ, replicate by replicate; nothing in those where runs are missing.
     fn differences(&self, place: usize) -> Vec<Option<Vec<f64>>> {
         let difference = |row: &Option<[Vec<f64>; 3]>| row.as_ref().map(|[direct, own, _]| direct[place] - own[place]);
         self.direct.iter().map(|rows| rows.iter().map(difference).collect()).collect()
@@ -269,9 +267,9 @@ fn mean_of(values: Option<Vec<f64>>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::sample::Confidence;
-    use super::super::response::DeviationsOverX;
     use super::Confirmed;
+    use crate::by_surrogate::response::DeviationsOverX;
+    use crate::estimators::estimate::Confidence;
 
     const CONFIDENCE: f64 = 0.95;
 

@@ -1,22 +1,22 @@
 //! Surrogates of groups of columns.
 
-use super::super::problem::Problem;
-use super::super::table::{Purpose, SampleTable};
-use super::plan::{ColumnGroup, SurrogateSettings};
+use super::settings::{ColumnGroup, SurrogateSettings};
 use super::space::TrainingSpace;
+use crate::data::problem::Problem;
+use crate::data::table::{Purpose, SampleTable};
 use loosepin_surrogate::{Options, OutputSurrogate, Surrogate, SurrogateError, TrainingData, TrainingOutput};
 
 /// From this Q² on, what is left is a hundredth of the response's deviation at most: the band around the surrogate holds it.
 const SMALL_REST: f64 = 0.9999;
 
-/// What was learned of all groups.
+/// Surrogates of all groups.
 #[derive(Clone)]
 pub struct Learned {
     /// One entry a group, in their order.
     pub groups: Vec<LearnedGroup>,
 }
 
-/// What was learned of a group of columns.
+/// Surrogates of a group of columns.
 #[derive(Clone)]
 pub struct LearnedGroup {
     /// The columns.
@@ -29,7 +29,7 @@ pub struct LearnedGroup {
 
 impl Learned {
     /// Learns every group from the training runs in `table`.
-    pub(super) fn new(
+    pub(crate) fn new(
         problem: &Problem,
         space: &TrainingSpace,
         settings: &SurrogateSettings,
@@ -71,7 +71,7 @@ impl LearnedGroup {
 }
 
 /// Whether every inner run draws from what is left: where it does not fall with more runs, and is not so small that the band holds it.
-pub(super) fn draws_residual(surrogate: &Surrogate) -> bool {
+pub(crate) fn draws_residual(surrogate: &Surrogate) -> bool {
     let is_drawn = |output: &OutputSurrogate| {
         output.residual.verdict.keeps_residual() && output.quality.q2.is_none_or(|q2| q2 < SMALL_REST)
     };

@@ -1,6 +1,6 @@
 //! Bounds with few runs: the double loop goes over a surrogate, and direct runs tell how far that can be believed.
 //!
-//! [`SurrogatePlan`] takes the same [`Problem`](super::Problem) as the direct double loop and goes through four steps, of which only the
+//! [`SurrogatePlan`] takes the same [`Problem`](crate::Problem) as the direct double loop and goes through four steps, of which only the
 //! first and the third make runs:
 //!
 //! ```text
@@ -17,7 +17,7 @@
 //! errs everywhere by kσ to the same side, at whichever u that goes furthest. k is 3 at first; where direct runs differ from ŝ by
 //! more than twice σ in the root mean square, it is 1.5 times as much. A mean moves by the mean of the error over X and a deviation
 //! by no more than that of the error, so that both have a smaller k, told by the same direct runs (`reach.rs`).
-//! The distance from the bound on ŝ to that on the band is the part `surrogate` of [`BoundError`](super::BoundError).
+//! The distance from the bound on ŝ to that on the band is the part `surrogate` of [`BoundError`](crate::BoundError).
 //!
 //! **What is corrected.** At the witness u*, with direct runs g at some of the inner points,
 //!
@@ -42,15 +42,18 @@ mod results;
 mod rounds;
 mod search;
 mod section;
+mod settings;
 mod space;
+mod steps;
 mod treatments;
 
-pub use confirm::{Confirmation, MOST_WITNESSES};
+pub use confirm::Confirmation;
 pub use learned::{Learned, LearnedGroup};
-pub use plan::{ColumnGroup, SurrogatePlan, SurrogatePlanError, SurrogateSettings};
+pub use plan::{SurrogatePlan, SurrogatePlanError};
 pub use results::{GroupBounds, SurrogateBounds, SurrogatePair};
 pub use rounds::SurrogateRounds;
 pub use section::SurrogateSection;
+pub use settings::{ColumnGroup, MOST_WITNESSES, SurrogateSettings};
 pub use space::SurrogateInput;
 pub use treatments::{LearnedComparison, LearnedTreatments};
 

@@ -1,54 +1,20 @@
-//! The steps of a plan with surrogates.
+//! A checked problem, and what is to be learned of it.
 
 use std::ops::Range;
 
 use thiserror::Error;
 
-use super::super::bound::Reading;
-use super::super::evaluate::EvaluateError;
-use super::super::plan::{DoubleLoop, PlanError};
-use super::super::problem::{Problem, Request};
-use super::super::refinement::Goal;
-use super::super::statistic::Statistic;
-use super::super::table::{Purpose, RunInputs, SampleTable};
-use super::confirm::{Confirmation, MOST_WITNESSES};
-use super::learned::Learned;
-use super::reach::FIRST_REACH;
-use super::results::SurrogateBounds;
-use super::search::search_all;
+use super::settings::{MOST_WITNESSES, SurrogateSettings};
 use super::space::{SurrogateInput, TrainingSpace};
-use loosepin_surrogate::{Choice, FEWEST_RUNS};
+use crate::data::problem::{Problem, Reading, Request};
+use crate::data::statistic::Statistic;
+use crate::data::table::{Purpose, RunInputs};
+use crate::plan::double_loop::DoubleLoop;
+use crate::plan::error::PlanError;
+use crate::plan::evaluate::EvaluateError;
+use crate::plan::refinement::Goal;
+use loosepin_surrogate::FEWEST_RUNS;
 use loosepin_uncertainty::EpistemicVariable;
-
-/// Columns that are learned together: a number, or a curve place by place.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ColumnGroup {
-    /// Name, as in messages.
-    pub name: String,
-    /// Columns of the response.
-    pub columns: Vec<usize>,
-}
-
-impl ColumnGroup {
-    /// What `run` gave of its columns; nothing where it did not deliver all of them.
-    pub(super) fn row(&self, table: &SampleTable, run: usize) -> Option<Vec<f64>> {
-        let values: Vec<f64> = self.columns.iter().map(|&column| table.values(run)[column]).collect();
-        values.iter().all(|value| value.is_finite()).then_some(values)
-    }
-}
-
-/// How surrogates are made.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SurrogateSettings {
-    /// Which kind.
-    pub choice: Choice,
-    /// Runs to learn from, for each combination of the members of lists; at least [`FEWEST_RUNS`].
-    pub training: usize,
-    /// Direct runs at each witness: a multiple of the replicates, two in each at least, and no more than the inner runs.
-    pub confirming: usize,
-    /// What is learned; every column that is asked for stands in one group.
-    pub groups: Vec<ColumnGroup>,
-}
 
 /// Why there are no bounds by surrogates.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -89,13 +55,13 @@ pub enum SurrogatePlanError {
 /// A checked problem, and what is to be learned of it.
 #[derive(Debug, Clone)]
 pub struct SurrogatePlan {
-    pub(super) direct: DoubleLoop,
-    pub(super) settings: SurrogateSettings,
-    pub(super) space: TrainingSpace,
-    /// What the bounds on the surrogates alone are to be as near as, where the double loop on them is to grow.
-    pub(super) goals: Vec<Goal>,
-    /// What bounds are stated with; errors may be told with more, as where one looks repeatedly.
-    pub(super) stated_confidence: f64,
+    pub(crate) direct: DoubleLoop,
+    pub(crate) settings: SurrogateSettings,
+    pub(crate) space: TrainingSpace,
+    /// Goals of the bounds on the surrogates alone, where the double loop on them is to grow.
+    pub(crate) goals: Vec<Goal>,
+    /// Confidence that bounds are stated with; errors may be told with more, as where one looks repeatedly.
+    pub(crate) stated_confidence: f64,
 }
 
 impl SurrogatePlan {
@@ -117,7 +83,7 @@ impl SurrogatePlan {
             return Err(SurrogatePlanError::Confirming { confirming, replicates, inner });
         }
         let is_learned = |column: &usize| settings.groups.iter().any(|group| group.columns.contains(column));
-        if let Some(column) = direct.needed_columns().into_iter().find(|column| !is_learned(column)) {
+        if let Some(column) = direct.setup.needed_columns().into_iter().find(|column| !is_learned(column)) {
             return Err(SurrogatePlanError::NotLearned { column });
         }
         let (space, stated_confidence) = (TrainingSpace::new(problem), problem.sampling.confidence);
@@ -130,7 +96,7 @@ impl SurrogatePlan {
     }
 
     /// Whether every statistic belongs to a single u, with errors of the surrogate that differ over X alone.
-    pub(super) fn is_at_single_values(&self) -> bool {
+    pub(crate) fn is_at_single_values(&self) -> bool {
         let problem = self.problem();
         problem.reading == Reading::FixedButUnknown && !problem.epistemic.iter().any(EpistemicVariable::is_structured)
     }
@@ -145,7 +111,7 @@ impl SurrogatePlan {
         self.space.members(combination)
     }
 
-    /// What is to be learned.
+    /// Settings of the surrogates.
     pub fn settings(&self) -> &SurrogateSettings {
         &self.settings
     }
@@ -161,7 +127,7 @@ impl SurrogatePlan {
 
     /// Further runs to learn from: number `numbers` for each combination of the members of lists, half of them at the values `near` of the
     /// epistemic inputs.
-    pub(super) fn training_runs(
+    pub(crate) fn training_runs(
         &self,
         round: u32,
         numbers: Range<usize>,
@@ -202,40 +168,5 @@ impl SurrogatePlan {
     /// Runs of all steps, at most.
     pub fn most_runs(&self) -> usize {
         self.settings.training * self.space.combinations() + self.most_confirming()
-    }
-
-    /// Learns from the training runs in `table`.
-    pub fn learn(&self, table: &SampleTable) -> Learned {
-        Learned::new(self.problem(), &self.space, &self.settings, table)
-    }
-
-    /// The double loop on the surrogates, and the direct runs that its bounds are to be held against, as round `round`, without those
-    /// that are in `table`.
-    ///
-    /// # Errors
-    ///
-    /// [`SurrogatePlanError::Evaluate`].
-    pub fn confirmation(
-        &self,
-        learned: &Learned,
-        round: u32,
-        table: &SampleTable,
-    ) -> Result<Confirmation, SurrogatePlanError> {
-        let searched = search_all(self, learned, |_| FIRST_REACH)?;
-        Ok(Confirmation::new(self, searched, round, table))
-    }
-
-    /// Bounds from the surrogates without the treatments, with the runs of `confirmation` in `table`.
-    ///
-    /// # Errors
-    ///
-    /// [`SurrogatePlanError::Evaluate`].
-    pub fn results(
-        &self,
-        learned: Learned,
-        confirmation: &Confirmation,
-        table: &SampleTable,
-    ) -> Result<SurrogateBounds, SurrogatePlanError> {
-        SurrogateBounds::new(self, learned, confirmation, table)
     }
 }

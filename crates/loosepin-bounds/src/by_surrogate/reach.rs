@@ -7,26 +7,26 @@
 //! The distance from the bound on ŝ to that on the band grows at least in proportion to k (the end of a mean is the greatest of straight
 //! lines in k, one for each u; that of a deviation moves by k times the largest σ̄), so that for a smaller k the same share of it is enough.
 
-use super::super::statistic::Statistic;
 use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
+use crate::data::statistic::Statistic;
 
 /// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
-pub(super) const FIRST_REACH: f64 = 3.0;
+pub(crate) const FIRST_REACH: f64 = 3.0;
 /// k is at least so many times the largest error that direct runs have shown, in σ.
-pub(super) const MARGIN: f64 = 1.5;
+pub(crate) const MARGIN: f64 = 1.5;
 /// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.
 const LEAST_REACH_OF_MEAN: f64 = 1.0;
 const LEAST_REACH_OF_DEVIATION: f64 = 2.0;
 
 /// The k of statistics over that of their group: 1 at most.
-pub(super) struct SharesOfReach {
+pub(crate) struct SharesOfReach {
     of_mean: f64,
     of_deviation: f64,
 }
 
 impl SharesOfReach {
-    /// What `confirmed` says where the group has `places` and the k `reach`. As `reach` itself, it is told by the worst place of a curve;
+    /// Shares by the direct runs `confirmed`, where the group has `places` and the k `reach`. As `reach` itself, it is told by the worst place of a curve;
     /// all is 1 where what belongs to one u says nothing of a statistic.
     pub fn new(plan: &SurrogatePlan, confirmed: &[Confirmed], places: usize, reach: f64) -> Self {
         if !plan.is_at_single_values() || confirmed.is_empty() || !reach.is_finite() {
@@ -36,7 +36,7 @@ impl SharesOfReach {
         let largest = |shift: &dyn Fn(&Confirmed, usize) -> f64| {
             MARGIN * worst(&|place| confirmed.iter().map(|at| shift(at, place)).fold(0.0, f64::max))
         };
-        let mean = largest(&|at, place| at.shift_of_mean(place, plan.direct.confidence()));
+        let mean = largest(&|at, place| at.shift_of_mean(place, &plan.direct.setup.confidence));
         let deviation = largest(&|at, place| at.shift_of_deviation(place));
         let at_all_x = reach * worst(&|place| share_at_all_x(confirmed, place));
         Self {

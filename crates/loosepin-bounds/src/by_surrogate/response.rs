@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::super::evaluate::Response;
-use super::super::table::Failure;
 use super::learned::draws_residual;
 use super::plan::SurrogatePlan;
+use crate::data::table::Failure;
+use crate::plan::evaluate::Response;
 use loosepin_surrogate::{Surrogate, SurrogateError};
 
 /// Why an evaluation of a surrogate gave nothing: outside the range of its runs.
 const OUTSIDE: Failure = Failure(1);
 
-/// What a column of the double loop on a surrogate holds about a column of the problem, in the order of [`Self::ALL`].
+/// Meaning of a column of the double loop on a surrogate for a column of the problem, in the order of [`Self::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Aspect {
+pub(crate) enum Aspect {
     /// ŝ with its share of the rest.
     Value,
     /// ŝ - kσ
@@ -35,7 +35,7 @@ impl Aspect {
 }
 
 /// Surrogates, one for each combination of the members of lists, asked at some places of a group.
-pub(super) struct LearnedFunction<'a> {
+pub(crate) struct LearnedFunction<'a> {
     pub plan: &'a SurrogatePlan,
     pub surrogates: &'a [Surrogate],
     /// Positions within the group.
@@ -70,18 +70,18 @@ impl LearnedFunction<'_> {
 }
 
 /// σ of each place over X, at one u.
-pub(super) struct DeviationsOverX {
+pub(crate) struct DeviationsOverX {
     pub largest: Vec<f64>,
     /// σ̄
     pub root_mean_square: Vec<f64>,
 }
 
-/// The same as a response: for each place, every aspect.
+/// A surrogate with its band as a response: for each place, every aspect.
 ///
 /// The band is as wide as it is at its widest over X, at each u by itself: it moves every statistic further than a width that
 /// varies, and leaves the response as smooth in X as ŝ is, so that statistics are known as well on its ends as on ŝ. A deviation moves
 /// by no more than the root mean square of the error over X: it takes that of σ, where every statistic belongs to a single u.
-pub(super) struct BandResponse<'a> {
+pub(crate) struct BandResponse<'a> {
     of: LearnedFunction<'a>,
     /// k
     reach: f64,
@@ -99,7 +99,7 @@ impl<'a> BandResponse<'a> {
         Self { of, reach, is_at_least_own: false, is_at_single_values, deviations: Mutex::default() }
     }
 
-    /// The same for points that the random inputs do not come to, such as the corners of what they are cut to.
+    /// This response for points that the random inputs do not come to, such as the corners of what they are cut to.
     pub fn at_least_own(self) -> Self {
         Self { is_at_least_own: true, ..self }
     }

@@ -1,11 +1,5 @@
 //! Bounds put together from surrogates and direct runs.
 
-use super::super::bound::{Bound, BoundError, BoundPair, Bounds, Guarantee, LevelBounds};
-use super::super::probability_box::ProbabilityBox;
-use super::super::problem::Request;
-use super::super::search::Direction;
-use super::super::statistic::Statistic;
-use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::confirm::{Confirmation, Confirmed, confirmed};
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
@@ -13,6 +7,13 @@ use super::reach::{FIRST_REACH, MARGIN, SharesOfReach};
 use super::response::Aspect;
 use super::search::{Searched, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
+use crate::data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee};
+use crate::data::direction::Direction;
+use crate::data::problem::Request;
+use crate::data::statistic::{Statistic, is_over_finished};
+use crate::data::table::{Purpose, RunInputs, SampleTable};
+use crate::readings::bounds::Bounds;
+use crate::readings::probability_box::ProbabilityBox;
 
 /// Bounds of one requested statistic by a surrogate.
 #[derive(Debug, Clone)]
@@ -26,7 +27,7 @@ pub struct SurrogatePair {
 /// Everything about one group of columns.
 #[derive(Clone)]
 pub struct GroupBounds {
-    /// What was learned, or why nothing was.
+    /// The surrogates, or the reason why there are none.
     pub learned: LearnedGroup,
     /// k: by how many of its standard deviations the surrogate is taken to err, at most.
     pub reach: f64,
@@ -38,7 +39,7 @@ pub struct GroupBounds {
     pub share_outside: f64,
     /// Bounds of what is possible at all, in the order of the requests; empty where nothing was learned.
     pub pairs: Vec<SurrogatePair>,
-    /// The same to every degree, where an input is a fuzzy number.
+    /// Bounds over every α-cut, where an input is a fuzzy number.
     pub levels: Vec<(f64, Vec<SurrogatePair>)>,
     /// Distribution functions of the surrogate itself.
     pub boxes: Vec<ProbabilityBox>,
@@ -62,7 +63,7 @@ pub struct SurrogateBounds {
 }
 
 impl SurrogateBounds {
-    pub(super) fn new(
+    pub(crate) fn new(
         plan: &SurrogatePlan,
         learned: Learned,
         confirmation: &Confirmation,
@@ -87,7 +88,7 @@ impl SurrogateBounds {
         })
     }
 
-    /// The same with the three treatments of the numbers that `plan` compares.
+    /// These bounds with the three treatments of the numbers that `plan` compares.
     ///
     /// # Errors
     ///
@@ -105,7 +106,7 @@ impl SurrogateBounds {
         extreme_runs(self.groups.iter().filter_map(|group| group.treatments.as_ref()), round)
     }
 
-    /// The same held against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
+    /// These bounds held against the runs of [`Self::extreme_round`], which are those of `table` from `first` on.
     ///
     /// # Errors
     ///
@@ -159,7 +160,7 @@ impl SurrogateBounds {
         }
         let level = |&alpha: &f64| {
             let own = self.groups.iter().flat_map(|group| &group.levels).filter(|(of, _)| *of == alpha);
-            LevelBounds { alpha: Some(alpha), pairs: ordered(own.flat_map(|(_, pairs)| pairs).collect()) }
+            CutBounds { alpha: Some(alpha), pairs: ordered(own.flat_map(|(_, pairs)| pairs).collect()) }
         };
         Bounds {
             reading: plan.problem().reading,
@@ -255,11 +256,6 @@ fn group_bounds(
     })
 }
 
-/// Whether failed runs leave the statistic without any bound, so that it is one over finished runs.
-pub(super) fn is_over_finished(statistic: Statistic) -> bool {
-    matches!(statistic, Statistic::Mean | Statistic::StandardDeviation)
-}
-
 /// `bound` where direct runs failed. What share of the mechanisms fails at which u was not learned: a probability may be anything, and so
 /// may a quantile.
 fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
@@ -271,7 +267,7 @@ fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
     Bound { widened, error, guarantee: Guarantee::Inner, ..bound }
 }
 
-/// What nothing is known of.
+/// The bounds that say nothing.
 fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
     let error = BoundError { surrogate: nothing_known_error(request.statistic), ..BoundError::default() };
     let [lower, upper] = Direction::BOTH.map(|direction| {
@@ -311,7 +307,7 @@ fn put_together(
         let confirmed = confirmed.iter().find(|confirmed| confirmed.is_at(&witness.epistemic))?;
         // With a rest that is drawn from, the bound is not that of ŝ alone.
         let known = (!has_rest).then_some((bound.value, bound.error.sampling));
-        confirmed.corrected(place, request.statistic, known, plan.direct.confidence())
+        confirmed.corrected(place, request.statistic, known, &plan.direct.setup.confidence)
     });
     let is_confirmed = at_witness.is_some();
     let (value, sampling) = at_witness.map_or((bound.value, bound.error.sampling), |corrected| {

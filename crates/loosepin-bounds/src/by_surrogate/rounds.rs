@@ -1,12 +1,14 @@
 //! Bounds by surrogates to an accuracy: runs that are added where they narrow the bound that is furthest from it.
 
-use super::super::bound::Bound;
-use super::super::problem::{Problem, Sampling};
-use super::super::refinement::{Assessment, Goal, Standing};
-use super::super::table::{Purpose, RunInputs, SampleTable};
 use super::learned::draws_residual;
-use super::plan::{SurrogatePlan, SurrogatePlanError, SurrogateSettings};
-use super::results::{GroupBounds, SurrogateBounds, SurrogatePair, is_over_finished};
+use super::plan::{SurrogatePlan, SurrogatePlanError};
+use super::results::{GroupBounds, SurrogateBounds, SurrogatePair};
+use super::settings::SurrogateSettings;
+use crate::data::bound::Bound;
+use crate::data::problem::{Problem, Sampling};
+use crate::data::statistic::is_over_finished;
+use crate::data::table::{Purpose, RunInputs, SampleTable};
+use crate::plan::refinement::{Assessment, Goal, Standing};
 
 /// Training runs for each combination of the members of lists, at most, where they are not stated to be more: from there on learning
 /// takes longer than most runs.
@@ -22,7 +24,7 @@ const LEAST_BELIEVED: usize = 100;
 /// Two steps of further training runs that together leave more than this share of what the surrogate does not know do not help.
 const HARDLY_LESS: f64 = 0.8;
 
-/// What is made larger.
+/// The sample that is made larger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Growth {
     Training,
@@ -38,7 +40,7 @@ enum Growth {
 /// the goal at most. Training runs are not added where what is left of 25 for each input, 100 at least, does not fall with more (noise, a
 /// jump, chaos), nor where two steps have hardly helped: where that alone is more than the goal, the goal is not reached, and that is said.
 ///
-/// Step k = 1, 2, ... may err with the probability α/(k (k + 1)), as in [`Refinement`](super::super::Refinement).
+/// Step k = 1, 2, ... may err with the probability α/(k (k + 1)), as in [`Refinement`](crate::Refinement).
 pub struct SurrogateRounds {
     plan: SurrogatePlan,
     goals: Vec<Goal>,
@@ -50,7 +52,7 @@ pub struct SurrogateRounds {
     first: usize,
     /// Where its runs are concentrated.
     near: Vec<Vec<f64>>,
-    /// What the surrogates did not know, over what is allowed, after each step of training runs.
+    /// Error of the surrogates over what is allowed, after each step of training runs.
     unknown: Vec<f64>,
     history: Vec<Assessment>,
     standing: Standing,
@@ -170,7 +172,7 @@ impl SurrogateRounds {
         MOST_TRAINING.max(self.plan.settings.training)
     }
 
-    /// What narrows the bounds that are too wide.
+    /// The sample whose growth narrows the bounds that are too wide.
     fn growth(&self, wide: &[Wide<'_>]) -> Option<Growth> {
         // What nothing makes smaller keeps the goal from being reached, whatever is added.
         let is_lost = |end: &Wide<'_>| !end.can_learn && end.surrogate > 1.0 || !end.bound.value.is_finite();

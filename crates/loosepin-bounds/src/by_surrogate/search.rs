@@ -1,15 +1,16 @@
 //! The double loop on the surrogates of a group.
 
-use super::super::bound::{Bound, BoundPair, Bounds};
-use super::super::evaluate::{EvaluateError, evaluate, execute};
-use super::super::problem::{Problem, Request};
-use super::super::refinement::{Goal, Refinement};
-use super::super::search::Direction;
-use super::super::statistic::Statistic;
-use super::super::table::SampleTable;
 use super::learned::{Learned, LearnedGroup};
 use super::plan::SurrogatePlan;
 use super::response::{Aspect, BandResponse, LearnedFunction};
+use crate::data::bound::BoundPair;
+use crate::data::direction::Direction;
+use crate::data::problem::{Problem, Request};
+use crate::data::statistic::Statistic;
+use crate::data::table::SampleTable;
+use crate::plan::evaluate::{EvaluateError, evaluate, execute};
+use crate::plan::refinement::{Goal, Refinement};
+use crate::readings::bounds::Bounds;
 use loosepin_surrogate::Surrogate;
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
@@ -19,18 +20,18 @@ const FREE_SHARE: f64 = 0.25;
 /// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
 const MOST_GROWTH: usize = 16;
 
-/// What was found for some places of a group.
-pub(super) struct Searched {
+/// Bounds on the surrogate for some places of a group.
+pub(crate) struct Searched {
     /// Positions within the group.
     pub places: Vec<usize>,
-    /// What each pair of the bounds is: a request of the problem, on an aspect.
+    /// Meaning of each pair of the bounds: a request of the problem, on an aspect.
     asked: Vec<(Request, Aspect)>,
     /// Columns are those of the aspects.
     pub bounds: Bounds,
 }
 
 /// Searches all groups that were learned; `reach` is k of each of them.
-pub(super) fn search_all(
+pub(crate) fn search_all(
     plan: &SurrogatePlan,
     learned: &Learned,
     reach: impl Fn(usize) -> f64,
@@ -40,13 +41,13 @@ pub(super) fn search_all(
 }
 
 /// Searches one group, a number of places at a time; nothing where it was not learned.
-pub(super) fn search_group(
+pub(crate) fn search_group(
     plan: &SurrogatePlan,
     group: &LearnedGroup,
     reach: f64,
 ) -> Result<Vec<Searched>, EvaluateError> {
     let Ok(surrogates) = &group.surrogates else { return Ok(Vec::new()) };
-    let needed = plan.direct.needed_columns();
+    let needed = plan.direct.setup.needed_columns();
     let places: Vec<usize> =
         (0..group.group.columns.len()).filter(|&place| needed.contains(&group.group.columns[place])).collect();
     places.chunks(MOST_PLACES).map(|places| search_places(plan, group, surrogates, places, reach)).collect()
@@ -105,7 +106,7 @@ fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> R
     }
 }
 
-/// What is asked of a surrogate for a statistic: of its value first, then of what its error can make of it.
+/// Questions to a surrogate for a statistic: on its value first, then on the ends of its error.
 fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
     let error = match statistic {
         Statistic::Cdf | Statistic::SimultaneousBand(_) => Vec::new(),
@@ -134,12 +135,6 @@ impl Searched {
 
     /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0.
     pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
-        let end = |pair: &BoundPair| -> Bound {
-            match direction {
-                Direction::Minimum => pair.lower.clone(),
-                Direction::Maximum => pair.upper.clone(),
-            }
-        };
         let own = self.asked.iter().zip(pairs).filter(|((of, _), _)| *of == request);
         let mut furthest = f64::NAN;
         let mut square = 0.0;
@@ -148,7 +143,7 @@ impl Searched {
                 square = pair.upper.widened.max(0.0);
                 continue;
             }
-            let widened = end(pair).widened;
+            let widened = direction.of(&pair.lower, &pair.upper).widened;
             if furthest.is_nan() || direction.is_beyond(widened, furthest) {
                 furthest = widened;
             }

@@ -1,9 +1,9 @@
 //! A surrogate along one of its inputs, with the runs that it learned from.
 
-use super::super::table::{Purpose, SampleTable};
 use super::plan::SurrogatePlan;
 use super::results::GroupBounds;
 use super::space::SurrogateInput;
+use crate::data::table::{Purpose, SampleTable};
 
 /// Values at which the surrogate is drawn.
 const DRAWN: usize = 61;

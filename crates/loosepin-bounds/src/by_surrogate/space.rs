@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::super::points::corners;
-use super::super::problem::Problem;
-use super::super::search_box::{Place, SearchBox};
+use crate::data::problem::Problem;
+use crate::search::design::corners;
+use crate::search::search_box::{Place, SearchBox};
 use loosepin_surrogate::Input;
-use loosepin_uncertainty::{Interval, Level, ScrambledSobol, SobolError, hash, normal_quantile};
+use loosepin_uncertainty::{Interval, QuantileLevel, ScrambledSobol, SobolError, hash, normal_quantile};
 
 /// Values of the random inputs and of the epistemic ones.
 type RunValues = (Vec<f64>, Vec<f64>);
@@ -33,7 +33,7 @@ pub enum SurrogateInput {
 /// The inputs that a response depends on and that vary: random ones, and epistemic intervals that are more than a point and no
 /// parameter of a distribution. The members of lists are kept apart: each combination has surrogates of its own.
 #[derive(Debug, Clone)]
-pub(super) struct TrainingSpace {
+pub(crate) struct TrainingSpace {
     coordinates: Vec<SurrogateInput>,
     epistemic_box: SearchBox,
     /// Random inputs whose distributions have uncertain parameters.
@@ -55,7 +55,7 @@ impl TrainingSpace {
         }
     }
 
-    /// What the surrogate sees, in the order of its inputs.
+    /// Inputs of the surrogate, in their order.
     pub fn coordinates(&self) -> &[SurrogateInput] {
         &self.coordinates
     }
@@ -144,7 +144,7 @@ impl TrainingSpace {
                     Some(&near) if index % 2 == 1 => near.clone(),
                     _ => self.epistemic_box.values_at(&Place { combination, at }),
                 };
-                let levels: Vec<Level> = problem.levels(random).into_iter().map(spread).collect();
+                let levels: Vec<QuantileLevel> = problem.levels(random).into_iter().map(spread).collect();
                 places.push((problem.random_at(&epistemic, &levels), epistemic));
             }
         }
@@ -153,12 +153,12 @@ impl TrainingSpace {
 }
 
 /// The level as many times as far from the median.
-fn spread(level: Level) -> Level {
-    Level::StandardNormal(
+fn spread(level: QuantileLevel) -> QuantileLevel {
+    QuantileLevel::StandardNormal(
         SPREAD
             * match level {
-                Level::Probability(probability) => normal_quantile(probability),
-                Level::StandardNormal(z) => z,
+                QuantileLevel::Probability(probability) => normal_quantile(probability),
+                QuantileLevel::StandardNormal(z) => z,
             },
     )
 }

@@ -7,20 +7,20 @@
 //! Extremes lie where few runs were learned from: a direct run at each of them tells how far ŝ is off there, and k grows for
 //! interval-only bands until it is so far.
 
-use super::super::bound::{Bound, BoundError, Guarantee};
-use super::super::coverage::Coverage;
-use super::super::evaluate::{EvaluateError, Response, execute_all};
-use super::super::plan::DoubleLoop;
-use super::super::pool::Pool;
-use super::super::problem::Problem;
-use super::super::search::Direction;
-use super::super::table::{Purpose, RunInputs, SampleTable};
-use super::super::treatment::{Band, TreatmentComparison};
 use super::learned::LearnedGroup;
 use super::plan::SurrogatePlan;
 use super::response::{Aspect, BandResponse, LearnedFunction};
+use crate::data::bound::{Bound, BoundError, Guarantee};
+use crate::data::direction::Direction;
+use crate::data::problem::Problem;
+use crate::data::table::{Purpose, RunInputs, SampleTable};
+use crate::estimators::pool::Pool;
+use crate::plan::double_loop::DoubleLoop;
+use crate::plan::evaluate::{EvaluateError, Response, execute_all};
+use crate::readings::coverage::Coverage;
+use crate::readings::treatment::{Band, TreatmentComparison};
 
-/// What is asked of: the surrogate, and both ends of its band.
+/// Aspects that are compared: the surrogate, and both ends of its band.
 const ASKED: [Aspect; 3] = [Aspect::Value, Aspect::Low, Aspect::High];
 
 /// The three treatments of the numbers of a group.
@@ -42,7 +42,7 @@ pub struct LearnedComparison {
 }
 
 /// The treatments of `group` where the surrogate errs by `reach` standard deviations; nothing where nothing was learned or compared.
-pub(super) fn treatments(
+pub(crate) fn treatments(
     plan: &SurrogatePlan,
     group: &LearnedGroup,
     reach: f64,
@@ -68,22 +68,23 @@ pub(super) fn treatments(
     let double_loop = DoubleLoop::try_new(problem)?;
     let table = execute_all(&double_loop, &response)?;
     let bounds = double_loop.results(&table)?;
-    let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.needed_columns())
-        .with_polynomials(double_loop.inner_basis());
-    let shares = double_loop.shares_of_mechanisms(&pool);
+    let pool = Pool::gather(&table, Purpose::DoubleLoop, double_loop.setup.needed_columns())
+        .with_polynomials(double_loop.setup.inner_basis());
+    let shares = double_loop.setup.shares_of_mechanisms(&pool);
     // Where the surrogate gave no answer inside the box it was not looked at: nothing bounds the extremes.
     let is_extreme = |run: &usize| table.inputs()[*run].purpose == Purpose::Extreme;
     let has_gaps = (0..table.len()).filter(is_extreme).any(|run| table.failure(run).is_some());
     let of_aspect = |slot, aspect| bounds.comparisons.iter().find(|found| found.column == column_of(slot, aspect));
     let comparison = |(slot, &place): (usize, &usize)| {
-        let found: Vec<&TreatmentComparison> = ASKED.into_iter().filter_map(|a| of_aspect(slot, a)).collect();
-        let (own, band_columns) = (*found.first()?, ASKED.map(|aspect| column_of(slot, aspect)));
+        let found: Vec<&TreatmentComparison> =
+            ASKED.into_iter().map(|aspect| of_aspect(slot, aspect)).collect::<Option<_>>()?;
+        let (own, band_columns) = (found[0], ASKED.map(|aspect| column_of(slot, aspect)));
         let of_all = |of: fn(&TreatmentComparison) -> &Band| found.iter().map(|each| of(each)).collect::<Vec<&Band>>();
         let put = |of: fn(&TreatmentComparison) -> &Band, has_gaps| with_error(&of_all(of), has_gaps);
         let share = |band: &Band| {
             let least = band_columns.map(|column| {
                 let ends = [&band.lower, &band.upper].map(|end| end.value);
-                Coverage::of_band(&pool, column, ends, &shares, double_loop.confidence()).minimum
+                Coverage::of_band(&pool, column, ends, &shares, &double_loop.setup.confidence).minimum
             });
             let lost = band.coverage.minimum - least.into_iter().fold(f64::INFINITY, f64::min);
             if lost.is_nan() { 1.0 } else { lost.max(0.0) }
@@ -125,7 +126,7 @@ fn with_error(bands: &[&Band], has_gaps: bool) -> Band {
 }
 
 /// Direct runs at the extremes of the interval-only bands of `all`, as round `round`.
-pub(super) fn extreme_runs<'t>(all: impl Iterator<Item = &'t LearnedTreatments>, round: u32) -> Vec<RunInputs> {
+pub(crate) fn extreme_runs<'t>(all: impl Iterator<Item = &'t LearnedTreatments>, round: u32) -> Vec<RunInputs> {
     let mut runs: Vec<RunInputs> = Vec::new();
     for learned in all.flat_map(|treatments| &treatments.comparisons) {
         let band = &learned.comparison.interval_only;
@@ -142,7 +143,7 @@ pub(super) fn extreme_runs<'t>(all: impl Iterator<Item = &'t LearnedTreatments>,
 }
 
 /// The largest error of the surrogates of `group`, in σ, at the runs of `table` from `first` on; 0 without runs.
-pub(super) fn largest_ratio(plan: &SurrogatePlan, group: &LearnedGroup, table: &SampleTable, first: usize) -> f64 {
+pub(crate) fn largest_ratio(plan: &SurrogatePlan, group: &LearnedGroup, table: &SampleTable, first: usize) -> f64 {
     let Ok(surrogates) = &group.surrogates else { return 0.0 };
     let columns = &group.group.columns;
     let places: Vec<usize> = (0..columns.len()).collect();

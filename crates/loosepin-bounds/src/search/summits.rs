@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::surroundings::Extreme;
-use super::{Search, defined};
-use crate::search_box::{Axes, Place};
-use crate::smoother::Smoother;
-use crate::target::TargetModel;
+use super::extremes::Extreme;
+use super::models::{Search, defined};
+use super::search_box::{Axes, Place};
+use super::smoother::Smoother;
+use super::target_model::TargetModel;
 use loosepin_math::descent::minimise;
 
 /// A local model has this many points for each term of a polynomial of degree 2.
@@ -100,11 +100,11 @@ impl Search<'_> {
 #[cfg(test)]
 mod tests {
     use super::Search;
-    use crate::points::candidates;
-    use crate::search::Direction;
-    use crate::search_box::{Axes, Place, Region};
-    use crate::structure::Element;
-    use crate::target::{Target, TargetKind};
+    use crate::data::direction::Direction;
+    use crate::search::design::candidates;
+    use crate::search::parts::Element;
+    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::target::{Target, TargetKind};
 
     /// The first of the surroundings of the maximum of `function` on a grid of five by five around `centre`.
     fn first_beside(axes: &Axes, centre: [f64; 2], function: impl Fn(f64, f64) -> f64) -> Vec<f64> {

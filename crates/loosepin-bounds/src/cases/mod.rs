@@ -1,0 +1,13 @@
+//! Problems whose bounds are known in closed form or by quadrature.
+
+mod correlated;
+mod discrete;
+mod evidence;
+pub(crate) mod exact;
+mod kink;
+mod noisy;
+mod parameter;
+mod periodic;
+mod second_order;
+mod simultaneous;
+mod tail;

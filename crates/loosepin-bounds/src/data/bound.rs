@@ -1,0 +1,154 @@
+//! Bounds and what stands behind them. The shape of a result never depends on its value.
+
+pub use loosepin_terms::{Guarantee, Treatment};
+
+use super::direction::Direction;
+use super::statistic::{Statistic, is_over_finished};
+use super::table::Purpose;
+
+/// Numerical error of a bound, in its own unit, each part >= 0; infinite where the runs do not tell.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BoundError {
+    /// Because the sample at the witness is finite, at the stated confidence.
+    pub sampling: f64,
+    /// Because another u may go further than the witness.
+    pub optimisation: f64,
+    /// Because runs were replaced by a surrogate; 0 in the direct double loop.
+    pub surrogate: f64,
+}
+
+impl BoundError {
+    /// All parts together.
+    pub fn total(&self) -> f64 {
+        self.sampling + self.optimisation + self.surrogate
+    }
+
+    /// Errors of sampling and of the search.
+    pub(crate) fn of_runs(sampling: f64, optimisation: f64) -> Self {
+        Self { sampling, optimisation, surrogate: 0.0 }
+    }
+
+    /// Each part changed by `of`.
+    pub(crate) fn map(self, of: impl Fn(f64) -> f64) -> Self {
+        Self { sampling: of(self.sampling), optimisation: of(self.optimisation), surrogate: of(self.surrogate) }
+    }
+
+    /// `total` shared out: what exceeds `optimisation` is an error of sampling; all of it where it is infinite.
+    pub(crate) fn with_optimisation(total: f64, optimisation: f64) -> Self {
+        Self::of_runs(if total.is_finite() { total - optimisation } else { total }, optimisation)
+    }
+}
+
+/// Where a bound is attained.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Witness {
+    /// Purpose of the runs at the witness.
+    pub purpose: Purpose,
+    /// Outer index of those runs.
+    pub point: u32,
+    /// Values of the epistemic inputs.
+    pub epistemic: Vec<f64>,
+    /// Values of the random inputs where the bound is attained by a single run, else empty.
+    pub random: Vec<f64>,
+}
+
+/// One end of a range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bound {
+    /// The estimate at the witness: it has been attained. Not a number where no run finished or the values
+    /// are too large for their sum.
+    pub value: f64,
+    /// The value moved outwards by its error: what people are shown as the bound.
+    pub widened: f64,
+    /// Where the value is attained; nothing where it is not attained at one u (a mixture) or nothing finished.
+    pub witness: Option<Witness>,
+    /// By how much the value may be too narrow.
+    pub error: BoundError,
+    /// Guarantee of the bound.
+    pub guarantee: Guarantee,
+}
+
+/// Bounds of one requested statistic.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundPair {
+    /// Column of the response.
+    pub column: usize,
+    /// The statistic.
+    pub statistic: Statistic,
+    /// Its least value over the epistemic box.
+    pub lower: Bound,
+    /// Its greatest value over the epistemic box.
+    pub upper: Bound,
+    /// The estimate at every outer point, in the order of the outer index, failed runs taken as low as possible; not a
+    /// number where no run finished. Where several focal elements are added, both sums; for a random set both ends, and none
+    /// where runs failed.
+    pub estimates: Vec<f64>,
+    /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
+    /// quantiles in `value` already.
+    pub failed_runs: usize,
+    /// Whether failed runs leave the statistic without any bound: a mean or deviation is then one over finished runs.
+    pub unbounded_by_failures: bool,
+}
+
+impl BoundPair {
+    /// Bounds without estimates of single points.
+    pub(crate) fn new(column: usize, statistic: Statistic, [lower, upper]: [Bound; 2], failed_runs: usize) -> Self {
+        let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
+        Self { column, statistic, lower, upper, estimates: Vec::new(), failed_runs, unbounded_by_failures }
+    }
+
+    /// Weaker guarantee of the two ends: failed runs may have had any response, so that of means and deviations no bound exists then.
+    pub fn guarantee(&self) -> Guarantee {
+        if self.unbounded_by_failures { Guarantee::Inner } else { self.lower.guarantee.weaker(self.upper.guarantee) }
+    }
+}
+
+/// Bounds over what is possible to at least some degree.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CutBounds {
+    /// The degree; nothing where no input is a fuzzy number.
+    pub alpha: Option<f64>,
+    /// One entry for each request but those for a whole distribution function, in their order.
+    pub pairs: Vec<BoundPair>,
+}
+
+impl Bound {
+    /// The bound that says nothing.
+    pub(crate) fn unknown(direction: Direction, guarantee: Guarantee) -> Self {
+        let error = BoundError { sampling: f64::INFINITY, ..BoundError::default() };
+        Self { value: f64::NAN, widened: direction.sign() * f64::INFINITY, witness: None, error, guarantee }
+    }
+
+    /// Attained at no single u, widened to `widened`.
+    pub(crate) fn without_witness(value: f64, widened: f64, error: BoundError, guarantee: Guarantee) -> Self {
+        Self { value, widened, witness: None, error, guarantee }
+    }
+
+    /// Moves the widened end outwards to `widened` where it lies further in; the difference is an error of the search.
+    pub(crate) fn widen_to(&mut self, widened: f64, direction: Direction) {
+        if direction.is_beyond(widened, self.widened) {
+            self.error.optimisation += (widened - self.widened).abs();
+            self.widened = widened;
+        }
+    }
+
+    /// Sum of bounds times masses; attained at a u in each element, so at no single one.
+    pub(crate) fn sum(parts: impl IntoIterator<Item = (f64, Self)>) -> Option<Self> {
+        parts.into_iter().map(|(mass, bound)| bound.times(mass)).reduce(|a, b| Self {
+            value: a.value + b.value,
+            widened: a.widened + b.widened,
+            witness: None,
+            error: BoundError {
+                sampling: a.error.sampling + b.error.sampling,
+                optimisation: a.error.optimisation + b.error.optimisation,
+                surrogate: a.error.surrogate + b.error.surrogate,
+            },
+            guarantee: a.guarantee.weaker(b.guarantee),
+        })
+    }
+
+    fn times(self, mass: f64) -> Self {
+        let error = self.error.map(|error| mass * error);
+        Self { value: mass * self.value, widened: mass * self.widened, error, ..self }
+    }
+}

@@ -1,0 +1,9 @@
+//! Questions, runs and answers: what all other floors speak of.
+
+pub(crate) mod bound;
+pub(crate) mod direction;
+pub(crate) mod points;
+pub(crate) mod problem;
+pub(crate) mod random_inputs;
+pub(crate) mod statistic;
+pub(crate) mod table;

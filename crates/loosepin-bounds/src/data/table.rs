@@ -1,0 +1,135 @@
+//! Runs: what goes in, what comes out, one row each.
+
+pub use loosepin_terms::Purpose;
+use thiserror::Error;
+
+/// The inputs of one run, and its place in the plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunInputs {
+    /// Round of the plan, counted from 0.
+    pub round: u32,
+    /// Purpose of the run.
+    pub purpose: Purpose,
+    /// Outer index: which u (double loop) or which point of the joint box (extreme); 0 in the mixture.
+    pub point: u32,
+    /// Replicate: which scrambling of the inner points.
+    pub replicate: u32,
+    /// Inner index within the replicate.
+    pub index: u32,
+    /// Values of the random inputs.
+    pub random: Vec<f64>,
+    /// Values of the epistemic inputs.
+    pub epistemic: Vec<f64>,
+}
+
+/// Why a run gave nothing; the meaning of the code belongs to the response.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Failure(pub u16);
+
+/// Why a row does not fit the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum TableError {
+    /// A row has another number of columns than the table.
+    #[error("run {run} has {found} columns; the table has {expected}")]
+    WrongColumns {
+        /// Position of the row.
+        run: usize,
+        /// Columns of the row.
+        found: usize,
+        /// Columns of the table.
+        expected: usize,
+    },
+}
+
+/// Runs in the order of the plan, one row each: inputs, and columns or the reason for failure.
+///
+/// A column of a finished run that is not finite (the quantity does not exist for this run) counts as failed for that
+/// column alone.
+#[derive(Debug, Clone, Default)]
+pub struct SampleTable {
+    columns: usize,
+    inputs: Vec<RunInputs>,
+    failures: Vec<Option<Failure>>,
+    values: Vec<f64>,
+}
+
+impl SampleTable {
+    /// An empty table for a response with this number of columns.
+    pub fn new(columns: usize) -> Self {
+        Self { columns, ..Self::default() }
+    }
+
+    /// An empty table with room for `runs` runs, so that adding them never needs room for a second copy. Where there is no such room
+    /// now, it is looked for when it is needed: a plan may come to fewer runs.
+    pub fn with_capacity(columns: usize, runs: usize) -> Self {
+        let mut table = Self::new(columns);
+        let _ = table.inputs.try_reserve_exact(runs);
+        let _ = table.failures.try_reserve_exact(runs);
+        let _ = table.values.try_reserve_exact(columns.saturating_mul(runs));
+        table
+    }
+
+    /// Adds a run.
+    ///
+    /// # Errors
+    ///
+    /// [`TableError::WrongColumns`] where the row has another number of columns than the table.
+    pub fn push(&mut self, inputs: RunInputs, outcome: Result<&[f64], Failure>) -> Result<(), TableError> {
+        let run = self.inputs.len();
+        match outcome {
+            Ok(values) => {
+                if values.len() != self.columns {
+                    return Err(TableError::WrongColumns { run, found: values.len(), expected: self.columns });
+                }
+                self.values.extend_from_slice(values);
+                self.failures.push(None);
+            }
+            Err(failure) => {
+                self.values.resize(self.values.len() + self.columns, f64::NAN);
+                self.failures.push(Some(failure));
+            }
+        }
+        self.inputs.push(inputs);
+        Ok(())
+    }
+
+    /// Rounds that the runs were made in, which is the number of the next one.
+    pub fn rounds(&self) -> u32 {
+        self.inputs.iter().map(|inputs| inputs.round + 1).max().unwrap_or(0)
+    }
+
+    /// Number of runs.
+    pub fn len(&self) -> usize {
+        self.inputs.len()
+    }
+
+    /// Whether nothing has been run.
+    pub fn is_empty(&self) -> bool {
+        self.inputs.is_empty()
+    }
+
+    /// Number of columns of the response.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Inputs of all runs.
+    pub fn inputs(&self) -> &[RunInputs] {
+        &self.inputs
+    }
+
+    /// Columns of run `run`, not numbers where it failed.
+    pub fn values(&self, run: usize) -> &[f64] {
+        &self.values[run * self.columns..(run + 1) * self.columns]
+    }
+
+    /// Why run `run` failed, if it did.
+    pub fn failure(&self, run: usize) -> Option<Failure> {
+        self.failures[run]
+    }
+
+    /// How many runs failed.
+    pub fn failed(&self) -> usize {
+        self.failures.iter().flatten().count()
+    }
+}

@@ -1,0 +1,15 @@
+//! Statistics at one u, with their errors, from the runs made there.
+
+pub(crate) mod basis;
+pub(crate) mod estimate;
+pub(crate) mod index;
+pub(crate) mod inner_basis;
+pub(crate) mod moments;
+pub(crate) mod orthogonal;
+pub(crate) mod pool;
+pub(crate) mod preintegration;
+pub(crate) mod probability;
+pub(crate) mod quantile;
+pub(crate) mod sample;
+pub(crate) mod smooth;
+pub(crate) mod smoothness;

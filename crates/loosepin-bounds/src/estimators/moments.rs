@@ -1,0 +1,79 @@
+//! Mean and variance with their sampling errors.
+
+use super::estimate::{Confidence, Estimate, replicate_error, variance_of_mean, variance_of_replicates};
+use super::sample::Sample;
+
+/// Mean over the finished runs; its error from the means of the replicates ([`replicate_error`]).
+pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
+    if let Some(smooth) = sample.smooth() {
+        return smooth.mean(confidence);
+    }
+    let Some(value) = plain_mean(sample.values()).filter(|mean| mean.is_finite()) else { return Estimate::UNDEFINED };
+    if sample.runs() == 1 {
+        return Estimate::symmetric(value, 0.0);
+    }
+    let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
+    let (below, above) = replicate_error(&means, confidence);
+    Estimate { value, below, above }
+}
+
+/// Unbiased variance over the finished runs.
+///
+/// With m the mean of all N values and m_r that of replicate r, E[(y - m)²] falls short of the variance by Var(m), which
+/// the replicates show: v = 1/N Σ(y - m)² + Σ(m_r - m)²/(R(R - 1)). For independent points that is the usual N - 1, for
+/// scrambled nets, whose mean is far better known, nearly N. The error is that of ln v, from the replicates'
+/// mean (y - m)² divided by v: variances of few runs are skewed, and their logarithms less so.
+pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
+    if let Some(smooth) = sample.smooth() {
+        return smooth.variance(sample.values(), confidence);
+    }
+    let Some(mean) = plain_mean(sample.values()) else { return Estimate::UNDEFINED };
+    if sample.runs() == 1 {
+        return Estimate::symmetric(0.0, 0.0);
+    }
+    let square = |values: &[f64]| values.iter().map(|y| (y - mean) * (y - mean)).sum::<f64>() / values.len() as f64;
+    let squares: Vec<f64> = sample.replicates().map(square).collect();
+    let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
+    let value = square(sample.values()) + variance_of_mean(&means);
+    variance_of_replicates(value, &squares, confidence)
+}
+
+/// Mean of `values`; nothing of none.
+fn plain_mean(values: &[f64]) -> Option<f64> {
+    if values.is_empty() { None } else { Some(values.iter().sum::<f64>() / values.len() as f64) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::{Confidence, standard_deviation};
+    use super::super::sample::Sample;
+    use super::{mean, variance};
+
+    const TOLERANCE: f64 = 1e-12; // rounding
+
+    fn sample() -> Sample {
+        Sample::new([vec![1.0, 4.0, f64::NAN], vec![2.0, 9.0, 3.0]].into_iter().map(Vec::into_iter))
+    }
+
+    #[test]
+    fn analytic_moments_of_five_numbers() {
+        let confidence = Confidence { student: 2.0, normal: 1.0 };
+        let mean = mean(&sample(), &confidence);
+        assert!((mean.value - 3.8).abs() < TOLERANCE);
+        // means 2.5 and 14/3: standard error half their distance
+        assert!((mean.above - 2.0 * 13.0 / 12.0).abs() < TOLERANCE);
+        let variance = variance(&sample(), &confidence);
+        assert!((variance.value - (38.8 / 5.0 + (13.0_f64 / 12.0).powi(2))).abs() < TOLERANCE);
+        let deviation = standard_deviation(variance);
+        assert!((deviation.value.powi(2) - variance.value).abs() < TOLERANCE);
+        assert!(((deviation.value + deviation.above).powi(2) - variance.value - variance.above).abs() < 1e-9);
+    }
+
+    #[test]
+    fn nothing_finished_is_undefined() {
+        let confidence = Confidence::new(0.95, 8);
+        let empty = Sample::new([[f64::NAN].into_iter()].into_iter());
+        assert!(mean(&empty, &confidence).value.is_nan());
+        assert!(variance(&empty, &confidence).above.is_infinite());
+    }
+}

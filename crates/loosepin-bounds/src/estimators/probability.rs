@@ -1,0 +1,99 @@
+//! Shares of runs with their sampling errors, failed runs taken as unknown.
+
+use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
+use super::sample::Sample;
+use crate::data::statistic::Event;
+
+/// Below this many hits or misses a replicate the spread of the replicates says nothing.
+const LEAST_PER_REPLICATE: usize = 2;
+
+/// The probability of `event`, by the polynomials of the sample where it has some, else by counting.
+pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence) -> EitherWay {
+    match sample.smooth() {
+        Some(smooth) => EitherWay::both(smooth.probability(event, 0.0)),
+        None => share(sample, confidence, |value| event.holds(value)),
+    }
+}
+
+/// The share of values with property `is_hit`: with m hits and f failures in N runs between m/N and (m + f)/N.
+///
+/// The error is that of Wilson's interval (E. B. Wilson 1927) for n = N p(1 - p)/v runs, v the variance that the
+/// replicates show: it is not 0 when nothing was hit. Where there are fewer than two hits or misses a replicate, or where
+/// the replicates are worse than independent runs, n = N.
+pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {
+    let count = |values: &[f64]| values.iter().filter(|&&value| is_hit(value)).count();
+    let shares: Vec<f64> = sample.replicates().map(|values| count(values) as f64 / values.len() as f64).collect();
+    let hits = count(sample.values());
+    let runs = sample.runs();
+    if runs == 0 {
+        return EitherWay::UNDEFINED;
+    }
+    let effective = effective_runs(sample, confidence, hits, &shares);
+    let at = |hits: usize| {
+        let value = hits as f64 / runs as f64;
+        if runs == 1 {
+            return Estimate::symmetric(value, 0.0);
+        }
+        let (low, high) = wilson(value, effective, confidence.normal);
+        Estimate { value, below: (value - low).max(0.0), above: (high - value).max(0.0) }
+    };
+    EitherWay { low: at(hits), high: at(hits + sample.failed()) }
+}
+
+/// The number of independent runs that would know the share as well.
+pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usize, shares: &[f64]) -> f64 {
+    let finished = sample.values().len();
+    let runs = sample.runs() as f64;
+    let least = LEAST_PER_REPLICATE * shares.len();
+    if hits < least || finished - hits < least {
+        return runs;
+    }
+    let share = hits as f64 / finished as f64;
+    // Student's factor instead of the normal one. A stratified replicate hits k or k + 1 times: where all hit k times, the
+    // spread is 0 though k + 1 may be the next; the variance is never taken below that of an even chance between the two.
+    let widened = (confidence.student / confidence.normal).powi(2) * variance_of_mean(shares);
+    let runs_in_replicate = runs / shares.len() as f64;
+    let least_variance = 0.25 / (runs_in_replicate * runs_in_replicate * shares.len() as f64);
+    let variance = widened.max(least_variance);
+    (share * (1.0 - share) / variance).max(runs)
+}
+
+/// Wilson's interval of a share seen in `runs` independent runs, with factor z: the p with |p - share| <= z √(p(1 - p)/n).
+pub(crate) fn wilson(share: f64, runs: f64, factor: f64) -> (f64, f64) {
+    let square = factor * factor / runs;
+    let centre = (share + 0.5 * square) / (1.0 + square);
+    let half_width = factor * ((share * (1.0 - share) + 0.25 * square) / runs).sqrt() / (1.0 + square);
+    ((centre - half_width).max(0.0), (centre + half_width).min(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::Confidence;
+    use super::super::sample::Sample;
+    use super::{share, wilson};
+
+    #[test]
+    fn analytic_wilsons_interval_at_no_hit() {
+        // 0 of n: (0, z²/(n + z²))
+        const TOLERANCE: f64 = 1e-15;
+        let (low, high) = wilson(0.0, 256.0, 1.96);
+        assert!(low.abs() < TOLERANCE && (high - 1.96 * 1.96 / (256.0 + 1.96 * 1.96)).abs() < TOLERANCE);
+    }
+
+    #[test]
+    fn analytic_failed_runs_widen_the_share_from_m_over_n_to_m_and_f_over_n() {
+        let values = [vec![0.3, 2.0, f64::NAN, 5.0], vec![f64::NAN, 2.5, 0.1, 0.2]];
+        let sample = Sample::new(values.into_iter().map(Vec::into_iter));
+        let share = share(&sample, &Confidence::new(0.95, 2), |value| value > 1.0);
+        assert_eq!((share.low.value, share.high.value), (0.375, 0.625));
+        assert!(share.low.below > 0.0 && share.high.above > 0.0);
+    }
+
+    #[test]
+    fn identity_no_error_is_zero_when_nothing_was_hit() {
+        let sample = Sample::new((0..8).map(|_| (0..32).map(f64::from)));
+        let share = share(&sample, &Confidence::new(0.95, 8), |value| value > 99.0);
+        assert_eq!(share.high.value, 0.0);
+        assert!(share.high.above > 0.014 && share.high.above < 0.016);
+    }
+}

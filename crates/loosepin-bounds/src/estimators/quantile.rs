@@ -1,0 +1,122 @@
+//! Quantiles with errors from order statistics.
+
+use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
+use super::moments::variance;
+use super::probability::{effective_runs, wilson};
+use super::sample::Sample;
+
+/// The quantile of the finished and failed runs at `probability`.
+///
+/// The value interpolates between order statistics (y_(k) at (k - 1/2)/N, A. Hazen 1914). Its error inverts a test of the
+/// share below it (R. S. Woodruff, "Confidence intervals for medians and other position measures", Journal of the American
+/// Statistical Association 47 (1952) 635-646) with the errors of [`super::probability`]; where the interval needs an order
+/// statistic that the sample does not have, it is infinite on that side.
+pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> EitherWay {
+    let sorted = &sample.sorted()[..];
+    if sample.runs() == 0 {
+        return EitherWay::UNDEFINED;
+    }
+    if sorted.is_empty() {
+        // Every run failed: it may be anything.
+        let [low, high] = [f64::NEG_INFINITY, f64::INFINITY].map(|end| Estimate::symmetric(end, 0.0));
+        return EitherWay { low, high };
+    }
+    if sample.runs() == 1 {
+        return EitherWay::both(Estimate::symmetric(sorted[0], 0.0));
+    }
+    if let Some(smooth) = sample.smooth() {
+        let near = interpolate(sorted, probability * sorted.len() as f64);
+        let deviation = standard_deviation(variance(sample, confidence)).value;
+        if let Some(at) = smooth.quantile(probability, near, deviation) {
+            return EitherWay::both(at);
+        }
+    }
+    let (runs, failed) = (sample.runs() as f64, sample.failed() as f64);
+    let central = interpolate(sorted, probability * sorted.len() as f64);
+    let hits = sample.count_up_to(central);
+    let shares: Vec<f64> = sample
+        .replicates()
+        .map(|values| values.iter().filter(|&&value| value <= central).count() as f64 / values.len() as f64)
+        .collect();
+    let effective = effective_runs(sample, confidence, hits, &shares);
+    let (share_low, share_high) = wilson(probability, effective, confidence.normal);
+    let at = |below_everything: f64| {
+        let value = interpolate(sorted, probability * runs - below_everything);
+        let low = order_statistic(sorted, (share_low * runs - below_everything).floor(), f64::NEG_INFINITY);
+        let high = order_statistic(sorted, (share_high * runs - below_everything).ceil() + 1.0, f64::INFINITY);
+        let below = if value.is_finite() { (value - low).max(0.0) } else { 0.0 };
+        let above = if value.is_finite() { (high - value).max(0.0) } else { 0.0 };
+        Estimate { value, below, above }
+    };
+    EitherWay { low: at(failed), high: at(0.0) }
+}
+
+/// The value at `rank` = N p; infinite where the rank lies among failed runs.
+fn interpolate(sorted: &[f64], rank: f64) -> f64 {
+    let count = sorted.len() as f64;
+    if rank <= 0.0 {
+        return f64::NEG_INFINITY;
+    }
+    if rank >= count {
+        return f64::INFINITY;
+    }
+    let position = (rank - 0.5).clamp(0.0, count - 1.0);
+    let index = position as usize;
+    let fraction = position - index as f64;
+    let next = sorted[(index + 1).min(sorted.len() - 1)];
+    sorted[index] + fraction * (next - sorted[index])
+}
+
+/// Order statistic `rank`, counted from 1; `beyond` where there is none.
+fn order_statistic(sorted: &[f64], rank: f64, beyond: f64) -> f64 {
+    if rank >= 1.0 && rank <= sorted.len() as f64 { sorted[rank as usize - 1] } else { beyond }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::Confidence;
+    use super::super::sample::Sample;
+    use super::quantile;
+
+    fn evenly(count: u32) -> Sample {
+        Sample::new((0..8).map(|r| (0..count / 8).map(move |i| (f64::from(8 * i + r) + 0.5) / f64::from(count))))
+    }
+
+    #[test]
+    fn analytic_quantiles_of_evenly_spaced_numbers() {
+        const TOLERANCE: f64 = 1e-12;
+        let confidence = Confidence::new(0.95, 8);
+        for probability in [0.1, 0.5, 0.975] {
+            let at = quantile(&evenly(1024), &confidence, probability);
+            assert!((at.low.value - probability).abs() < TOLERANCE, "{probability} {}", at.low.value);
+            assert_eq!(at.low, at.high);
+            assert!(at.low.above > 0.0 && at.low.above < 0.02 && at.low.below > 0.0);
+        }
+    }
+
+    #[test]
+    fn an_extreme_quantile_that_the_sample_cannot_resolve_has_an_infinite_error() {
+        let at = quantile(&evenly(256), &Confidence::new(0.95, 8), 0.999);
+        assert!(at.high.above.is_infinite() && at.high.below.is_finite() && at.high.value.is_finite());
+    }
+
+    #[test]
+    fn analytic_where_every_run_failed_the_quantile_may_be_anything() {
+        for runs in [1, 12] {
+            let sample = Sample::new((0..2).map(|_| (0..runs).map(|_| f64::NAN)));
+            let at = quantile(&sample, &Confidence::new(0.95, 2), 0.3);
+            assert_eq!((at.low.value, at.high.value), (f64::NEG_INFINITY, f64::INFINITY));
+        }
+    }
+
+    #[test]
+    fn analytic_failed_runs_move_the_quantile_either_way() {
+        // 90 values 1..90 and 10 failures: the median lies between rank 40 and rank 50.
+        let sample =
+            Sample::new((0..2).map(|r| (0..50).map(move |i| if i < 45 { f64::from(2 * i + r + 1) } else { f64::NAN })));
+        let at = quantile(&sample, &Confidence::new(0.95, 2), 0.5);
+        assert_eq!((at.low.value, at.high.value), (40.5, 50.5));
+        let at = quantile(&sample, &Confidence::new(0.95, 2), 0.95);
+        assert_eq!(at.high.value, f64::INFINITY);
+    }
+}

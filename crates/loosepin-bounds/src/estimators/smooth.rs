@@ -1,0 +1,202 @@
+//! A sample whose response is smooth in the random inputs: its statistics from polynomials and what these leave.
+
+use std::sync::{Arc, OnceLock};
+
+use super::estimate::{
+    Confidence, Estimate, replicate_error, standard_deviation, variance_of_mean, variance_of_replicates,
+};
+use super::index::{Index, compressed};
+use super::inner_basis::{CrossFit, Design};
+use super::orthogonal::Axis;
+use super::preintegration::{AtValue, Conditional};
+use crate::data::statistic::Event;
+use loosepin_uncertainty::normal_quantile;
+
+/// Factor by which residuals between the runs may exceed those at the runs.
+const RESIDUAL_MARGIN: f64 = 2.0;
+/// Responses that differ by less than this share of their size differ by round-off.
+pub(crate) const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
+/// Steps of the search for a quantile, at most; and its resolution in standard deviations.
+const QUANTILE_STEPS: usize = 100;
+const QUANTILE_RESOLUTION: f64 = 1e-12;
+
+/// Probabilities below this and above the rest of 1 are told apart by quantiles.
+const TAIL: f64 = 1e-4;
+
+/// The polynomials of one sample.
+#[derive(Debug, Clone)]
+pub(crate) struct Smooth {
+    design: Arc<Design>,
+    fit: CrossFit,
+    conditional: Arc<OnceLock<Conditional>>,
+    tails: [OnceLock<(f64, f64)>; 2],
+}
+
+impl Smooth {
+    /// The fit of `design` to the `values` of its runs.
+    pub fn new(design: Arc<Design>, values: &[f64]) -> Self {
+        Self { fit: design.fit(values), design, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
+    }
+
+    /// The fit to other values of these runs.
+    pub fn refitted(&self, values: &[f64]) -> Self {
+        Self::new(self.design.clone(), values)
+    }
+
+    /// The mean as each replicate sees it.
+    fn means(&self) -> Vec<f64> {
+        let residuals = self.fit.residuals.chunks(self.design.per_replicate());
+        let mean = |(c, left): (&Vec<f64>, &[f64])| c[0] + left.iter().sum::<f64>() / left.len() as f64;
+        self.fit.coefficients.iter().zip(residuals).map(mean).collect()
+    }
+
+    /// Mean; its error from the replicates ([`replicate_error`]).
+    pub fn mean(&self, confidence: &Confidence) -> Estimate {
+        let means = self.means();
+        let value = means.iter().sum::<f64>() / means.len() as f64;
+        let (below, above) = replicate_error(&means, confidence);
+        Estimate { value, below, above }
+    }
+
+    /// Mean square distance of `values`, those of the sample, from `mean` as each replicate sees it: that of the polynomial, Σ c² of
+    /// all terms but the constant, and what the squares of the values are beyond those of the polynomial.
+    fn squares(&self, values: &[f64], mean: f64) -> Vec<f64> {
+        let count = self.design.per_replicate();
+        let parts = values.chunks(count).zip(self.fit.residuals.chunks(count)).zip(&self.fit.coefficients);
+        let square = |((values, left), c): ((&[f64], &[f64]), &Vec<f64>)| {
+            let of_polynomial: f64 = c[1..].iter().map(|c| c * c).sum::<f64>() + (c[0] - mean) * (c[0] - mean);
+            // (y - m)² - (p - m)² = (y - p)(y + p - 2m)
+            let beyond = values.iter().zip(left).map(|(y, left)| left * (2.0 * (y - mean) - left));
+            of_polynomial + beyond.sum::<f64>() / values.len() as f64
+        };
+        parts.map(square).collect()
+    }
+
+    /// Unbiased variance of `values`, those of the sample.
+    pub fn variance(&self, values: &[f64], confidence: &Confidence) -> Estimate {
+        let squares = self.squares(values, self.mean(confidence).value);
+        let value = squares.iter().sum::<f64>() / squares.len() as f64 + variance_of_mean(&self.means());
+        variance_of_replicates(value.max(0.0), &squares, confidence)
+    }
+
+    /// The distribution function at `y`.
+    pub fn at(&self, y: f64) -> AtValue {
+        let coefficients = || {
+            let count = self.fit.coefficients.len() as f64;
+            let sum = |term: usize| self.fit.coefficients.iter().map(|own| own[term]).sum::<f64>();
+            (0..self.design.basis.terms.len()).map(|term| sum(term) / count).collect::<Vec<f64>>()
+        };
+        let conditional = self.conditional.get_or_init(|| self.design.conditional(&coefficients()));
+        conditional.at(y, self.residual())
+    }
+
+    fn residual(&self) -> f64 {
+        RESIDUAL_MARGIN * largest_magnitude(&self.fit.residuals)
+    }
+
+    /// The probability of `event` for the response moved by `shift`.
+    pub fn probability(&self, event: Event, shift: f64) -> Estimate {
+        let at = |limit: f64| self.at(limit - shift);
+        let (value, error) = match event {
+            Event::Above(limit) => {
+                let at = at(limit);
+                (1.0 - at.cdf, at.error)
+            }
+            Event::Below(limit) | Event::UpTo(limit) => {
+                let at = at(limit);
+                (at.cdf, at.error)
+            }
+            Event::Beyond(limit) => {
+                let (above, below) = (at(limit), at(-limit));
+                (1.0 - above.cdf + below.cdf, above.error + below.error)
+            }
+        };
+        let value = value.clamp(0.0, 1.0);
+        Estimate { value, below: error.min(value), above: error.min(1.0 - value) }
+    }
+
+    /// An index that grows with the probability P of `event` and tells where to go where P is flat at 0 or 1:
+    ///
+    /// ```text
+    /// asinh z, z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
+    /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there;
+    /// beyond a limit on either side: one for each
+    /// ```
+    ///
+    /// The inverse hyperbolic sine keeps the spikes down that z has where the response hardly scatters; that scale is never less than
+    /// `least_scale`.
+    pub fn index(&self, event: Event, least_scale: f64, values: &[f64], confidence: &Confidence) -> Index {
+        let tail = |side: usize, probability: f64| {
+            *self.tails[side].get_or_init(|| self.find_tail(probability, values, confidence))
+        };
+        let above = |limit: f64| {
+            let share = 1.0 - self.at(limit).cdf;
+            if share < TAIL {
+                let (quantile, scale) = tail(1, 1.0 - TAIL);
+                normal_quantile(TAIL) - (limit - quantile) / scale.max(least_scale)
+            } else if share > 1.0 - TAIL {
+                let (quantile, scale) = tail(0, TAIL);
+                -normal_quantile(TAIL) + (quantile - limit) / scale.max(least_scale)
+            } else {
+                normal_quantile(share)
+            }
+        };
+        match event {
+            Event::Above(limit) => Index::OfOne(compressed(above(limit))),
+            Event::Below(limit) | Event::UpTo(limit) => Index::OfOne(compressed(-above(limit))),
+            Event::Beyond(limit) => Index::OfEither([above(limit), -above(-limit)].map(compressed)),
+        }
+    }
+
+    /// The quantile at `probability` with the scale of the distribution there, φ(Φ⁻¹(probability))/density.
+    fn find_tail(&self, probability: f64, values: &[f64], confidence: &Confidence) -> (f64, f64) {
+        let mean = self.mean(confidence).value;
+        let deviation = standard_deviation(self.variance(values, confidence)).value;
+        let z = normal_quantile(probability);
+        let near = mean + z * deviation;
+        let at = self.quantile(probability, near, deviation).map_or(near, |estimate| estimate.value);
+        let scale = Axis::Hermite.density(z) / self.at(at).density;
+        (at, if scale.is_finite() { scale } else { deviation })
+    }
+
+    /// The quantile at `probability`, sought from `near`; `deviation` is that of the sample.
+    pub fn quantile(&self, probability: f64, near: f64, deviation: f64) -> Option<Estimate> {
+        let residual = self.residual();
+        let resolution = QUANTILE_RESOLUTION * deviation;
+        if deviation <= residual || deviation <= ROUND_OFF * near.abs() {
+            return Some(Estimate::symmetric(near, residual + 8.0 * deviation));
+        }
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut y = near;
+        for _ in 0..QUANTILE_STEPS {
+            let at = self.at(y);
+            if at.cdf < probability {
+                low = low.max(y)
+            } else {
+                high = high.min(y)
+            }
+            let newton = if at.density > 0.0 { y + (probability - at.cdf) / at.density } else { f64::NAN };
+            let next = if newton > low && newton < high && (newton - y).abs() < 4.0 * deviation {
+                newton
+            } else if low.is_infinite() {
+                high - deviation
+            } else if high.is_infinite() {
+                low + deviation
+            } else {
+                0.5 * (low + high)
+            };
+            if (next - y).abs() <= resolution || high - low <= resolution {
+                let at = self.at(next);
+                let error = at.error / at.density;
+                return error.is_finite().then(|| Estimate::symmetric(next, error));
+            }
+            y = next;
+        }
+        None
+    }
+}
+
+/// Largest magnitude of `values`, 0 of none.
+pub(crate) fn largest_magnitude(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
+}

@@ -1,0 +1,83 @@
+//! Whether a response is smooth in the random inputs: then samples get polynomials.
+
+use std::sync::Arc;
+
+use super::inner_basis::{Design, InnerBasis};
+use super::sample::Sample;
+use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
+
+/// The polynomials may leave at most this share of the standard deviation of a sample, or of the largest one of any sample.
+const LARGEST_RESIDUAL: f64 = 1e-3;
+const LARGEST_RESIDUAL_OF_ALL: f64 = 1e-6;
+/// The degree is chosen at this many points u; a lower degree must leave less than the highest by this factor.
+const TRIAL_POINTS: usize = 8;
+const CLEARLY_LESS: f64 = 0.25;
+/// Where the highest degree leaves more than this times what is allowed, lower ones are not tried.
+const HOPELESS: f64 = 100.0;
+/// This many degrees are tried.
+const TRIED_DEGREES: usize = 4;
+
+/// Gives every sample its polynomials where the response is smooth at all of them and no run failed; else none has any, so that
+/// all are estimated in the same way.
+pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
+    if samples.is_empty() || samples.iter().any(|sample| sample.failed() > 0) {
+        return;
+    }
+    let deviations: Vec<f64> = samples.iter().map(|sample| deviation(sample.values())).collect();
+    let largest = deviations.iter().fold(0.0_f64, |largest, deviation| largest.max(*deviation));
+    let magnitude = samples.iter().fold(0.0_f64, |most, sample| most.max(largest_magnitude(sample.values())));
+    // A response that is the same in all runs may still differ in those that were not made.
+    if largest <= ROUND_OFF * magnitude {
+        return;
+    }
+    let allowed = |point: usize| (LARGEST_RESIDUAL * deviations[point]).max(LARGEST_RESIDUAL_OF_ALL * largest);
+    // Relative to what is allowed.
+    let left = |design: &Design, point: usize| {
+        let residual = largest_magnitude(&design.fit(samples[point].values()).residuals);
+        // Of a response that does not scatter at all, round-off is left.
+        let round_off = ROUND_OFF * largest_magnitude(samples[point].values());
+        (residual - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
+    };
+    let step = samples.len().div_ceil(TRIAL_POINTS).max(1);
+    let mut chosen: Option<(&Arc<Design>, f64)> = None;
+    for design in tried_degrees(basis.designs()) {
+        let known = chosen.map_or(f64::INFINITY, |(_, most)| CLEARLY_LESS * most);
+        let mut most = 0.0_f64;
+        for point in (0..samples.len()).step_by(step) {
+            most = most.max(left(design, point));
+            if most >= known && chosen.is_some() {
+                break;
+            }
+        }
+        if chosen.is_none() || most < known {
+            chosen = Some((design, most));
+        }
+        if most > HOPELESS {
+            return;
+        }
+    }
+    let Some((design, most)) = chosen else { return };
+    if !(most <= 1.0) {
+        return;
+    }
+    let design = design.clone();
+    if (0..samples.len()).any(|point| !(left(&design, point) <= 1.0)) {
+        return;
+    }
+    for sample in samples.iter_mut() {
+        let smooth = Smooth::new(design.clone(), sample.values());
+        sample.set_smooth(smooth);
+    }
+}
+
+/// Some of the degrees, the highest first.
+fn tried_degrees(designs: &[Arc<Design>]) -> impl Iterator<Item = &Arc<Design>> {
+    designs.iter().rev().step_by(designs.len().div_ceil(TRIED_DEGREES).max(1))
+}
+
+/// Standard deviation over all values, those of failed runs left out.
+fn deviation(values: &[f64]) -> f64 {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count).sqrt()
+}

@@ -1,0 +1,372 @@
+//! Rules that a problem must keep before it is planned.
+
+use thiserror::Error;
+
+use crate::data::problem::{Problem, Reading, Sampling};
+use crate::data::statistic::Statistic;
+use crate::search::design::structural_point_count;
+use crate::search::parts::{Structure, element_count};
+use crate::search::search_box::SearchBox;
+use crate::search::smoother::MOST_POINTS;
+use loosepin_uncertainty::{EpistemicParameter, EpistemicVariable, MAXIMUM_DIMENSIONS};
+
+/// Why a problem cannot be planned.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ProblemError {
+    /// A request names a column that the response does not have.
+    #[error("request {request} asks for column {column}; the response has {columns} columns, counted from 0")]
+    NoSuchColumn {
+        /// Position of the request, or of the column among the compared ones.
+        request: usize,
+        /// Column asked for.
+        column: usize,
+        /// Columns there are.
+        columns: usize,
+    },
+    /// A quantile outside (0, 1).
+    #[error("quantile {probability}; must lie between 0 and 1, both excluded")]
+    QuantileOutside {
+        /// Probability asked for.
+        probability: f64,
+    },
+    /// A limit that is not a number, or a negative limit of a magnitude.
+    #[error("limit {limit} of a probability; must be finite, and >= 0 where it limits a magnitude")]
+    BadLimit {
+        /// Limit asked for.
+        limit: f64,
+    },
+    /// A probability outside (0, 1).
+    #[error("{name} {value}; must lie between 0 and 1, both excluded")]
+    ProbabilityOutside {
+        /// Which number.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A cut that is no positive number.
+    #[error("cut at {standard_deviations} standard deviations; must be > 0 and at most 8")]
+    BadCut {
+        /// Value given.
+        standard_deviations: f64,
+    },
+    /// A parameter with a distribution beside what gives statistics no single value at it.
+    #[error(
+        "a parameter with a distribution stands beside {}; must be the only one with probabilities, intervals read as fixed but unknown",
+        if *.has_evidence { "evidence" } else { "another reading of intervals" }
+    )]
+    SecondOrderBeside {
+        /// Evidence; else another reading.
+        has_evidence: bool,
+    },
+    /// Too few replicates.
+    #[error("{replicates} replicates; must be at least 2\nhint: 8 give a useful estimate of the sampling error")]
+    TooFewReplicates {
+        /// Value given.
+        replicates: usize,
+    },
+    /// A parameter of an input that does not exist.
+    #[error(
+        "parameter {parameter} belongs to random input {random} of {randoms} and is epistemic input {epistemic} of {epistemics}, \
+         counted from 0"
+    )]
+    NoSuchInput {
+        /// Position of the parameter.
+        parameter: usize,
+        /// The random input.
+        random: usize,
+        /// Random inputs there are.
+        randoms: usize,
+        /// The epistemic input.
+        epistemic: usize,
+        /// Epistemic inputs there are.
+        epistemics: usize,
+    },
+    /// A sample that cannot be split evenly.
+    #[error(
+        "{name} {count}; must be a multiple of the {replicates} replicates, at least 2 runs in each, at most 2^31\n\
+         hint: {replicates} times a power of two is best"
+    )]
+    NotAMultiple {
+        /// Which number of runs.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Replicates.
+        replicates: usize,
+    },
+    /// Too few points for the corners and the centre of the box.
+    #[error(
+        "{name} {count}; the corners and the centre of a box with {} need at least {least}\n\
+         hint: {recommended} is a good start",
+        inputs_words(*.dimensions)
+    )]
+    TooFewPoints {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Dimensions of the box.
+        dimensions: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// A number that usually serves.
+        recommended: usize,
+    },
+    /// Too few points for the corners and the centre of a box for each combination of the members of lists.
+    #[error(
+        "{name} {count}; {combinations} combinations of members, each with the corners and the centre of a box with \
+         {}, need at least {least}\n\
+         hint: {recommended} is a good start",
+        inputs_words(*.dimensions)
+    )]
+    TooFewForCombinations {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// Combinations of the members of lists.
+        combinations: usize,
+        /// Dimensions of each box.
+        dimensions: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// A number that usually serves.
+        recommended: usize,
+    },
+    /// More combinations of members than can be searched one by one.
+    #[error(
+        "{combinations} combinations of the members of lists; must be at most {MOST_COMBINATIONS}\n\
+         hint: shorten the lists, or take numbers that lie close together as an interval"
+    )]
+    TooManyCombinations {
+        /// How many there are.
+        combinations: usize,
+    },
+    /// Too few points for the corners and centres of focal elements and cuts.
+    #[error(
+        "{name} {count}; the corners and centres of all focal elements and cuts need at least {least}\n\
+         hint: {recommended} is a good start, and elements that share ends need fewer"
+    )]
+    TooFewForElements {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The least that is accepted.
+        least: usize,
+        /// A number that usually serves.
+        recommended: usize,
+    },
+    /// More corners and centres of focal elements and cuts than points that the search can model.
+    #[error(
+        "the corners and centres of all focal elements and cuts are {least}; must be at most {most}\nhint: fewer elements, cuts or degrees"
+    )]
+    TooManyParts {
+        /// How many points they are.
+        least: usize,
+        /// The most points of a search.
+        most: usize,
+    },
+    /// More focal elements than are put together.
+    #[error(
+        "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
+         hint: join elements of the inputs that matter least"
+    )]
+    TooManyElements {
+        /// How many there are.
+        elements: usize,
+    },
+    /// More points than the search can model.
+    #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
+    TooManyPoints {
+        /// Which number of points.
+        name: &'static str,
+        /// Its value.
+        count: usize,
+        /// The most that is accepted.
+        most: usize,
+    },
+    /// More inputs than Sobol' points have dimensions.
+    #[error("{inputs} uncertain inputs; at most {MAXIMUM_DIMENSIONS}\nhint: fix the inputs that matter least")]
+    TooManyInputs {
+        /// Random and epistemic inputs together.
+        inputs: usize,
+    },
+    /// A copula of another number of inputs.
+    #[error("correlations of {found} random inputs; there are {expected}")]
+    OtherCopula {
+        /// Inputs of the copula.
+        found: usize,
+        /// Random inputs.
+        expected: usize,
+    },
+}
+
+/// "1 input", "2 inputs".
+fn inputs_words(inputs: usize) -> String {
+    format!("{inputs} input{}", if inputs == 1 { "" } else { "s" })
+}
+
+/// Every combination of focal elements has bounds of its own.
+const MOST_ELEMENTS: usize = 256;
+
+/// Every combination of members is run, and searched by itself.
+const MOST_COMBINATIONS: usize = 64;
+
+/// Points in the box of the epistemic inputs at most, with all combinations of the members of lists.
+pub const MOST_OUTER: usize = MOST_POINTS * MOST_COMBINATIONS;
+
+impl ProblemError {
+    /// The number of runs, of points or of replicates that it is about, by the name of its field.
+    pub fn key(&self) -> Option<&'static str> {
+        match self {
+            Self::NotAMultiple { name, .. }
+            | Self::TooFewPoints { name, .. }
+            | Self::TooFewForCombinations { name, .. }
+            | Self::TooFewForElements { name, .. }
+            | Self::TooManyPoints { name, .. } => Some(name),
+            Self::TooFewReplicates { .. } => Some("replicates"),
+            _ => None,
+        }
+    }
+}
+
+impl Problem {
+    /// Checks everything that does not need a run.
+    pub(crate) fn check(&self) -> Result<(), ProblemError> {
+        let inputs = self.random.len() + self.epistemic.len();
+        if inputs > MAXIMUM_DIMENSIONS {
+            return Err(ProblemError::TooManyInputs { inputs });
+        }
+        if let Some(copula) = self.copula.as_ref().filter(|copula| copula.inputs() != self.random.len()) {
+            return Err(ProblemError::OtherCopula { found: copula.inputs(), expected: self.random.len() });
+        }
+        self.check_requests()?;
+        for (parameter, of) in self.parameters.iter().enumerate() {
+            let (randoms, epistemics) = (self.random.len(), self.epistemic.len());
+            let EpistemicParameter { random, epistemic, .. } = *of;
+            if random >= randoms || epistemic >= epistemics {
+                return Err(ProblemError::NoSuchInput { parameter, random, randoms, epistemic, epistemics });
+            }
+        }
+        let Sampling { outer, inner, replicates, mixture, extreme, confidence, .. } = self.sampling;
+        check_probability("confidence", confidence)?;
+        check_probability("band probability", self.band_probability)?;
+        for &percentile in &self.percentiles {
+            check_probability("percentile", percentile)?;
+        }
+        self.check_second_order()?;
+        if !(self.cut_standard_deviations > 0.0 && self.cut_standard_deviations <= 8.0) {
+            return Err(ProblemError::BadCut { standard_deviations: self.cut_standard_deviations });
+        }
+        if replicates < 2 {
+            return Err(ProblemError::TooFewReplicates { replicates });
+        }
+        if !self.random.is_empty() {
+            check_multiple("inner", inner, replicates)?;
+        }
+        let search_box = SearchBox::new(self.epistemic.clone());
+        let (wide, combinations) = (search_box.dimensions(), search_box.combinations());
+        if combinations > MOST_COMBINATIONS {
+            return Err(ProblemError::TooManyCombinations { combinations });
+        }
+        if !search_box.is_a_point() {
+            check_points("outer", outer, wide, combinations)?;
+        }
+        let elements = element_count(&self.epistemic);
+        if elements > MOST_ELEMENTS {
+            return Err(ProblemError::TooManyElements { elements });
+        }
+        let structure = Structure::new(&search_box);
+        if structure.is_divided() {
+            let least = combinations * structure.points(wide).len();
+            let most = MOST_POINTS * combinations;
+            if least > most {
+                return Err(ProblemError::TooManyParts { least, most });
+            }
+            if outer < least {
+                let recommended = (2 * least).max(64).min(most);
+                return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
+            }
+        }
+        if !self.compared_columns.is_empty() {
+            if !search_box.is_a_point() {
+                check_multiple("mixture", mixture, replicates)?;
+            }
+            if !self.random.is_empty() {
+                // Parameters of distributions are no dimensions of the joint box.
+                let epistemic = self.epistemic.iter().enumerate();
+                let is_searched = |(index, _): &(usize, _)| !self.is_parameter(*index);
+                let joint = SearchBox::new(epistemic.filter(is_searched).map(|(_, known)| known.clone()).collect());
+                let dimensions = self.random.len() + joint.dimensions();
+                check_points("extreme", extreme, dimensions, joint.combinations())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A parameter with a distribution is one value for all samples, and no mass of evidence goes with it.
+    fn check_second_order(&self) -> Result<(), ProblemError> {
+        let mut known = self.epistemic.iter();
+        if !known.any(EpistemicVariable::is_second_order) {
+            return Ok(());
+        }
+        let has_evidence = self.epistemic.iter().any(|known| matches!(known, EpistemicVariable::Evidence(_)));
+        if has_evidence || self.reading != Reading::FixedButUnknown {
+            return Err(ProblemError::SecondOrderBeside { has_evidence });
+        }
+        Ok(())
+    }
+
+    fn check_requests(&self) -> Result<(), ProblemError> {
+        let asked = self.requests.iter().map(|request| request.column).enumerate();
+        for (request, column) in asked.chain(self.compared_columns.iter().copied().enumerate()) {
+            if column >= self.columns {
+                return Err(ProblemError::NoSuchColumn { request, column, columns: self.columns });
+            }
+        }
+        for request in &self.requests {
+            match request.statistic {
+                Statistic::Quantile(probability) if !(probability > 0.0 && probability < 1.0) => {
+                    return Err(ProblemError::QuantileOutside { probability });
+                }
+                Statistic::ProbabilityAbove(limit) | Statistic::ProbabilityBelow(limit) if !limit.is_finite() => {
+                    return Err(ProblemError::BadLimit { limit });
+                }
+                Statistic::ProbabilityBeyond(limit) if !(limit.is_finite() && limit >= 0.0) => {
+                    return Err(ProblemError::BadLimit { limit });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_probability(name: &'static str, value: f64) -> Result<(), ProblemError> {
+    if value > 0.0 && value < 1.0 { Ok(()) } else { Err(ProblemError::ProbabilityOutside { name, value }) }
+}
+
+fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result<(), ProblemError> {
+    if count.is_multiple_of(replicates) && count >= 2 * replicates && count <= 1 << 31 {
+        Ok(())
+    } else {
+        Err(ProblemError::NotAMultiple { name, count, replicates })
+    }
+}
+
+fn check_points(name: &'static str, count: usize, dimensions: usize, combinations: usize) -> Result<(), ProblemError> {
+    let least = combinations * structural_point_count(dimensions);
+    if count < least {
+        let recommended = (3 * least).max(64).min(MOST_POINTS * combinations);
+        return Err(if combinations == 1 {
+            ProblemError::TooFewPoints { name, count, dimensions, least, recommended }
+        } else {
+            ProblemError::TooFewForCombinations { name, count, combinations, dimensions, least, recommended }
+        });
+    }
+    if count > MOST_POINTS * combinations {
+        return Err(ProblemError::TooManyPoints { name, count, most: MOST_POINTS * combinations });
+    }
+    Ok(())
+}

@@ -1,0 +1,50 @@
+//! Why there is no plan, or no answer.
+
+use thiserror::Error;
+
+use super::check::ProblemError;
+use loosepin_uncertainty::{IntervalError, SobolError};
+
+/// Why there is no plan, or no next round.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PlanError {
+    /// The problem breaks a rule.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// Sobol' points do not exist in that many dimensions.
+    #[error(transparent)]
+    Sobol(#[from] SobolError),
+    /// A random input has no finite interval between the quantiles at which it is cut.
+    #[error("random input {input}, cut at {standard_deviations} standard deviations: {source}")]
+    Cut {
+        /// Position of the random input.
+        input: usize,
+        /// Where it is cut.
+        standard_deviations: f64,
+        /// Reason why the quantiles are no interval.
+        source: IntervalError,
+    },
+    /// The table belongs to a response with another number of columns.
+    #[error("the table has {found} columns; the problem has {expected}")]
+    OtherColumns {
+        /// Columns of the table.
+        found: usize,
+        /// Columns of the problem.
+        expected: usize,
+    },
+    /// A point of an earlier round lacks runs.
+    #[error(
+        "point {point} has {found} runs; its plan has {expected}\nhint: add all runs of a round before asking for the next"
+    )]
+    UnfinishedPoint {
+        /// Outer index.
+        point: u32,
+        /// Runs in the table.
+        found: usize,
+        /// Runs planned.
+        expected: usize,
+    },
+    /// There are no runs at all.
+    #[error("the table is empty\nhint: run the rounds first")]
+    NoRuns,
+}

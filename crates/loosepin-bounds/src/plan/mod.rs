@@ -1,0 +1,10 @@
+//! Which runs are made, and what is made of them.
+
+pub(crate) mod check;
+pub(crate) mod double_loop;
+pub(crate) mod error;
+pub(crate) mod evaluate;
+mod inner_runs;
+pub(crate) mod refinement;
+mod results;
+mod rounds;

@@ -1,0 +1,72 @@
+//! Statistics over several focal elements: masses add (A. P. Dempster 1967, G. Shafer 1976).
+
+use rayon::prelude::*;
+
+use super::added_quantile::QuantileJob;
+use super::experiment::{Experiment, Focal};
+use super::interval::Modelled;
+use crate::data::bound::{Bound, BoundPair};
+use crate::data::direction::Direction;
+use crate::data::problem::Request;
+use crate::data::statistic::Statistic;
+use crate::search::measure::Measure;
+use crate::search::models::Search;
+
+impl Experiment<'_> {
+    /// Bounds of all `requests` over `elements`, together.
+    pub fn pairs_over_elements(
+        &self,
+        requests: &[Request],
+        measures: &[Option<Measure>],
+        search: &Search<'_>,
+        elements: &[Focal<'_>],
+    ) -> Vec<BoundPair> {
+        let is_one = elements.len() == 1;
+        let jobs: Vec<QuantileJob> = requests
+            .iter()
+            .filter_map(|request| match request.statistic {
+                Statistic::Quantile(probability) if !is_one => Some((request.column, probability)),
+                _ => None,
+            })
+            .flat_map(|(column, probability)| {
+                Direction::BOTH.map(|direction| QuantileJob { column, probability, direction })
+            })
+            .collect();
+        let quantiles: Vec<Bound> = self.quantiles(&jobs, elements);
+        requests
+            .par_iter()
+            .zip(measures)
+            .filter_map(|(&Request { column, statistic }, measure)| {
+                let samples = self.pool.samples(column);
+                let measure = measure.as_ref()?;
+                let modelled = Modelled::new(search, measure, &samples);
+                let ends = match statistic {
+                    Statistic::Quantile(probability) if !is_one => Direction::BOTH.map(|direction| {
+                        let job = QuantileJob { column, probability, direction };
+                        let place = jobs.iter().position(|known| *known == job);
+                        place.map_or_else(|| self.unknown(direction), |place| quantiles[place].clone())
+                    }),
+                    Statistic::StandardDeviation if !is_one || self.is_mixed() => self.deviations(column, elements),
+                    _ => Direction::BOTH.map(|direction| self.added(&modelled, elements, direction)),
+                };
+                let at: Vec<f64> = measure.low.iter().map(|estimate| estimate.value).collect();
+                // Of several elements the sum has been attained, at no single point.
+                let estimates = if is_one {
+                    at
+                } else {
+                    Direction::BOTH.map(|direction| sum_of_extremes(elements, &at, direction)).to_vec()
+                };
+                Some(BoundPair { estimates, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+            })
+            .collect()
+    }
+}
+
+/// Sum of mass times the extreme of the `values` at the outer points of each element; not a number where an element has none.
+fn sum_of_extremes(elements: &[Focal<'_>], values: &[f64], direction: Direction) -> f64 {
+    let extreme = |element: &Focal<'_>| {
+        let own = element.members.iter().map(|&point| values[point]).filter(|value| value.is_finite());
+        own.reduce(|a, b| direction.further(a, b)).unwrap_or(f64::NAN)
+    };
+    elements.iter().map(|element| element.mass * extreme(element)).sum()
+}

@@ -1,0 +1,77 @@
+//! All runs of the double loop, ready to be asked.
+
+use super::setup::Setup;
+use crate::data::bound::{Bound, Guarantee};
+use crate::data::direction::Direction;
+use crate::data::table::SampleTable;
+use crate::estimators::pool::Pool;
+use crate::search::measure::Measure;
+use crate::search::models::Search;
+use crate::search::parts::{Cut, Element};
+use crate::search::search_box::{Place, Region};
+
+/// The runs at all outer points, with their places in the search box.
+pub(crate) struct Experiment<'a> {
+    pub setup: &'a Setup,
+    pub pool: &'a Pool,
+    pub table: &'a SampleTable,
+    /// One for each outer point.
+    pub places: Vec<Place>,
+}
+
+/// A focal element, or the whole box with all of the mass, and the outer points in it.
+pub(crate) struct Focal<'a> {
+    pub mass: f64,
+    pub region: &'a Region,
+    pub members: Vec<usize>,
+}
+
+impl<'a> Experiment<'a> {
+    /// The runs of `pool`, gathered from `table`.
+    pub fn new(setup: &'a Setup, pool: &'a Pool, table: &'a SampleTable) -> Self {
+        Self { setup, pool, table, places: setup.outer_places(pool) }
+    }
+
+    /// The focal elements of `cut`.
+    pub fn focal_elements<'c>(&self, cut: &'c Cut) -> Vec<Focal<'c>> {
+        let focal = |Element { mass, region }: &'c Element| Focal {
+            mass: *mass,
+            region,
+            members: region.members(&self.places),
+        };
+        cut.elements.iter().map(focal).collect()
+    }
+
+    /// Models for everything that `measures` search.
+    pub fn search<'s>(&'s self, measures: impl Iterator<Item = &'s Measure>) -> Search<'s> {
+        self.search_targets(measures.flat_map(Measure::targets))
+    }
+
+    /// Models of `targets` over the epistemic box.
+    pub fn search_targets<'s>(
+        &'s self,
+        targets: impl IntoIterator<Item = &'s crate::search::target::Target>,
+    ) -> Search<'s> {
+        Search::new(self.setup.epistemic_box.axes(), &self.places, &self.setup.candidates, targets)
+    }
+
+    /// Runs of `column` that failed.
+    pub fn failed_runs(&self, column: usize) -> usize {
+        self.pool.samples(column).iter().map(|sample| sample.failed()).sum()
+    }
+
+    /// The kind of guarantee that bounds from these runs have.
+    pub fn guarantee(&self) -> Guarantee {
+        let problem = &self.setup.problem;
+        match (problem.random.is_empty(), self.setup.has_no_box()) {
+            (true, true) => Guarantee::Enclosure,
+            (true, false) => Guarantee::Optimised,
+            (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },
+        }
+    }
+
+    /// The bound that says nothing.
+    pub fn unknown(&self, direction: Direction) -> Bound {
+        Bound::unknown(direction, self.guarantee())
+    }
+}

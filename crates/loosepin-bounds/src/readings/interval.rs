@@ -1,0 +1,201 @@
+//! The extreme of a statistic over a box, or a part of it: attained, with what was not resolved.
+
+use super::experiment::{Experiment, Focal};
+use super::limits::{can_change, furthest_possible};
+use crate::data::bound::{Bound, BoundError};
+use crate::data::direction::{Direction, extreme_among};
+use crate::data::statistic::Event;
+use crate::estimators::index::probability_of_index;
+use crate::estimators::pool::PoolPoint;
+use crate::estimators::sample::Sample;
+use crate::search::measure::{Measure, MeasureKind};
+use crate::search::models::{Branch, Search, smoothed};
+use crate::search::search_box::Region;
+
+/// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
+const LEAST_SHARE_BETWEEN: f64 = 0.5;
+
+/// A model that takes more than this share of the sampling variance for noise has averaged over points; errors that all points share,
+/// as with the same random numbers at each, are no noise to it.
+const LEAST_NOISE_SHARE: f64 = 0.1;
+
+/// A measure with the samples that it was taken of, and the models of what is searched.
+pub(crate) struct Modelled<'a> {
+    pub measure: &'a Measure,
+    samples: &'a [&'a Sample],
+    search: &'a Search<'a>,
+    branches: Vec<Branch<'a>>,
+    margin_branches: Vec<Branch<'a>>,
+}
+
+/// Where a statistic goes furthest.
+struct Attained {
+    /// Outer point.
+    point: usize,
+    /// How far the confidence interval there, or that of any other point, reaches beyond it.
+    sampling: f64,
+}
+
+impl Experiment<'_> {
+    /// The extreme of a measure in `direction` over `focal`.
+    pub fn bound(&self, modelled: &Modelled<'_>, direction: Direction, focal: &Focal<'_>) -> Bound {
+        let measure = modelled.measure;
+        let guarantee = self.guarantee();
+        let Some(Attained { point, sampling }) = modelled.attained(direction, focal) else {
+            let unknown = Bound::unknown(direction, guarantee);
+            return Bound { widened: measure.kind.limited(unknown.widened), ..unknown };
+        };
+        let value = measure.estimates(direction)[point].value;
+        let sign = direction.sign();
+        let optimisation = if self.setup.has_no_box() || value.is_infinite() {
+            0.0
+        } else {
+            let further = modelled.furthest(direction, (point, value), focal);
+            (sign * (further - value)).max(0.0)
+        };
+        // What the search concedes ends where no response goes; the sampling error keeps what it needs.
+        let possible = furthest_possible(measure.kind, modelled.samples, direction);
+        let room = (sign * (measure.kind.limited(possible) - value)).max(0.0);
+        let error = BoundError::of_runs(sampling, optimisation.min((room - sampling).max(0.0)));
+        let bound = Bound {
+            value,
+            widened: measure.kind.limited(value + sign * error.total()),
+            witness: self.pool.points.get(point).map(PoolPoint::witness),
+            error,
+            guarantee,
+        };
+        bound.within_responses(modelled.samples, direction)
+    }
+
+    /// The extreme of a mean or of a probability over `elements`: the sum of mass times extreme.
+    pub fn added(&self, modelled: &Modelled<'_>, elements: &[Focal<'_>], direction: Direction) -> Bound {
+        let bounds = elements.iter().map(|element| (element.mass, self.bound(modelled, direction, element)));
+        Bound::sum(bounds).unwrap_or_else(|| self.unknown(direction))
+    }
+}
+
+impl<'a> Modelled<'a> {
+    pub fn new(search: &'a Search<'a>, measure: &'a Measure, samples: &'a [&'a Sample]) -> Self {
+        let margin_branches = measure.margin.as_ref().map_or_else(Vec::new, |margin| search.branches(&margin.target));
+        Self { measure, samples, search, branches: search.branches(&measure.target), margin_branches }
+    }
+
+    /// The outer point in `focal` at which the statistic, smoothed where its differences are partly noise, goes furthest.
+    fn attained(&self, direction: Direction, focal: &Focal<'_>) -> Option<Attained> {
+        let measure = self.measure;
+        let estimates = measure.estimates(direction);
+        let outward = direction.sign() * f64::INFINITY;
+        let own_error = |point: usize| direction.of(estimates[point].below, estimates[point].above);
+        if let Some(&point) = focal.members.iter().find(|&&point| estimates[point].value == outward) {
+            return Some(Attained { point, sampling: own_error(point) });
+        }
+        let scores = self.scores(direction);
+        let is_known = |point: usize| scores[point].is_finite() && estimates[point].value.is_finite();
+        let margin = |point: usize| measure.margin.as_ref().map_or(0.0, |margin| margin.target.values[point]);
+        let is_better = |point: usize, best: usize| {
+            direction.is_beyond(scores[point], scores[best])
+                || (scores[point] == scores[best] && direction.is_beyond(margin(point), margin(best)))
+        };
+        let known = focal.members.iter().copied().filter(|&point| is_known(point));
+        let best = known.clone().reduce(|best, point| if is_better(point, best) { point } else { best })?;
+        // The statistic itself at a point, as it was compared.
+        let compared = |point: usize| match measure.kind {
+            MeasureKind::Plain | MeasureKind::Probability(_) => scores[point],
+            MeasureKind::Deviation => scores[point].max(0.0).sqrt(),
+            MeasureKind::SmoothProbability(_) => estimates[point].value,
+        };
+        // Where differences are noise the neighbours of a point have been heard too: its own interval says nothing more.
+        let least_noise = LEAST_NOISE_SHARE * measure.target.noise_variance;
+        let is_averaged = |point: usize| {
+            let own = self.branches.iter().find(|branch| branch.points.contains(&point));
+            own.is_some_and(|branch| branch.noise_variance() > least_noise)
+        };
+        let beyond = |point: usize| direction.sign() * (compared(point) - estimates[best].value) + own_error(point);
+        let heard = known.filter(|&point| !is_averaged(point));
+        Some(Attained { point: best, sampling: heard.map(beyond).fold(own_error(best), f64::max) })
+    }
+
+    /// Values by which points are compared: the target where models take part of its differences for noise.
+    fn scores(&self, direction: Direction) -> Vec<f64> {
+        let measure = self.measure;
+        let mut scores = smoothed(&measure.target, &self.branches, |point| measure.target_errors[point]);
+        if direction == Direction::Maximum {
+            for (score, (low, high)) in scores.iter_mut().zip(measure.low.iter().zip(&measure.high)) {
+                // Failed runs move the two estimates apart; the target is the low one.
+                let gap = high.value - low.value;
+                if gap.is_finite() {
+                    *score += gap;
+                }
+            }
+        }
+        scores
+    }
+
+    /// How far the statistic may go in `direction` where `value` is attained at `point`.
+    fn furthest(&self, direction: Direction, (point, value): (usize, f64), focal: &Focal<'_>) -> f64 {
+        let target = &self.measure.target;
+        let least = target.values[point] + target.conceded(direction);
+        let most = || {
+            let reach = self.search.furthest_reach(target, &self.branches, direction, focal.region);
+            direction.further(least, reach)
+        };
+        match self.measure.kind {
+            MeasureKind::Plain => direction.further(value, most()),
+            MeasureKind::Deviation => direction.further(value, most().max(0.0).sqrt()),
+            MeasureKind::SmoothProbability(event) => {
+                if !can_change(event, self.samples) {
+                    return value;
+                }
+                let further = probability_of_index(most()) - probability_of_index(target.values[point]);
+                direction.further(value, value + further).clamp(0.0, 1.0)
+            }
+            MeasureKind::Probability(event) => {
+                if !can_change(event, self.samples) {
+                    return value;
+                }
+                let by_shares = self.furthest_by_shares(direction, value, least, focal.region);
+                self.furthest_by_margins(direction, by_shares, event, focal).clamp(0.0, 1.0)
+            }
+        }
+    }
+
+    /// How far the models of a counted probability let it go, where enough points lie between 0 and 1.
+    fn furthest_by_shares(&self, direction: Direction, value: f64, least: f64, region: &Region) -> f64 {
+        let target = &self.measure.target;
+        let mut furthest = value;
+        for branch in &self.branches {
+            let shares = branch.points.iter().map(|&point| target.values[point]);
+            let between = shares.filter(|&share| share > 0.0 && share < 1.0).count() as f64;
+            if between >= LEAST_SHARE_BETWEEN * branch.points.len() as f64 {
+                let most = direction.further(least, self.search.reach(target, branch, direction, region));
+                furthest = direction.further(most, furthest);
+            }
+        }
+        furthest
+    }
+
+    /// How far a counted probability goes where the sample nearest to the limit is moved as far as the models of the margin let it.
+    fn furthest_by_margins(&self, direction: Direction, value: f64, event: Event, focal: &Focal<'_>) -> f64 {
+        let Some(margin) = &self.measure.margin else { return value };
+        let mut furthest = value;
+        for branch in &self.margin_branches {
+            let inside = branch.points.iter().copied().filter(|point| focal.members.contains(point));
+            if let Some(nearest) = extreme_among(&margin.target.values, inside, direction) {
+                let most = self.search.reach(&margin.target, branch, direction, focal.region);
+                let shift = margin.shift(nearest, most);
+                furthest = direction.further(shifted_share(self.samples[nearest], event, shift, direction), furthest);
+            }
+        }
+        furthest
+    }
+}
+
+/// The share of `sample`, moved by `shift`, for which `event` holds; failed runs count towards `direction`.
+fn shifted_share(sample: &Sample, event: Event, shift: f64, direction: Direction) -> f64 {
+    if let Some(smooth) = sample.smooth() {
+        return smooth.probability(event, shift).value;
+    }
+    let hits = sample.values().iter().filter(|&&value| event.holds(value + shift)).count();
+    let failed = direction.of(0, sample.failed());
+    (hits + failed) as f64 / sample.runs() as f64
+}

@@ -1,0 +1,60 @@
+//! How far responses have been seen to go, and what that says of statistics.
+
+use crate::data::bound::{Bound, BoundError, Guarantee};
+use crate::data::direction::{Direction, range_of};
+use crate::data::statistic::Event;
+use crate::estimators::sample::Sample;
+use crate::search::measure::MeasureKind;
+
+/// By this share of the range of all responses a bound may lie beyond the furthest of them.
+const RESPONSE_MARGIN: f64 = 0.1;
+
+/// Fewer runs at a point than this do not show the range of the response.
+const LEAST_RUNS_FOR_RANGE: usize = 8;
+
+/// The furthest that a statistic can go when no response lies further than those seen at all points together and a margin: means and
+/// quantiles stay within the range of the responses, deviations within half of it. Infinite where the runs at a point are too few to show
+/// that range. Where the motion is chaotic the statistic is so uneven over u that a model of it alone would concede what no mechanism does.
+pub(crate) fn furthest_possible(kind: MeasureKind, samples: &[&Sample], direction: Direction) -> f64 {
+    let unlimited = direction.sign() * f64::INFINITY;
+    let Some((low, high)) = responses(samples) else { return unlimited };
+    let margin = RESPONSE_MARGIN * (high - low);
+    match kind {
+        MeasureKind::Plain => direction.of(low - margin, high + margin),
+        MeasureKind::Deviation => direction.of(0.0, 0.5 * (high - low) + margin),
+        MeasureKind::Probability(_) | MeasureKind::SmoothProbability(_) => unlimited,
+    }
+}
+
+/// Whether any response, moved by the margin beyond the furthest of all, is on the other side of the limit than one that was seen:
+/// otherwise the probability of `event` is the same at every u.
+pub(crate) fn can_change(event: Event, samples: &[&Sample]) -> bool {
+    let Some((low, high)) = responses(samples) else { return true };
+    let margin = RESPONSE_MARGIN * (high - low);
+    event.holds(low - margin) || event.holds(high + margin)
+}
+
+/// The least and the greatest response at all points together; nothing where the runs at a point are too few to show them.
+fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
+    if samples.iter().any(|sample| sample.values().len() < LEAST_RUNS_FOR_RANGE) {
+        return None;
+    }
+    Some(range_of(samples.iter().flat_map(|sample| sample.values()).copied()))
+}
+
+impl Bound {
+    /// Where fewer samples lie beyond a quantile than a confidence takes, no finite error holds with it. What is known then is how
+    /// far responses have been seen to go: the bound ends there, and says that this is not confirmed. Failed runs may have gone
+    /// anywhere, and stay infinite.
+    pub(crate) fn within_responses(self, samples: &[&Sample], direction: Direction) -> Self {
+        let possible = furthest_possible(MeasureKind::Plain, samples, direction);
+        let has_failed = samples.iter().any(|sample| sample.failed() > 0);
+        if self.widened.is_finite() || !self.value.is_finite() || !possible.is_finite() || has_failed {
+            return self;
+        }
+        let room = (direction.sign() * (possible - self.value)).max(0.0);
+        let error = BoundError { sampling: room, optimisation: 0.0, ..self.error };
+        let widened = self.value + direction.sign() * room;
+        Self { widened, error, guarantee: Guarantee::Inner, ..self }
+    }
+}

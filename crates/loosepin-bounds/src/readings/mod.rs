@@ -1,0 +1,18 @@
+//! Answers: what the runs say, by what is known of the epistemic inputs and how it is read.
+
+mod added_quantile;
+pub(crate) mod bounds;
+pub(crate) mod coverage;
+mod deviation;
+mod evidence;
+pub(crate) mod experiment;
+mod interval;
+mod limits;
+pub(crate) mod pinching;
+pub(crate) mod probability_box;
+pub(crate) mod random_set;
+pub(crate) mod second_order;
+pub(crate) mod setup;
+pub(crate) mod simultaneous;
+mod statistics;
+pub(crate) mod treatment;

@@ -1,0 +1,86 @@
+//! The distribution function and its bounds over u.
+
+use rayon::prelude::*;
+
+use super::experiment::Experiment;
+use super::interval::Modelled;
+use super::random_set::RandomSet;
+use crate::data::bound::Bound;
+use crate::data::direction::{Direction, range_of};
+use crate::data::problem::Reading;
+use crate::data::statistic::Event;
+use crate::data::table::Purpose;
+use crate::estimators::pool::Pool;
+use crate::search::measure::Measure;
+
+/// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
+const GRID_VALUES: usize = 101;
+
+/// Bounds of P(Y <= y) over the epistemic box, for a grid of y.
+///
+/// Every distribution function of Y given u lies between the two curves (at each y with the stated error); the same holds
+/// for every mixture of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProbabilityBox {
+    /// Column of the response.
+    pub column: usize,
+    /// The values y, increasing; empty where no run finished.
+    pub values: Vec<f64>,
+    /// P(Y <= y) when every interval is taken as uniform and every member of a list as equally probable, for each y, failed runs taken as not below: the
+    /// probability-only treatment. Nothing where the problem compares no columns, so that it was not sampled.
+    pub probability_only: Option<Vec<f64>>,
+    /// min over u of P(Y <= y), for each y; `widened` is made increasing.
+    pub lower: Vec<Bound>,
+    /// max over u of P(Y <= y), for each y; `widened` is made increasing.
+    pub upper: Vec<Bound>,
+}
+
+impl ProbabilityBox {
+    pub(crate) fn new(experiment: &Experiment<'_>, column: usize) -> Self {
+        let setup = experiment.setup;
+        let samples = experiment.pool.samples(column);
+        let ends = samples.iter().filter_map(|sample| sample.ends());
+        let (low, high) = range_of(ends.flat_map(|(first, last)| [first, last]));
+        let values: Vec<f64> = if low > high {
+            Vec::new()
+        } else {
+            let step = (high - low) / (GRID_VALUES - 1) as f64;
+            (0..GRID_VALUES).map(|i| if i + 1 == GRID_VALUES { high } else { low + i as f64 * step }).collect()
+        };
+        let measures: Vec<Measure> = values
+            .par_iter()
+            .map(|&value| Measure::probability(&samples, Event::UpTo(value), &setup.confidence))
+            .collect();
+        let search = experiment.search(measures.iter());
+        let elements = experiment.focal_elements(setup.structure.widest());
+        let set = (setup.problem.reading == Reading::RandomSet).then(|| RandomSet::new(experiment, &elements, column));
+        let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = measures
+            .par_iter()
+            .zip(&values)
+            .map(|(measure, &value)| {
+                let [low, high] = Direction::BOTH.map(|direction| match &set {
+                    Some(set) => set.probability(experiment, Event::UpTo(value), direction),
+                    None => experiment.added(&Modelled::new(&search, measure, &samples), &elements, direction),
+                });
+                (low, high)
+            })
+            .unzip();
+        // A distribution function increases, so a bound at one y holds on one side of it; of two, the wider one is kept.
+        for i in 1..upper.len() {
+            upper[i].widened = upper[i].widened.max(upper[i - 1].widened);
+        }
+        for i in (1..lower.len()).rev() {
+            lower[i - 1].widened = lower[i - 1].widened.min(lower[i].widened);
+        }
+        let mixture =
+            Pool::gather(experiment.table, Purpose::Mixture, [column]).with_polynomials(setup.mixture_basis());
+        let probability_only = mixture.samples(column).first().map(|sample| {
+            let share = |&value: &f64| match sample.smooth() {
+                Some(smooth) => smooth.probability(Event::UpTo(value), 0.0).value,
+                None => sample.count_up_to(value) as f64 / sample.runs() as f64,
+            };
+            values.iter().map(share).collect()
+        });
+        Self { column, values, probability_only, lower, upper }
+    }
+}

@@ -1,0 +1,72 @@
+//! Bounds of all single statistics, cut by cut.
+
+use rayon::prelude::*;
+
+use super::experiment::{Experiment, Focal};
+use super::interval::Modelled;
+use crate::data::bound::{BoundPair, CutBounds};
+use crate::data::direction::Direction;
+use crate::data::problem::{Reading, Request};
+use crate::search::measure::Measure;
+use crate::search::models::Search;
+use crate::search::parts::Cut;
+
+impl Experiment<'_> {
+    /// The bounds over every α-cut, what is possible at all first; those over a cut hold those over the cuts within it.
+    pub fn cuts(&self) -> Vec<CutBounds> {
+        let requests = self.setup.single_statistics();
+        let measures: Vec<Option<Measure>> = requests
+            .par_iter()
+            .map(|request| Measure::new(&self.pool.samples(request.column), request.statistic, &self.setup.confidence))
+            .collect();
+        let search = self.search(measures.iter().flatten());
+        let of_cut = |cut: &Cut| CutBounds { alpha: cut.alpha, pairs: self.pairs(&requests, &measures, &search, cut) };
+        let mut cuts: Vec<CutBounds> = self.setup.structure.cuts.iter().map(of_cut).collect();
+        nest(&mut cuts);
+        cuts
+    }
+
+    fn pairs(
+        &self,
+        requests: &[Request],
+        measures: &[Option<Measure>],
+        search: &Search<'_>,
+        cut: &Cut,
+    ) -> Vec<BoundPair> {
+        let elements = self.focal_elements(cut);
+        match (self.setup.problem.reading, &elements[..]) {
+            (Reading::RandomSet, _) => self.pairs_of_random_set(requests, &elements),
+            (_, [whole]) if !self.is_mixed() => self.pairs_over(requests, measures, search, whole),
+            _ => self.pairs_over_elements(requests, measures, search, &elements),
+        }
+    }
+
+    /// Bounds where u is one value, the same for every sample, anywhere in the box.
+    fn pairs_over(
+        &self,
+        requests: &[Request],
+        measures: &[Option<Measure>],
+        search: &Search<'_>,
+        whole: &Focal<'_>,
+    ) -> Vec<BoundPair> {
+        let pair = |(&Request { column, statistic }, measure): (&Request, &Option<Measure>)| {
+            let samples = self.pool.samples(column);
+            let modelled = Modelled::new(search, measure.as_ref()?, &samples);
+            let ends = Direction::BOTH.map(|direction| self.bound(&modelled, direction, whole));
+            let estimates = modelled.measure.low.iter().map(|estimate| estimate.value).collect();
+            Some(BoundPair { estimates, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+        };
+        requests.par_iter().zip(measures).filter_map(pair).collect()
+    }
+}
+
+/// Widens the bounds of every cut to those of the cuts within it.
+fn nest(cuts: &mut [CutBounds]) {
+    for cut in (1..cuts.len()).rev() {
+        let (outer, inner) = cuts.split_at_mut(cut);
+        for (outer, inner) in outer[cut - 1].pairs.iter_mut().zip(&inner[0].pairs) {
+            outer.lower.widen_to(inner.lower.widened, Direction::Minimum);
+            outer.upper.widen_to(inner.upper.widened, Direction::Maximum);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Extremes that have been attained, with the models of their surroundings.
+
+use super::models::{Search, defined};
+use super::parts::Element;
+use super::search_box::Region;
+use super::target::Target;
+use super::target_model::TargetModel;
+use crate::data::direction::{Direction, extreme_among};
+
+/// An extreme that may be looked around.
+pub(super) struct Extreme<'a> {
+    pub target: &'a Target,
+    pub direction: Direction,
+    pub point: usize,
+    pub value: f64,
+    pub region: &'a Region,
+    pub resolution: f64,
+    /// The model of its combination.
+    pub model: TargetModel<'a>,
+}
+
+impl Search<'_> {
+    /// The extremes of `targets` in each of `elements`, where their combinations have fewer than `most_points`.
+    pub(super) fn extremes<'e>(
+        &'e self,
+        targets: &'e [(Target, Vec<Direction>)],
+        elements: &'e [Element],
+        most_points: usize,
+    ) -> Vec<Extreme<'e>> {
+        let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
+        let mut extremes = Vec::new();
+        for (target, directions) in targets {
+            for (element, members) in elements.iter().zip(&members) {
+                for &direction in directions {
+                    extremes.extend(self.extreme(target, direction, element, members, most_points));
+                }
+            }
+        }
+        extremes
+    }
+
+    /// The extreme of `target` among `members` of `element`; nothing where there is none, and where its combination has `most_points`
+    /// already.
+    fn extreme<'e>(
+        &'e self,
+        target: &'e Target,
+        direction: Direction,
+        element: &'e Element,
+        members: &[usize],
+        most_points: usize,
+    ) -> Option<Extreme<'e>> {
+        let point = extreme_among(&target.values, members.iter().copied(), direction)?;
+        let group = &self.groups[self.points[point].combination];
+        if group.len() >= most_points {
+            return None;
+        }
+        let value = target.values[point];
+        let resolution = target.resolution(direction, value) / element.mass;
+        let model = self.model(target, &defined(target, group))?;
+        Some(Extreme { target, direction, point, value, region: &element.region, resolution, model })
+    }
+}

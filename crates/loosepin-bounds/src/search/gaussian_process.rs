@@ -1,0 +1,190 @@
+//! A Gaussian process with a polynomial mean, for one choice of its correlation and noise.
+//!
+//! Everything is whitened with W = L⁻¹, V = L Lᵀ the correlation of the estimates: B = WF, and with G = (BᵀB)⁻¹
+//!
+//! ```text
+//! P = Wᵀ(1 - B G Bᵀ)W                            σ² = yᵀP y/(n - p)
+//! at a place: c = Wk, r = f - Bᵀc                mean = (c + B G r)ᵀ W y,   variance = σ² (1 - cᵀc + rᵀG r)
+//! ```
+//!
+//! V itself is never inverted: its condition number is up to 1e13, that of L the square root of it.
+
+use std::sync::OnceLock;
+
+use super::trend::Trend;
+use loosepin_math::dense::{Cholesky, dot, gram, multiply};
+use loosepin_surrogate::{Whitened, matern_five_halves};
+
+/// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Smoothness {
+    Once,
+    Twice,
+    FourTimes,
+}
+
+/// The correlation of the process between two places.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kernel {
+    pub smoothness: Smoothness,
+    pub length_scale: f64,
+}
+
+impl Kernel {
+    fn correlation(&self, a: &[f64], b: &[f64]) -> f64 {
+        let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
+        let r = square.sqrt() / self.length_scale;
+        match self.smoothness {
+            Smoothness::Once => {
+                let s = 3.0_f64.sqrt() * r;
+                (1.0 + s) * libm::exp(-s)
+            }
+            Smoothness::Twice => matern_five_halves(5.0_f64.sqrt() * r).0,
+            Smoothness::FourTimes => {
+                let s = 3.0 * r;
+                (1.0 + s * (1.0 + s * (3.0 / 7.0 + s * (2.0 / 21.0 + s / 105.0)))) * libm::exp(-s)
+            }
+        }
+    }
+}
+
+/// A Gaussian process for one choice of points, correlation and noise; estimates come later.
+pub(crate) struct Model {
+    points: Vec<Vec<f64>>,
+    trend: Trend,
+    kernel: Kernel,
+    noise_ratio: f64,
+    /// W and B
+    whitened: Whitened,
+    /// G
+    trend_covariance: Vec<f64>,
+    /// P_ii
+    projection_diagonal: Vec<f64>,
+    /// ln det V + ln det FᵀV⁻¹F
+    ln_determinants: f64,
+    at_places: OnceLock<Vec<Prediction>>,
+}
+
+/// Correlations of a place with the points.
+struct Prediction {
+    /// c = W k
+    correlations: Vec<f64>,
+    /// r = f - Bᵀc
+    rest: Vec<f64>,
+    /// For σ = 1.
+    variance: f64,
+}
+
+impl Prediction {
+    fn mean_and_variance(&self, white: &[f64], of_trend: &[f64]) -> (f64, f64) {
+        (dot(&self.correlations, white) + dot(&self.rest, of_trend), self.variance)
+    }
+}
+
+impl Model {
+    /// A model on `points`, whose polynomial has these `terms` there (row by row); nothing where V is singular to round-off.
+    pub fn try_new(points: &[Vec<f64>], trend: Trend, terms: &[f64], kernel: Kernel, noise_ratio: f64) -> Option<Self> {
+        let count = points.len();
+        let size = terms.len() / count;
+        let mut covariance = Vec::with_capacity(count * count);
+        for (i, point) in points.iter().enumerate() {
+            covariance.extend(points.iter().map(|other| kernel.correlation(point, other)));
+            covariance[i * count + i] += noise_ratio;
+        }
+        let columns: Vec<Vec<f64>> =
+            (0..size).map(|column| terms.chunks(size).map(|row| row[column]).collect()).collect();
+        let whitened = Whitened::try_new(covariance, &columns, count)?;
+        let by_point: Vec<f64> = (0..count).flat_map(|i| whitened.trend.iter().map(move |column| column[i])).collect();
+        let information = Cholesky::new(gram(&by_point, size), size)?;
+        let trend_covariance = information.inverse();
+        // Rows of WᵀB give the part of P_ii that the polynomial takes away.
+        let projected = whitened.projected_trend();
+        let mut projection_diagonal = whitened.whitening.column_squares();
+        for (i, entry) in projection_diagonal.iter_mut().enumerate() {
+            let row: Vec<f64> = projected.iter().map(|column| column[i]).collect();
+            *entry -= dot(&row, &multiply(&trend_covariance, &row));
+        }
+        Some(Self {
+            points: points.to_vec(),
+            trend,
+            kernel,
+            noise_ratio,
+            trend_covariance,
+            projection_diagonal,
+            ln_determinants: whitened.ln_determinant + information.ln_determinant(),
+            whitened,
+            at_places: OnceLock::new(),
+        })
+    }
+
+    /// How often the process can be differentiated.
+    pub fn smoothness(&self) -> Smoothness {
+        self.kernel.smoothness
+    }
+
+    /// τ
+    pub fn noise_ratio(&self) -> f64 {
+        self.noise_ratio
+    }
+
+    /// ln det V + ln det FᵀV⁻¹F
+    pub fn ln_determinants(&self) -> f64 {
+        self.ln_determinants
+    }
+
+    /// yᵀP y
+    pub fn misfit(&self, values: &[f64]) -> f64 {
+        let rest = self.whitened_rest(values);
+        dot(&rest, &rest)
+    }
+
+    /// The largest error of predicting an estimate from all the others, divided by its standard deviation for σ = 1:
+    /// max |(P y)_i|/√P_ii. S. Sundararajan and S. S. Keerthi, "Predictive approaches for choosing hyperparameters in
+    /// Gaussian processes", Neural Computation 13 (2001) 1103-1118. A function that is rougher in one place than in others
+    /// shows itself here.
+    pub fn largest_error(&self, values: &[f64]) -> f64 {
+        let errors = self.whitened.whitening.multiply_transposed(&self.whitened_rest(values));
+        errors.iter().zip(&self.projection_diagonal).fold(0.0, |largest, (error, diagonal)| {
+            if *diagonal > 0.0 { largest.max(error.abs() / diagonal.sqrt()) } else { largest }
+        })
+    }
+
+    /// (1 - B G Bᵀ) W y
+    fn whitened_rest(&self, values: &[f64]) -> Vec<f64> {
+        let mut rest = self.whitened.whitening.multiply(values);
+        let shares = multiply(&self.trend_covariance, &self.whitened.products(&rest));
+        self.whitened.take_out(&mut rest, &shares);
+        rest
+    }
+
+    /// W y, and G Bᵀ W y: what the mean at any place takes of `values`.
+    pub fn whitened(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let white = self.whitened.whitening.multiply(values);
+        let of_trend = multiply(&self.trend_covariance, &self.whitened.products(&white));
+        (white, of_trend)
+    }
+
+    /// Mean, and variance for σ = 1, of the process at `place`, from [`Self::whitened`] estimates.
+    pub fn mean_and_variance(&self, place: &[f64], (white, of_trend): (&[f64], &[f64])) -> (f64, f64) {
+        self.predict(place).mean_and_variance(white, of_trend)
+    }
+
+    fn predict(&self, place: &[f64]) -> Prediction {
+        let correlations: Vec<f64> = self.points.iter().map(|point| self.kernel.correlation(point, place)).collect();
+        let (correlations, rest) = self.whitened.at_place(&correlations, &self.trend.terms(place));
+        let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &multiply(&self.trend_covariance, &rest));
+        Prediction { correlations, rest, variance: variance.max(0.0) }
+    }
+
+    /// Mean, and variance for σ = 1, at all of `places` in their order; what the estimates have no part in is worked out once, so the
+    /// places must not change.
+    pub fn at_places(
+        &self,
+        places: &[Vec<f64>],
+        (white, of_trend): (&[f64], &[f64]),
+    ) -> impl Iterator<Item = (f64, f64)> {
+        let predictions =
+            self.at_places.get_or_init(|| places.iter().map(|place| self.predict(place)).collect::<Vec<Prediction>>());
+        predictions.iter().map(move |prediction| prediction.mean_and_variance(white, of_trend))
+    }
+}

@@ -1,0 +1,65 @@
+//! Models of the index of a probability.
+
+use super::smoother::{Fit, Smoother};
+use crate::estimators::index::compressed;
+
+/// A model of an index.
+pub(crate) struct IndexModel<'a> {
+    fit: Fit<'a>,
+    /// Whether of x, rather than of z.
+    is_compressed: bool,
+}
+
+/// Prediction of an index: mean and standard deviation of x or of z.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct IndexForecast {
+    pub mean: f64,
+    pub deviation: f64,
+    /// Whether of x.
+    pub is_compressed: bool,
+}
+
+impl IndexForecast {
+    /// The index where the model errs by so many of its standard deviations.
+    pub fn moved(self, deviations: f64) -> f64 {
+        let moved = self.mean + deviations * self.deviation;
+        if self.is_compressed { moved } else { compressed(moved) }
+    }
+}
+
+impl<'a> IndexModel<'a> {
+    /// Whether the index has no kinks, as far as its values tell.
+    pub fn is_smoothest(&self) -> bool {
+        self.fit.is_smoothest()
+    }
+
+    /// Models the `indices` at the points of `smoother`, in the scale in which they are likelier: the likelihood of x under a model of
+    /// z is that of z times the slopes dz/dx = cosh x (E. Snelson, C. E. Rasmussen and Z. Ghahramani, "Warped Gaussian processes",
+    /// Advances in Neural Information Processing Systems 16, 2004).
+    pub fn new(smoother: &'a Smoother, indices: &[f64]) -> Self {
+        let z: Vec<f64> = indices.iter().map(|&index| libm::sinh(index)).collect();
+        let (of_x, of_z) = (smoother.fit(indices, 0.0), smoother.fit(&z, 0.0));
+        let slopes = indices.iter().map(|&index| libm::log(libm::cosh(index))).sum::<f64>() / indices.len() as f64;
+        let is_compressed = of_x.misfit() < of_z.misfit() - 2.0 * slopes;
+        Self { fit: if is_compressed { of_x } else { of_z }, is_compressed }
+    }
+
+    /// Prediction at `place`.
+    pub fn at(&self, place: &[f64]) -> IndexForecast {
+        self.forecast(self.fit.at(place))
+    }
+
+    /// Predictions at every one of [`Self::places`].
+    pub fn at_places(&self) -> impl Iterator<Item = IndexForecast> {
+        self.fit.at_places().map(|found| self.forecast(found))
+    }
+
+    /// The candidates, then the points.
+    pub fn places(&self) -> &[Vec<f64>] {
+        self.fit.places()
+    }
+
+    fn forecast(&self, (mean, deviation): (f64, f64)) -> IndexForecast {
+        IndexForecast { mean, deviation, is_compressed: self.is_compressed }
+    }
+}

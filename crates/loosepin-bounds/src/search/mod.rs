@@ -1,0 +1,21 @@
+//! The search for extremes over the box of the epistemic inputs: models of statistics, what they leave open, and the next points.
+
+pub(crate) mod design;
+mod extremes;
+mod gaussian_process;
+mod index_model;
+mod kink_reach;
+mod kinks;
+pub(crate) mod measure;
+pub(crate) mod models;
+mod next;
+pub(crate) mod parts;
+mod promises;
+pub(crate) mod reach;
+pub(crate) mod search_box;
+pub(crate) mod smoother;
+mod summits;
+mod surroundings;
+pub(crate) mod target;
+pub(crate) mod target_model;
+mod trend;

@@ -1,0 +1,172 @@
+//! Points so far, and models of targets on them.
+
+use std::collections::BTreeMap;
+
+use super::search_box::{Axes, Place};
+use super::smoother::Smoother;
+use super::target::Target;
+use super::target_model::{Forecast, TargetModel};
+use crate::data::direction::{Direction, extreme_among};
+
+/// Two new points of one round keep this distance, in units of the box.
+pub(super) const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
+
+/// A new point keeps this distance from all earlier ones.
+pub(super) const LEAST_DISTANCE: f64 = 1e-6;
+
+/// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
+pub(crate) const MOST_LOCATED_TARGETS: usize = 256;
+
+/// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
+const MOST_NEIGHBOURHOODS: usize = 12;
+
+/// Distances of these surroundings along each axis, in units of the box.
+const NEIGHBOUR_DISTANCES: [f64; 4] = [0.1, 0.02, 0.004, 0.000_5];
+
+/// All points so far, and the models that targets share.
+///
+/// Every combination of the discrete inputs has models of its own, which know nothing of the others; the extremes are taken
+/// over all of them.
+pub(crate) struct Search<'a> {
+    pub(super) axes: &'a Axes,
+    pub(super) points: &'a [Place],
+    /// The points of each combination.
+    pub(super) groups: Vec<Vec<usize>>,
+    smoothers: BTreeMap<Vec<usize>, Option<Smoother>>,
+    targets: usize,
+}
+
+/// The model of a target in one combination of the discrete inputs.
+pub(crate) struct Branch<'a> {
+    /// The points of the combination.
+    pub points: Vec<usize>,
+    /// Those at which the target is defined.
+    pub(super) defined: Vec<usize>,
+    /// The model; nothing where the target is defined at too few points.
+    pub(super) model: Option<TargetModel<'a>>,
+}
+
+impl Branch<'_> {
+    /// Variance of the noise that the model sees between the points.
+    pub fn noise_variance(&self) -> f64 {
+        self.model.as_ref().map_or(0.0, TargetModel::noise_variance)
+    }
+
+    /// Predictions at the candidates of the search, in their order, then at other places; nothing without a model.
+    pub fn at_candidates(&self) -> Option<impl Iterator<Item = Forecast>> {
+        self.model.as_ref().map(|model| model.at_places())
+    }
+
+    /// Prediction at `place`; nothing without a model.
+    pub fn at(&self, place: &[f64]) -> Option<Forecast> {
+        self.model.as_ref().map(|model| model.at(place))
+    }
+}
+
+impl<'a> Search<'a> {
+    /// Prepares models for all `targets`; points at which a target is undefined do not take part in its model.
+    pub fn new<'t>(
+        axes: &'a Axes,
+        points: &'a [Place],
+        candidates: &[Vec<f64>],
+        targets: impl IntoIterator<Item = &'t Target>,
+    ) -> Self {
+        let combinations = points.iter().map(|point| point.combination + 1).max().unwrap_or(1);
+        let mut groups = vec![Vec::new(); combinations];
+        for (index, point) in points.iter().enumerate() {
+            groups[point.combination].push(index);
+        }
+        // For each set of defined points: whether any target has noise, and how often each point is an extreme.
+        let mut sets: BTreeMap<Vec<usize>, (bool, BTreeMap<usize, usize>)> = BTreeMap::new();
+        let mut target_count = 0;
+        for target in targets {
+            target_count += 1;
+            for group in &groups {
+                let (has_noise, extremes) = sets.entry(defined(target, group)).or_default();
+                *has_noise |= target.noise_variance > 0.0;
+                for direction in Direction::BOTH {
+                    if let Some(point) = extreme_among(&target.values, group.iter().copied(), direction) {
+                        *extremes.entry(point).or_default() += 1;
+                    }
+                }
+            }
+        }
+        let prepare = |(defined, (has_noise, extremes)): (Vec<usize>, (bool, BTreeMap<usize, usize>))| {
+            let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
+            extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
+            let near = extremes
+                .into_iter()
+                .take(MOST_NEIGHBOURHOODS)
+                .flat_map(|(point, _)| neighbours(axes, &points[point].at));
+            let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
+            let known = defined.iter().map(|&i| points[i].at.clone()).collect();
+            let smoother = Smoother::try_new(known, &places, has_noise, axes);
+            (defined, smoother)
+        };
+        Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }
+    }
+
+    /// Whether there are so many targets that they are the poses of curves.
+    pub(super) fn is_of_curves(&self) -> bool {
+        self.targets > MOST_LOCATED_TARGETS
+    }
+
+    /// The models of `target`, one for each combination of the discrete inputs.
+    pub fn branches(&self, target: &Target) -> Vec<Branch<'_>> {
+        let branch = |points: &Vec<usize>| {
+            let defined = defined(target, points);
+            Branch { points: points.clone(), model: self.model(target, &defined), defined }
+        };
+        self.groups.iter().map(branch).collect()
+    }
+
+    /// The model of `target` on the points at which it is `defined`; nothing where these are too few.
+    pub(super) fn model(&self, target: &Target, defined: &[usize]) -> Option<TargetModel<'_>> {
+        Some(TargetModel::new(self.smoothers.get(defined)?.as_ref()?, target, defined))
+    }
+
+    /// The first `count` of `places` that keep their distances.
+    pub(super) fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
+        let mut chosen: Vec<Place> = Vec::new();
+        for place in places {
+            let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE)
+                && chosen.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE_IN_ROUND);
+            if is_new && chosen.len() < count {
+                chosen.push(place);
+            }
+        }
+        chosen
+    }
+}
+
+/// The values of `target` as its models see them: unchanged unless a model takes part of their differences for noise, and never
+/// moved by more than the error of each value itself.
+pub(crate) fn smoothed(target: &Target, branches: &[Branch<'_>], errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
+    let mut values = target.values.clone();
+    for branch in branches {
+        let Some(model) = branch.model.as_ref().filter(|fit| fit.is_smoothed()) else { continue };
+        let means = model.at_places().skip(model.places().len() - branch.defined.len());
+        for (&point, forecast) in branch.defined.iter().zip(means) {
+            let (below, above) = errors(point);
+            values[point] = forecast.mean().max(values[point] - below).min(values[point] + above);
+        }
+    }
+    values
+}
+
+/// Places near `point` along the axes, inside the box.
+fn neighbours<'p>(axes: &'p Axes, point: &'p [f64]) -> impl Iterator<Item = Vec<f64>> + 'p {
+    let steps = NEIGHBOUR_DISTANCES.into_iter().flat_map(|distance| [distance, -distance]);
+    steps.flat_map(move |step| {
+        (0..point.len()).filter_map(move |axis| {
+            let mut place = point.to_vec();
+            place[axis] = axes.inside(axis, place[axis] + step, [0.0, 1.0]);
+            (place[axis] != point[axis]).then_some(place)
+        })
+    })
+}
+
+/// The points of `group` at which `target` is defined.
+pub(super) fn defined(target: &Target, group: &[usize]) -> Vec<usize> {
+    group.iter().copied().filter(|&i| target.values[i].is_finite()).collect()
+}

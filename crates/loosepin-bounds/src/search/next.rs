@@ -1,0 +1,20 @@
+//! The next points of a search.
+
+use super::models::Search;
+use super::parts::Element;
+use super::search_box::Place;
+use super::smoother::MOST_POINTS;
+use super::target::Target;
+use crate::data::direction::Direction;
+
+impl Search<'_> {
+    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the surroundings
+    /// of what was attained.
+    pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
+        let mut places = self.kinks(targets, elements, count, MOST_POINTS);
+        if places.len() < count {
+            places.extend(self.next_points(targets, elements, count - places.len(), MOST_POINTS));
+        }
+        if places.is_empty() { self.surroundings(targets, elements, count, MOST_POINTS) } else { places }
+    }
+}

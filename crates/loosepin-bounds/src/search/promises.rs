@@ -1,0 +1,163 @@
+//! Places at which a model promises the most beyond what has been attained.
+
+use rayon::prelude::*;
+
+use super::models::{LEAST_DISTANCE_IN_ROUND, Search, defined};
+use super::parts::Element;
+use super::reach::{OPTIMISM, locate, reach};
+use super::search_box::{Axes, Place};
+use super::target::Target;
+use crate::data::direction::{Direction, extreme_among};
+
+/// This many promising places for each new point are located precisely.
+const LOCATED_PER_POINT: usize = 2;
+
+impl Search<'_> {
+    /// At most `count` new points for the ends of `targets` that are sought in each of `elements`, most promising first; none
+    /// where no gain, times the mass of its element, exceeds the resolution, and none in a combination that has `most_points`
+    /// already.
+    pub fn next_points(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+        most_points: usize,
+    ) -> Vec<Place> {
+        let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
+        let mut promises: Vec<Promise> = targets
+            .par_iter()
+            .enumerate()
+            .flat_map_iter(|(index, (target, directions))| {
+                self.promises(index, target, directions, (elements, &members), most_points)
+            })
+            .collect();
+        promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
+        // What a model expects and what it merely allows take turns: every target allows more than it expects.
+        let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
+            promises.into_iter().partition(|promise| promise.optimism == 0.0);
+        let most = LOCATED_PER_POINT * count;
+        let (mut expected, mut allowed) =
+            (distinct(self.axes, expected, most).into_iter(), distinct(self.axes, allowed, most).into_iter());
+        let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
+        let located: Vec<Place> = turns
+            .collect::<Vec<Promise>>()
+            .into_par_iter()
+            .filter_map(|promise| {
+                let target = &targets[promise.target].0;
+                let combination = promise.place.combination;
+                let model = self.model(target, &defined(target, &self.groups[combination]))?;
+                let region = &elements[promise.element].region;
+                Some(Place {
+                    combination,
+                    at: locate(self.axes, &model, promise.direction, promise.optimism, promise.place.at, region),
+                })
+            })
+            .collect();
+        self.new_places(located, count)
+    }
+
+    /// Where the models of a target promise more than has been attained in any combination, element by element.
+    fn promises(
+        &self,
+        index: usize,
+        target: &Target,
+        directions: &[Direction],
+        (elements, members): (&[Element], &[Vec<usize>]),
+        most_points: usize,
+    ) -> Vec<Promise> {
+        let mut promises = Vec::new();
+        for (combination, branch) in self.branches(target).iter().enumerate() {
+            let Some(model) = branch.model.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
+            for (element, (part, members)) in elements.iter().zip(members).enumerate() {
+                for &direction in directions {
+                    let reach = reach(model, direction, &part.region, OPTIMISM);
+                    let attained = extreme_among(&target.values, members.iter().copied(), direction)
+                        .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
+                    let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
+                        let gain = part.mass * direction.sign() * (value - attained);
+                        let merit = gain / target.resolution(direction, attained);
+                        if merit > 1.0 {
+                            let place = Place { combination, at };
+                            promises.push(Promise { target: index, element, direction, optimism, merit, place });
+                        }
+                    };
+                    promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
+                    promise(reach.expected, 0.0, reach.expected_at);
+                }
+            }
+        }
+        promises
+    }
+}
+
+struct Promise {
+    target: usize,
+    element: usize,
+    direction: Direction,
+    optimism: f64,
+    merit: f64,
+    place: Place,
+}
+
+/// The first `count` promises that are not near each other.
+fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
+    let mut kept: Vec<Promise> = Vec::new();
+    for promise in promises {
+        if kept.len() == count {
+            break;
+        }
+        if kept.iter().all(|other| axes.distance(&other.place, &promise.place) > LEAST_DISTANCE_IN_ROUND) {
+            kept.push(promise);
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::data::direction::{Direction, extreme};
+    use crate::search::design::{candidates, first_points};
+    use crate::search::models::Search;
+    use crate::search::parts::Element;
+    use crate::search::search_box::{Axes, Place, Region};
+    use crate::search::target::{Target, TargetKind};
+
+    /// Searches both ends of `function` with `count` points in rounds of five.
+    fn ends(dimensions: usize, count: usize, function: impl Fn(&[f64]) -> f64) -> (f64, f64) {
+        let candidates = candidates(dimensions).unwrap();
+        let place = |at| Place { combination: 0, at };
+        let mut points: Vec<Place> = first_points(11, dimensions, count / 2).unwrap().into_iter().map(place).collect();
+        loop {
+            let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
+            let resolutions = [1e-9; 2];
+            let target = Target { values: values.clone(), kind: TargetKind::Plain, noise_variance: 0.0, resolutions };
+            let axes = Axes::open(dimensions);
+            let search = Search::new(&axes, &points, &candidates, [&target]);
+            let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];
+            let targets = [(target, Direction::BOTH.to_vec())];
+            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), 512);
+            if next.is_empty() {
+                return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
+            }
+            points.extend(next);
+        }
+    }
+
+    #[test]
+    fn analytic_extremes_inside_a_box() {
+        const TOLERANCE: f64 = 1e-4; // of a range of about 2
+        let (low, high) = ends(1, 24, |u| (7.0 * u[0]).sin());
+        assert!(low + 1.0 < TOLERANCE && 1.0 - high < TOLERANCE, "{low} {high}");
+        let (low, high) = ends(2, 50, |u| (5.0 * u[0] + 1.0).sin() * (4.0 * u[1]).cos());
+        assert!(low + 1.0 < TOLERANCE && 1.0 - high < TOLERANCE, "{low} {high}");
+    }
+
+    #[test]
+    fn analytic_extreme_on_a_corner_that_was_not_looked_at() {
+        // Seven inputs: 16 of 128 corners are looked at first; the maximum 7 is at a corner, the minimum -7 opposite.
+        const TOLERANCE: f64 = 1e-9;
+        let signs = [1.0, -1.0, -1.0, 1.0, 1.0, 1.0, -1.0];
+        let (low, high) = ends(7, 60, |u| u.iter().zip(signs).map(|(x, sign)| sign * (2.0 * x - 1.0)).sum());
+        assert!((low + 7.0).abs() < TOLERANCE && (high - 7.0).abs() < TOLERANCE, "{low} {high}");
+    }
+}

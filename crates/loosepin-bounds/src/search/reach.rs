@@ -1,0 +1,165 @@
+//! How far models let a target go.
+
+use super::kink_reach::reach_of_kink;
+use super::models::{Branch, Search};
+use super::search_box::{Axes, Region};
+use super::target::Target;
+use super::target_model::TargetModel;
+use crate::data::direction::Direction;
+
+/// The model's error bar in an optimistic prediction, in standard deviations.
+pub(super) const OPTIMISM: f64 = 2.5;
+
+/// The model's error bar in what is conceded, in standard deviations: a model that is wrong about its own error near an extreme
+/// costs a bound that is too narrow, where in the search it costs a point.
+pub(crate) const CONCEDED: f64 = 4.0;
+
+/// How far a target may go beyond what has been attained, by its model.
+#[derive(Debug, Clone)]
+pub(super) struct Reach {
+    /// Most that the model allows, at `optimistic_at`.
+    pub optimistic: f64,
+    pub optimistic_at: Vec<f64>,
+    /// Most that the model expects, at `expected_at`.
+    pub expected: f64,
+    pub expected_at: Vec<f64>,
+}
+
+impl Search<'_> {
+    /// The most that the model of `target` in one combination, `branch`, allows in `direction`, anywhere in `region`; infinite
+    /// without one.
+    pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
+        let Some(model) = &branch.model else { return direction.sign() * f64::INFINITY };
+        let most = if self.is_of_curves() {
+            reach(model, direction, region, CONCEDED).optimistic
+        } else {
+            located_reach(self.axes, model, direction, region)
+        };
+        // Noise does not become less towards an extreme, so that it looks like a kink.
+        let kink = if branch.noise_variance() > 0.0 {
+            None
+        } else {
+            reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region)
+        };
+        let most = kink.filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
+        most + target.conceded(direction)
+    }
+
+    /// The furthest that any of the models of `target` allows in `direction`, anywhere in `region`.
+    pub fn furthest_reach(
+        &self,
+        target: &Target,
+        branches: &[Branch<'_>],
+        direction: Direction,
+        region: &Region,
+    ) -> f64 {
+        let reaches = branches.iter().map(|branch| self.reach(target, branch, direction, region));
+        reaches.reduce(|a, b| direction.further(a, b)).unwrap_or(direction.sign() * f64::INFINITY)
+    }
+}
+
+/// How far the model lets its target go in `direction`, by `optimism` standard deviations, over all candidates and points in `region`.
+pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, optimism: f64) -> Reach {
+    let sign = direction.sign();
+    let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
+    for (place, forecast) in model.at_places().enumerate() {
+        if !region.holds(&model.places()[place]) {
+            continue;
+        }
+        let most = sign * forecast.moved(sign * optimism);
+        let expectation = sign * forecast.mean();
+        // A model that overflows allows anything.
+        let most = if most.is_nan() { f64::INFINITY } else { most };
+        if most > optimistic.0 {
+            optimistic = (most, place);
+        }
+        if expectation > expected.0 {
+            expected = (expectation, place);
+        }
+    }
+    if optimistic.0 == f64::NEG_INFINITY {
+        // No place of the region is known: the model says nothing there.
+        let centre = region.at(&vec![0.5; region.lower.len()]);
+        let unlimited = sign * f64::INFINITY;
+        let (optimistic_at, expected_at) = (centre.clone(), centre);
+        return Reach { optimistic: unlimited, optimistic_at, expected: f64::NAN, expected_at };
+    }
+    Reach {
+        optimistic: sign * optimistic.0,
+        optimistic_at: model.places()[optimistic.1].clone(),
+        expected: sign * expected.0,
+        expected_at: model.places()[expected.1].clone(),
+    }
+}
+
+/// How far the model lets its target go over the whole region: the most that the model allows, located from the best of the places.
+fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
+    let coarse = reach(model, direction, region, OPTIMISM);
+    let place = locate(axes, model, direction, CONCEDED, coarse.optimistic_at, region);
+    let located = model.at(&place).moved(direction.sign() * CONCEDED);
+    if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
+}
+
+/// Moves `place` to the nearest local extreme of mean + optimism x deviation: pattern search along the axes and the last
+/// successful move, step halved down to 1e-7 of the box.
+pub(super) fn locate(
+    axes: &Axes,
+    model: &TargetModel<'_>,
+    direction: Direction,
+    optimism: f64,
+    mut place: Vec<f64>,
+    region: &Region,
+) -> Vec<f64> {
+    let inside = |axis: usize, value: f64| axes.inside(axis, value, [region.lower[axis], region.upper[axis]]);
+    const FIRST_STEP: f64 = 0.1;
+    const LAST_STEP: f64 = 1e-7;
+    const MOST_MOVES: usize = 400;
+    const FACE_THICKNESS: f64 = 1e-4;
+    let sign = direction.sign();
+    let value = |place: &[f64]| sign * model.at(place).moved(sign * optimism);
+    let mut best = value(&place);
+    let mut step = FIRST_STEP;
+    let mut moves = 0;
+    while step >= LAST_STEP && moves < MOST_MOVES {
+        let before = place.clone();
+        let mut has_moved = false;
+        for axis in 0..place.len() {
+            for signed in [step, -step] {
+                let mut trial = place.clone();
+                trial[axis] = inside(axis, trial[axis] + signed);
+                if trial[axis] == place[axis] {
+                    continue;
+                }
+                let found = value(&trial);
+                if found > best {
+                    (best, place, has_moved) = (found, trial, true);
+                    break;
+                }
+            }
+        }
+        if has_moved {
+            moves += 1;
+            let ahead = place.iter().zip(&before).enumerate();
+            let trial: Vec<f64> = ahead.map(|(axis, (x, y))| inside(axis, 2.0 * x - y)).collect();
+            let found = value(&trial);
+            if found > best {
+                (best, place) = (found, trial);
+            }
+        } else {
+            step *= 0.5;
+        }
+    }
+    // What the model cannot tell from a face is a face: corners and edges are then met exactly.
+    for (axis, (coordinate, (lower, upper))) in place.iter_mut().zip(region.lower.iter().zip(&region.upper)).enumerate()
+    {
+        if axes.is_periodic(axis) {
+            continue;
+        }
+        if *coordinate < lower + FACE_THICKNESS {
+            *coordinate = *lower;
+        } else if *coordinate > upper - FACE_THICKNESS {
+            *coordinate = *upper;
+        }
+    }
+    place
+}

@@ -1,0 +1,141 @@
+//! Models of a target over the box.
+
+use super::index_model::{IndexForecast, IndexModel};
+use super::smoother::{Fit, Smoother};
+use super::target::{Target, TargetKind};
+use crate::estimators::index::index_of_either;
+
+/// Prediction of a target at a place.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Forecast {
+    /// Mean and standard deviation of the target.
+    Plain(f64, f64),
+    /// Of an index.
+    Index(IndexForecast),
+    /// Of the indices of two events.
+    Either([IndexForecast; 2]),
+}
+
+impl Forecast {
+    /// The target where its model is right.
+    pub fn mean(self) -> f64 {
+        self.moved(0.0)
+    }
+
+    /// By how much it moves where its model, or that of each event, errs by one of its standard deviations.
+    pub fn deviation(self) -> f64 {
+        match self {
+            Self::Plain(_, deviation) => deviation,
+            Self::Index(_) | Self::Either(_) => self.moved(1.0) - self.mean(),
+        }
+    }
+
+    /// The target where its model, or that of each event, errs by so many of its standard deviations.
+    pub fn moved(self, deviations: f64) -> f64 {
+        match self {
+            Self::Plain(mean, deviation) => mean + deviations * deviation,
+            Self::Index(index) => index.moved(deviations),
+            Self::Either([a, b]) => index_of_either(a.moved(deviations), b.moved(deviations)),
+        }
+    }
+}
+
+/// The model of a target on the points at which it is defined.
+pub(crate) enum TargetModel<'a> {
+    /// Of the target itself.
+    Plain(Fit<'a>),
+    /// Of an index.
+    Index(IndexModel<'a>),
+    /// Of the indices of two events.
+    Either([IndexModel<'a>; 2]),
+}
+
+impl<'a> TargetModel<'a> {
+    /// The model of `target` on the points of `smoother`, those at which it is `defined`.
+    pub fn new(smoother: &'a Smoother, target: &Target, defined: &[usize]) -> Self {
+        let among = |values: &[f64]| -> Vec<f64> { defined.iter().map(|&point| values[point]).collect() };
+        match &target.kind {
+            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), target.noise_variance)),
+            TargetKind::Index => Self::Index(IndexModel::new(smoother, &among(&target.values))),
+            TargetKind::Either([a, b]) => Self::Either([a, b].map(|own| IndexModel::new(smoother, &among(own)))),
+        }
+    }
+
+    /// Prediction at `place`.
+    pub fn at(&self, place: &[f64]) -> Forecast {
+        match self {
+            Self::Plain(fit) => {
+                let (mean, deviation) = fit.at(place);
+                Forecast::Plain(mean, deviation)
+            }
+            Self::Index(model) => Forecast::Index(model.at(place)),
+            Self::Either([a, b]) => Forecast::Either([a.at(place), b.at(place)]),
+        }
+    }
+
+    /// Predictions at every one of [`Self::places`].
+    pub fn at_places(&self) -> Box<dyn Iterator<Item = Forecast> + '_> {
+        match self {
+            Self::Plain(fit) => Box::new(fit.at_places().map(|(mean, deviation)| Forecast::Plain(mean, deviation))),
+            Self::Index(model) => Box::new(model.at_places().map(Forecast::Index)),
+            Self::Either([a, b]) => Box::new(a.at_places().zip(b.at_places()).map(|(a, b)| Forecast::Either([a, b]))),
+        }
+    }
+
+    /// The candidates, then the points.
+    pub fn places(&self) -> &[Vec<f64>] {
+        match self {
+            Self::Plain(fit) => fit.places(),
+            Self::Index(model) | Self::Either([model, _]) => model.places(),
+        }
+    }
+
+    /// Variance of the noise that it sees between the points; 0 for indices.
+    pub fn noise_variance(&self) -> f64 {
+        match self {
+            Self::Plain(fit) => fit.noise_variance(),
+            Self::Index(_) | Self::Either(_) => 0.0,
+        }
+    }
+
+    /// Whether the target is exact and without kinks, as far as its values tell.
+    pub fn is_smoothest(&self) -> bool {
+        match self {
+            Self::Plain(fit) => fit.is_smoothest(),
+            Self::Index(model) => model.is_smoothest(),
+            Self::Either(models) => models.iter().all(IndexModel::is_smoothest),
+        }
+    }
+
+    /// Whether it passes beside the values rather than through them.
+    pub fn is_smoothed(&self) -> bool {
+        self.noise_variance() > 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Forecast, IndexForecast};
+
+    /// An index whose z is `from`, and `to` where its model errs by two of its deviations.
+    fn index(is_compressed: bool, [from, to]: [f64; 2]) -> IndexForecast {
+        let of = |z: f64| if is_compressed { z.asinh() } else { z };
+        IndexForecast { mean: of(from), deviation: 0.5 * (of(to) - of(from)), is_compressed }
+    }
+
+    #[test]
+    fn analytic_two_events_whose_models_err_join_as_their_probabilities_do() {
+        // Φ(-1.1) + Φ(-0.7) = 0.135666 + 0.241964 = Φ(-0.311712); moved by two deviations, Φ(-0.5) + Φ(-0.3) = 0.690626 = Φ(0.497626).
+        const TOLERANCE: f64 = 2e-6;
+        let forecast = Forecast::Either([index(true, [-1.1, -0.5]), index(false, [-0.7, -0.3])]);
+        assert!((forecast.mean() - (-0.311_712_f64).asinh()).abs() < TOLERANCE, "{}", forecast.mean().sinh());
+        assert!((forecast.moved(2.0) - 0.497_626_f64.asinh()).abs() < TOLERANCE, "{}", forecast.moved(2.0).sinh());
+    }
+
+    #[test]
+    fn identity_events_that_leave_no_room_for_the_rest_are_certain() {
+        // Φ(1.3) + Φ(0.4) is more than 1: either happens, whatever the index of the more probable one.
+        let certain = Forecast::Either([index(true, [1.3, 1.4]), index(false, [0.4, 0.5])]).mean();
+        assert!(certain.sinh() > 39.0, "{certain}");
+    }
+}

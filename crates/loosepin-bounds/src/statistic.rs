@@ -1,3 +1,0 @@
-//! Statistics of a scalar response.
-
-pub use loosepin_terms::Statistic;

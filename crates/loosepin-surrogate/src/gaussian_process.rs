@@ -1,0 +1,63 @@
+//! The linear algebra of Gaussian processes with a trend F, whatever their correlation and however its parameters are chosen.
+//!
+//! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
+//! up to 1e13, that of L the square root of it.
+
+use loosepin_math::dense::{Cholesky, LowerTriangle, dot};
+
+/// Matérn's correlation with ν = 5/2 (two derivatives) by s = √5 r: (1 + s + s²/3) exp(-s), and its factor exp(-s).
+pub fn matern_five_halves(s: f64) -> (f64, f64) {
+    let decay = libm::exp(-s);
+    ((1.0 + s + s * s / 3.0) * decay, decay)
+}
+
+/// V factorised, with the trend whitened.
+#[derive(Debug, Clone)]
+pub struct Whitened {
+    /// W
+    pub whitening: LowerTriangle,
+    /// B, column by column.
+    pub trend: Vec<Vec<f64>>,
+    /// ln det V
+    pub ln_determinant: f64,
+}
+
+impl Whitened {
+    /// Factorises V (row by row, its lower triangle) for the columns of F; nothing where V is singular to round-off.
+    pub fn try_new<'c>(
+        covariance: Vec<f64>,
+        trend: impl IntoIterator<Item = &'c Vec<f64>>,
+        order: usize,
+    ) -> Option<Self> {
+        let cholesky = Cholesky::new(covariance, order)?;
+        let whitening = cholesky.inverse_factor();
+        let trend = trend.into_iter().map(|column| whitening.multiply(column)).collect();
+        Some(Self { whitening, trend, ln_determinant: cholesky.ln_determinant() })
+    }
+
+    /// Bᵀ w of a whitened vector.
+    pub fn products(&self, white: &[f64]) -> Vec<f64> {
+        self.trend.iter().map(|column| dot(column, white)).collect()
+    }
+
+    /// Takes B b out of a whitened vector.
+    pub fn take_out(&self, white: &mut [f64], coefficients: &[f64]) {
+        for (coefficient, column) in coefficients.iter().zip(&self.trend) {
+            for (entry, value) in white.iter_mut().zip(column) {
+                *entry -= coefficient * value;
+            }
+        }
+    }
+
+    /// Columns of Wᵀ B.
+    pub fn projected_trend(&self) -> Vec<Vec<f64>> {
+        self.trend.iter().map(|column| self.whitening.multiply_transposed(column)).collect()
+    }
+
+    /// c = W k and r = f - Bᵀc at a place with the covariances k and the terms f of the trend.
+    pub fn at_place(&self, covariances: &[f64], terms: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let white = self.whitening.multiply(covariances);
+        let rest = terms.iter().zip(self.products(&white)).map(|(term, known)| term - known).collect();
+        (white, rest)
+    }
+}
