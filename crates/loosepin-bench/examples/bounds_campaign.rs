@@ -3,7 +3,8 @@
 //! the median of stated over actual error is above 6.
 
 use loosepin::bounds::{BoundPair, Statistic, evaluate};
-use loosepin_bench::known_bounds::{KnownCase, slider_crank_with_play};
+use loosepin_bench::known_bounds::{self, slider_crank_with_play};
+use loosepin_bench::known_case::KnownCase;
 use std::time::Instant;
 
 /// Round-off of numbers about 1.
@@ -50,7 +51,7 @@ fn main() {
         "largest; missed by"
     );
     let mut is_met = true;
-    for case in KnownCase::all().into_iter().filter(|case| case.name.contains(&only)) {
+    for case in known_bounds::all().into_iter().filter(|case| case.name.contains(&only)) {
         is_met &= report(&case, seeds);
     }
     let step = std::f64::consts::TAU / 72.0;

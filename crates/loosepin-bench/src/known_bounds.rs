@@ -1,100 +1,24 @@
 //! Responses whose bounds are known: closed forms, or quadrature and a search that share nothing with [`loosepin::bounds`].
 
-use loosepin::bounds::{Failure, Problem, Reading, Request, Response, Sampling, Statistic};
-use loosepin::uncertainty::{
-    Distribution, EpistemicParameter, EpistemicVariable, Interval, RandomVariable, normal_cdf,
-};
+use loosepin::bounds::Statistic;
+use loosepin::uncertainty::{Distribution, EpistemicVariable, Interval, normal_cdf};
 use std::f64::consts::{E, FRAC_PI_3, PI, TAU};
 use std::sync::Arc;
 
+use super::known_case::{KnownCase, USUAL_EXCESS};
 use super::known_pairings::pairings;
 
-/// A response Y = g(X, u) with one column.
-pub type Function = Arc<dyn Fn(&[f64], &[f64]) -> f64 + Send + Sync>;
-
-/// A response and the true bounds of some of its statistics.
-pub struct KnownCase {
-    /// What it is called in tables.
-    pub name: String,
-    /// Distributions of X.
-    pub random: Vec<Distribution>,
-    /// What is known of u.
-    pub epistemic: Vec<EpistemicVariable>,
-    /// Which of u are parameters of distributions of X.
-    pub parameters: Vec<EpistemicParameter>,
-    /// Statistics, and their least and greatest value over u.
-    pub statistics: Vec<(Statistic, (f64, f64))>,
-    /// Where u holds fuzzy numbers, the same at each degree, the least degree first; else nothing.
-    pub levels: Vec<Vec<(f64, f64)>>,
-    /// g.
-    pub function: Function,
-    /// Points u, and runs at each.
-    pub sampling: [usize; 2],
-    /// By this share of their true width bounds may be too wide.
-    pub most_excess: f64,
-}
-
-/// Share of the true width by which bounds of smooth responses may be too wide: the median of a thousand seeds is below 0.006
-/// (`docs/known-bounds.md`).
-pub(crate) const USUAL_EXCESS: f64 = 0.03;
 /// Between two points on either side of a jump the search concedes all of it; the median of a thousand seeds is 1.3.
 const EXCESS_AT_A_JUMP: f64 = 2.0;
 
 const STANDARD_NORMAL: Distribution = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
 
-impl KnownCase {
-    /// The question, for a seed.
-    ///
-    /// # Panics
-    /// Where the case itself is wrong.
-    pub fn problem(&self, seed: u64) -> Problem {
-        let random = self.random.iter().cloned().map(|distribution| match RandomVariable::try_new(distribution) {
-            Ok(variable) => variable,
-            Err(error) => panic!("{}: {error}", self.name),
-        });
-        let request = |&(statistic, _): &(Statistic, (f64, f64))| Request { column: 0, statistic };
-        Problem {
-            random: random.collect(),
-            copula: None,
-            epistemic: self.epistemic.clone(),
-            parameters: self.parameters.clone(),
-            reading: Reading::FixedButUnknown,
-            readings_beside: Vec::new(),
-            columns: 1,
-            requests: self.statistics.iter().map(request).collect(),
-            compared_columns: Vec::new(),
-            band_probability: 0.95,
-            cut_standard_deviations: 3.0,
-            percentiles: Vec::new(),
-            sampling: Sampling { outer: self.sampling[0], inner: self.sampling[1], seed, ..Sampling::default() },
-        }
-    }
-
-    /// The same for programs that know of no angles: those that go round are intervals.
-    #[must_use]
-    pub fn cut_open(self) -> Self {
-        let open = |variable: EpistemicVariable| match variable {
-            EpistemicVariable::Periodic(turn) => EpistemicVariable::Interval(turn),
-            other => other,
-        };
-        let epistemic = self.epistemic.into_iter().map(open).collect();
-        Self { name: format!("{}, cut open", self.name), epistemic, ..self }
-    }
-
-    /// All cases.
-    pub fn all() -> Vec<Self> {
-        let slider_crank = || slider_crank_with_play(FRAC_PI_3);
-        let own = [sum(), product(), power(), challenge(), inside_four(), ridge(), jump()];
-        let own = own.into_iter().chain([slider_crank(), slider_crank().cut_open()]);
-        own.chain(pairings()).collect()
-    }
-}
-
-impl Response for KnownCase {
-    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
-        columns[0] = (self.function)(random, epistemic);
-        Ok(())
-    }
+/// All cases.
+pub fn all() -> Vec<KnownCase> {
+    let slider_crank = || slider_crank_with_play(FRAC_PI_3);
+    let own = [sum(), product(), power(), challenge(), inside_four(), ridge(), jump()];
+    let own = own.into_iter().chain([slider_crank(), slider_crank().cut_open()]);
+    own.chain(pairings()).collect()
 }
 
 /// Inputs in these intervals.

@@ -14,7 +14,7 @@ use loosepin::uncertainty::{
 };
 use std::sync::Arc;
 
-use super::known_bounds::{KnownCase, USUAL_EXCESS};
+use super::known_case::{KnownCase, USUAL_EXCESS};
 
 /// A range: both ends.
 type Range = (f64, f64);

@@ -7,6 +7,7 @@ pub mod batch;
 pub mod diagram;
 pub mod equations;
 pub mod known_bounds;
+pub mod known_case;
 pub mod known_pairings;
 pub mod precision;
 

@@ -13,6 +13,7 @@ mod gram;
 mod hermite;
 mod linear;
 mod real;
+mod scalar;
 mod spline;
 mod vector;
 

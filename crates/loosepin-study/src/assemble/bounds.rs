@@ -3,13 +3,13 @@
 use super::material::Material;
 use crate::file::Where;
 use crate::simultaneous::CurveBand;
-use loosepin_bounds::{BoundPair, Bounds, LevelBounds, Percentile};
+use loosepin_bounds::{BoundPair, Bounds, Percentile};
 use loosepin_result::study::{BoundRecord, CutBounds, Guarantee, PercentileBounds, Statistic, Treatment};
 use loosepin_text::units::SiUnit;
 
 /// The bounds at every degree of possibility.
 pub fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
-    let of_level = |level: &LevelBounds| {
+    let of_level = |level: &loosepin_bounds::CutBounds| {
         let &Material { study, response, table, bounds, .. } = material;
         // What was estimated for all that is possible says nothing of a degree: there the runs are counted.
         let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs, rare: &[] });

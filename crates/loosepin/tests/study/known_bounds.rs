@@ -2,10 +2,12 @@
 
 #[path = "../../../loosepin-bench/src/known_bounds.rs"]
 mod known_bounds;
+#[path = "../../../loosepin-bench/src/known_case.rs"]
+mod known_case;
 #[path = "../../../loosepin-bench/src/known_pairings.rs"]
 mod known_pairings;
 
-use known_bounds::KnownCase;
+use known_case::KnownCase;
 use loosepin::bounds::{BoundPair, evaluate};
 
 /// Of numbers about 1.
@@ -38,7 +40,7 @@ fn check_all(case: &KnownCase, pairs: &[BoundPair], exact: &[(f64, f64)]) {
 #[test]
 fn analytic_closed_forms_lie_within_their_bounds() {
     let pairings: Vec<String> = known_pairings::pairings().into_iter().map(|case| case.name).collect();
-    KnownCase::all().iter().filter(|case| !pairings.contains(&case.name)).for_each(check);
+    known_bounds::all().iter().filter(|case| !pairings.contains(&case.name)).for_each(check);
 }
 
 #[test]
@@ -72,7 +74,7 @@ fn analytic_at_a_dead_centre_bounds_are_within_a_thousandth_of_the_width() {
 fn analytic_the_summit_of_a_curved_ridge_is_attained() {
     const SEEDS: [u64; 3] = [235, 308, 409];
     const OF_WIDTH: f64 = 1e-6;
-    let cases = KnownCase::all();
+    let cases = known_bounds::all();
     let ridge = cases.iter().find(|case| case.name == "a curved ridge").expect("a case with a ridge");
     let (low, high) = ridge.statistics[0].1;
     for seed in SEEDS {

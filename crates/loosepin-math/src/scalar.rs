@@ -1,0 +1,58 @@
+//! [`Real`] for plain numbers.
+
+use super::angle::sin_cos;
+use super::exponential::power;
+use super::fused::multiply_add;
+use super::real::Real;
+
+impl Real for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        multiply_add(self, factor, addend)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos(self)
+    }
+    #[inline(always)]
+    fn powf(self, exponent: f64) -> Self {
+        // Metals have n = 3/2 and linear springs n = 1: both are exact without a logarithm.
+        if exponent == 1.5 {
+            self * f64::sqrt(self)
+        } else if exponent == 1.0 {
+            self
+        } else {
+            power(self, exponent)
+        }
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn less_than(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn select(mask: bool, chosen: Self, otherwise: Self) -> Self {
+        if mask { chosen } else { otherwise }
+    }
+}
