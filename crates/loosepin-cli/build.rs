@@ -28,7 +28,7 @@ fn commit_of_checkout() -> Option<String> {
     git(&["rev-parse", "--short=10", "HEAD"])
 }
 
-/// What git says, where there is a git and it is content.
+/// Output of git, where git exists and succeeds.
 fn git(arguments: &[&str]) -> Option<String> {
     let output = Command::new("git").args(arguments).output().ok().filter(|output| output.status.success())?;
     Some(String::from_utf8(output.stdout).ok()?.trim().to_owned())

@@ -1,4 +1,4 @@
-//! What may be typed. One line of help a flag, with unit and default.
+//! Commands and flags. One line of help a flag, with unit and default.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use loosepin::model::Rule;
 use loosepin::store::Shard;
 use loosepin::templates::{TEMPLATES, Template, find_template};
 
-/// How accurately does a mechanism move, when its parts scatter and its joints have play?
+/// Accuracy of mechanisms with tolerances and joint play
 #[derive(Debug, Parser)]
 #[command(
     name = "loosepin",
@@ -23,11 +23,11 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
         loosepin check my_mechanism/model.toml\n  \
         loosepin simulate my_mechanism/model.toml\n  \
         loosepin study my_mechanism/study.toml\n\n\
-        Exit status: 0 done; 1 done, and a requirement of the study is not met; 2 an error; 3 merged, and shards have a \
-        further round to run; 130 interrupted."
+        Exit status: 0 success; 1 a requirement of the study is not met or is undecided; 2 error; 3 merged, and the shards must run another \
+        round; 130 interrupted."
 )]
 pub struct Arguments {
-    /// What to do.
+    /// Command.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -52,14 +52,14 @@ pub enum Command {
     Manual(ManualArguments),
 }
 
-/// Write a commented model.toml and study.toml to start from
+/// Write a model.toml and a study.toml from a template
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  loosepin new --list\n  loosepin new four-bar my_mechanism")]
 pub struct NewArguments {
-    /// The mechanism to start from; --list shows which there are
+    /// Template; --list shows all templates
     #[arg(required_unless_present = "list", value_parser = template())]
     pub template: Option<&'static Template>,
-    /// Folder to write into, made where there is none [default: the name of the template]
+    /// Output folder, created if it does not exist [default: the name of the template]
     #[arg(value_name = "DIR")]
     pub folder: Option<PathBuf>,
     /// List the templates
@@ -67,34 +67,34 @@ pub struct NewArguments {
     pub list: bool,
 }
 
-/// Make a model to fill in from a drawing: lines are links, circles are joints
+/// Make a model.toml from a drawing; lines are links, circles are joints
 #[derive(Debug, Args)]
 #[command(
-    after_help = "A polyline, or lines that share an end without a circle, are one rigid link. Circles where links meet are \
-    joints, with the radius of the pin; what is on the layer 'ground' does not move; a circle that one link meets elsewhere is \
-    a point of it. Masses, inertias, gravity and speed stand in model.toml as \"?\" until they are filled in.\n\n\
+    after_help = "A polyline is one rigid link; so are lines that share an end without a circle. A circle where links meet is a \
+    joint; its radius is that of the pin. A circle on one link only is a point of that link. The layer 'ground' does not move. \
+    Masses, inertias, gravity and speed are written as \"?\": fill them in.\n\n\
     Examples:\n  loosepin import sketch.dxf\n  loosepin import sketch.dxf my_mechanism --unit mm"
 )]
 pub struct ImportArguments {
     /// Drawing (DXF)
     #[arg(value_name = "DRAWING")]
     pub drawing: PathBuf,
-    /// Folder to write model.toml into, made where there is none [default: the name of the drawing]
+    /// Output folder for model.toml, created if it does not exist [default: the name of the drawing]
     #[arg(value_name = "DIR")]
     pub folder: Option<PathBuf>,
-    /// Unit of the drawing [default: as its header says]
+    /// Unit of the drawing [default: from its header]
     #[arg(long)]
     pub unit: Option<String>,
-    /// Distance within which ends and centres coincide, with its unit
+    /// Ends and centres closer than this distance coincide, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "0.01 mm", allow_hyphen_values = true)]
     pub tolerance: String,
 }
 
-/// Say in words what models and studies are, and what is wrong with them
+/// Check model and study files and describe them in words
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Reads, counts the degrees of freedom, closes the loops, moves the ideal mechanism through its cycle \
-    and tries a first stretch of the dynamic run. For a study also: how many runs, and about how long they take.\n\n\
+    after_help = "Counts the degrees of freedom, closes the loops, moves the ideal mechanism through its cycle and starts the \
+    dynamic run. For a study, it also shows the number of runs and the time they need.\n\n\
     Examples:\n  loosepin check model.toml\n  loosepin check model.toml study.toml"
 )]
 pub struct CheckArguments {
@@ -103,25 +103,25 @@ pub struct CheckArguments {
     pub files: Vec<PathBuf>,
 }
 
-/// Show the ideal motion over a turn, and what play and scatter do to it without dynamics
+/// Show the ideal motion and the quasi-static effect of play and tolerances
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Takes an instant: worst case of the play, its standard deviation, and which joint contributes what; from a \
-    study also the root of the sum of squares of what scatters. Writes summary.json and report.html.\n\n\
+    after_help = "Needs less than a second. Shows the worst case and the standard deviation of the play, and the contribution of \
+    each joint. For a study, it also shows the root sum of squares of the random inputs. Writes summary.json and report.html.\n\n\
     Examples:\n  loosepin motion model.toml\n  loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"
 )]
 pub struct MotionArguments {
     /// Model or study file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Give a quantity of the model another value, with its unit; may be repeated
+    /// Change a quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
-/// Run one mechanism with its play and impacts: history, impacts, energy, a report
+/// Simulate one mechanism with play and impacts
 #[derive(Debug, Args)]
 #[command(after_help = "Writes history.csv, impacts.csv, summary.json and report.html.\n\n\
     Examples:\n  \
@@ -132,46 +132,47 @@ pub struct SimulateArguments {
     /// Model file
     #[arg(value_name = "MODEL")]
     pub model: PathBuf,
-    /// Give a quantity of the model another value, with its unit; may be repeated
+    /// Change a quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Also record position, velocity and acceleration of every body
+    /// Record position, velocity and acceleration of every body as well
     #[arg(long)]
     pub states: bool,
-    /// Turns to record [default: as in the model]
+    /// Turns to record [default: from the model]
     #[arg(long, value_name = "N", value_parser = recorded_turns, allow_negative_numbers = true)]
     pub turns: Option<f64>,
-    /// Turns to run before recording [default: as in the model]
+    /// Turns to run before recording [default: from the model]
     #[arg(long, value_name = "N", value_parser = transient_turns, allow_negative_numbers = true)]
     pub transient: Option<f64>,
-    /// Rows to record in a turn, 1 to 1000000 [default: as in the model]
+    /// Samples in each turn, 1 to 1000000 [default: from the model]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), allow_negative_numbers = true)]
     pub samples: Option<u32>,
-    /// Also measure over N turns how fast neighbouring motions part (largest Lyapunov exponent), 20 to 1000000
+    /// Measure the largest Lyapunov exponent over N turns, 20 to 1000000
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=1_000_000), allow_negative_numbers = true)]
     pub lyapunov: Option<u32>,
-    /// Accuracy of positions over the first half turn, with its unit
+    /// Position accuracy over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
-    /// Table of measured curves to lay over the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
+    /// Measured curves to compare with the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
     #[arg(long, value_name = "CSV")]
     pub measured: Vec<PathBuf>,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
-/// Bound how far the mechanism moves from the ideal, over everything that is uncertain
+/// Compute bounds of the deviation under all uncertain inputs
 #[derive(Debug, Args)]
 #[command(
     after_help = "Writes summary.json, bounds.csv, runs.parquet, timing.json and report.html. The results are the same \
-    for any number of threads. Every finished run is on disk within a second: after Ctrl-C, a crash or a power failure --resume \
-    goes on, and the results are the same as those of a study that nothing disturbed; a budget of time begins anew.\n\n\
-    With --accuracy the samples of the study grow, round by round, until its bounds are widened by no more than that; \
-    it is of all bounds that measure what it measures, or of an output or one of its statistics. Where the budget ends it \
-    before, the study says what is reached and what it would take; that is no error.\n\n\
-    With --shard 2/7 it makes the second of seven parts of the present round of runs, wherever the others are made, in a folder \
-    of its own, RESULTS.shard-2-of-7; loosepin merge joins them.\n\n\
-    Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
+    for any number of threads.\n\n\
+    --resume continues after Ctrl-C, a crash or a power failure, with the same results. Finished runs are saved within a second. A \
+    time budget starts again.\n\n\
+    --accuracy increases the samples, round by round, until the numerical error of the bounds is small enough. A value alone applies \
+    to all bounds with this unit; OUTPUT=VALUE and OUTPUT.STATISTIC=VALUE apply to one output or statistic. If the budget ends first, the study shows the \
+    accuracy reached and the runs needed; this is no error.\n\n\
+    --shard 2/7 makes the second of seven parts of the present round, in the folder RESULTS.shard-2-of-7. loosepin merge joins the \
+    parts.\n\n\
+    Exit status 1: the study is complete, and a requirement is not met or is undecided.\n\n\
     Examples:\n  loosepin study study.toml\n  loosepin study study.toml --threads 8 --out bounds\n  \
     loosepin study study.toml --accuracy 1um --budget 30min\n  \
     loosepin study study.toml --accuracy slider.mean=1um --accuracy 0.5% --budget 200000runs\n  \
@@ -181,61 +182,62 @@ pub struct StudyArguments {
     /// Study file
     #[arg(value_name = "STUDY")]
     pub study: PathBuf,
-    /// Go on with the finished runs of the same command, where it was stopped
+    /// Continue a stopped study with its finished runs
     #[arg(long, conflicts_with = "force")]
     pub resume: bool,
-    /// Make the runs of one shard of N alone, in a folder of its own
+    /// Make only the runs of shard I of N, in its own folder
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
-    /// What bounds are widened by at most, with its unit; may be repeated
+    /// Largest numerical error of the bounds, with its unit; may be repeated
     #[arg(long, value_name = "[OUTPUT[.STATISTIC]=]VALUE", allow_hyphen_values = true)]
     pub accuracy: Vec<String>,
-    /// Where to end although bounds are not as near: runs, a time, or rounds [default with an accuracy: 100 times the runs without, a gibibyte at most]
+    /// Limit of runs, time or rounds [default with --accuracy: 100 times the runs without it, at most one gibibyte]
     #[arg(long, value_name = "RUNS|TIME|ROUNDS", allow_hyphen_values = true)]
     pub budget: Option<String>,
-    /// Share of failed runs, above 0 and at most 1, above which the study ends with an error [default: as in the study]
+    /// Largest share of failed runs before the study ends with an error, above 0 and at most 1 [default: from the study]
     #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub most_failed: Option<f64>,
-    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    /// Number of threads, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
-/// Join the shards of a study: write the results, or open the next round of runs for them
+/// Join the shards of a study
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Takes the folders of all shards, RESULTS.shard-1-of-N to RESULTS.shard-N-of-N, and writes what a study in one \
-    piece writes, byte for byte, into RESULTS. A study asks for its runs in rounds: where the shards have a further round to \
-    run, it is left in RESULTS for them, and the exit status is 3; run the shards again with --resume, then merge again.\n\n\
-    Exit status 1: the study came to its end, and a requirement stated in it is not shown to be met.\n\n\
+    after_help = "Takes the folders of all shards, RESULTS.shard-1-of-N to RESULTS.shard-N-of-N. Writes the same bytes into RESULTS as \
+    a study on one machine.\n\n\
+    Exit status 3: the study needs another round. Run the shards again with --resume, then merge again.\n\n\
+    Exit status 1: the study is complete, and a requirement is not met or is undecided.\n\n\
     Examples:\n  loosepin merge bounds.shard-*\n  loosepin merge results/worn-pin/1a2b3c4d.shard-*"
 )]
 pub struct MergeArguments {
     /// Folders of all shards
     #[arg(required = true, value_name = "FOLDER")]
     pub folders: Vec<PathBuf>,
-    /// Study file [default: where the shards found it]
+    /// Study file [default: the one of the shards]
     #[arg(long, value_name = "STUDY")]
     pub study: Option<PathBuf>,
-    /// Make rounds of up to N runs here, instead of waiting for shards, at most 8192
+    /// Make rounds of up to N runs here instead of in shards, at most 8192
     #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(0..=8192))]
     pub small_round: u32,
-    /// Share of failed runs, above 0 and at most 1, above which the study ends with an error [default: as in the study]
+    /// Largest share of failed runs before the study ends with an error, above 0 and at most 1 [default: from the study]
     #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
     pub most_failed: Option<f64>,
-    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    /// Number of threads, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
     #[command(flatten)]
     pub output: OutputArguments,
 }
 
-/// Run one mechanism for many values of a quantity: where its motion repeats itself, how often it strikes
+/// Simulate one mechanism for many values of one quantity
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Looks at the motion once a turn of the drive (Poincaré section) and draws a bifurcation diagram. Writes \
+    after_help = "Shows for each value whether the motion is periodic, and its impacts and forces. Samples the motion once a turn \
+    (Poincaré section) and draws a bifurcation diagram. Writes \
     sections.csv, sweep.csv, summary.json and report.html. The results are the same for any number of threads.\n\n\
     Examples:\n  \
     loosepin sweep model.toml --over joint.gudgeon.radial_clearance=0.05mm..0.5mm\n  \
@@ -245,25 +247,25 @@ pub struct SweepArguments {
     /// Model file
     #[arg(value_name = "MODEL")]
     pub model: PathBuf,
-    /// The quantity of the model and the values that it goes through, with their units
+    /// Quantity of the model with its first and last value, with units
     #[arg(long, value_name = "PATH=FROM..TO")]
     pub over: String,
-    /// Values, ends included, 2 to 100000
+    /// Number of values, ends included, 2 to 100000
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     pub points: u32,
-    /// Give another quantity of the model another value, with its unit; may be repeated
+    /// Change another quantity of the model, with its unit; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Turns to settle before those that are looked at, at most 1000000
+    /// Turns of start-up, not examined, at most 1000000
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     pub transient: u32,
-    /// Turns to look at, 2 to 100000
+    /// Turns to examine, 2 to 100000
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     pub turns: u32,
-    /// Accuracy of positions over the first half turn, with its unit
+    /// Position accuracy over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-8 m", allow_hyphen_values = true)]
     pub tolerance: String,
-    /// Threads to run on, 1 to 1024 [default: as many as the machine has]
+    /// Number of threads, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,
     #[command(flatten)]
@@ -273,45 +275,45 @@ pub struct SweepArguments {
 /// Where results go.
 #[derive(Debug, Args)]
 pub struct OutputArguments {
-    /// Folder for the results [default: results/NAME/HASH, HASH from all inputs]
+    /// Output folder [default: results/NAME/HASH; HASH depends on all inputs]
     #[arg(long = "out", value_name = "DIR")]
     pub folder: Option<PathBuf>,
-    /// Run again although the results are there, and replace what is in the way
+    /// Run again and replace existing results
     #[arg(long)]
     pub force: bool,
 }
 
-/// List the reference cases, mechanisms whose answer is known, or run them
+/// List or run the reference cases with known answers
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Without `run` it lists them. The cases are in the repository, in its folder `cases`.\n\n\
+    after_help = "Without `run`, the command lists the cases. They are in the folder `cases` of the repository.\n\n\
     Examples:\n  loosepin cases\n  loosepin cases run\n  loosepin cases run slider_crank_5000 six_bar",
     args_conflicts_with_subcommands = true
 )]
 pub struct CasesArguments {
-    /// What to do with them.
+    /// Action.
     #[command(subcommand)]
     pub action: Option<CasesAction>,
     #[command(flatten)]
     pub folder: CasesFolder,
 }
 
-/// What is done with the reference cases.
+/// Actions on the reference cases.
 #[derive(Debug, Subcommand)]
 pub enum CasesAction {
     Run(CasesRunArguments),
 }
 
-/// Run reference cases: for each number what is expected and what is obtained, difference, tolerance, source
+/// Run reference cases and compare each number with the expected one
 #[derive(Debug, Args)]
-#[command(after_help = "Exit status 1: a number is outside of its tolerance.\n\n\
+#[command(after_help = "Exit status 1: a number is outside its tolerance.\n\n\
     Examples:\n  loosepin cases run\n  loosepin cases run slider_crank_5000 six_bar\n  \
     loosepin cases run --write docs/validation.md")]
 pub struct CasesRunArguments {
     /// Names of cases [default: all]
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
-    /// Also write the numbers as a page in Markdown
+    /// Write the numbers as a Markdown page as well
     #[arg(long, value_name = "PAGE")]
     pub write: Option<PathBuf>,
     #[command(flatten)]
@@ -321,12 +323,12 @@ pub struct CasesRunArguments {
 /// Where the reference cases are.
 #[derive(Debug, Args)]
 pub struct CasesFolder {
-    /// Folder of the cases, each in a folder of its own
+    /// Folder of the cases
     #[arg(long = "folder", value_name = "DIR", default_value = "cases")]
     pub path: PathBuf,
 }
 
-/// Write the pages of stored results again
+/// Write the report of stored results again
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  loosepin report results/worn-pin/1a2b3c4d")]
 pub struct ReportArguments {
@@ -335,27 +337,27 @@ pub struct ReportArguments {
     pub folder: PathBuf,
 }
 
-/// Write the neural networks that a study has learned as ONNX files, for other programs
+/// Export the neural networks of a study as ONNX files
 #[derive(Debug, Args)]
 #[command(
-    after_help = "One file for each number or curve: \"inputs\", one row a mechanism, its values in SI units in the order of the \
-    metadata entry `inputs`, to \"values\", SI. A row with an input outside of the range that was learned gives not-a-number, since \
-    nothing is extrapolated. The standard deviation of the error, and what is left of noise, do not go along; the metadata hold the held-out \
-    error.\n\nExamples:\n  loosepin export results/worn-pin/1a2b3c4d\n  loosepin export bounds/surrogates.json networks --output slider"
+    after_help = "Writes one file for each number or curve. Its tensor \"inputs\" has one row for each mechanism, in SI units, in the \
+    order of the metadata entry `inputs`; \"values\" is in SI units too. A row outside the training range gives NaN: there is no \
+    extrapolation. The metadata hold the held-out error. The standard deviation of the error and the remaining noise are not \
+    exported.\n\nExamples:\n  loosepin export results/worn-pin/1a2b3c4d\n  loosepin export bounds/surrogates.json networks --output slider"
 )]
 pub struct ExportArguments {
     /// Folder of results, or its surrogates.json
     #[arg(value_name = "RESULTS")]
     pub results: PathBuf,
-    /// Folder to write into, made where there is none
+    /// Output folder, created if it does not exist
     #[arg(value_name = "DIR", default_value = "onnx")]
     pub folder: PathBuf,
-    /// Write this output alone; may be repeated [default: all]
+    /// Write only this output; may be repeated [default: all]
     #[arg(long = "output", value_name = "NAME")]
     pub outputs: Vec<String>,
 }
 
-/// Print the JSON Schema of model or study files, for editors
+/// Print the JSON Schema of model or study files
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  loosepin schema model > model.schema.json")]
 pub struct SchemaArguments {
@@ -369,15 +371,15 @@ pub struct SchemaArguments {
 pub enum FileKind {
     /// A mechanism with its nominal values
     Model,
-    /// What is uncertain in a model, and what is asked
+    /// Uncertain inputs of a model, and the questions
     Study,
 }
 
-/// Explain an error code at length
+/// Explain an error code
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  loosepin explain E0303")]
 pub struct ExplainArguments {
-    /// The code in the brackets behind `error`, for example E0303
+    /// Code in the brackets after `error`, for example E0303
     #[arg(required_unless_present = "list")]
     pub code: Option<Code>,
     /// List all codes
@@ -385,7 +387,7 @@ pub struct ExplainArguments {
     pub list: bool,
 }
 
-/// Print what a shell needs to complete commands and flags with the tabulator key
+/// Print the completion script of a shell
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     loosepin completions bash > ~/.local/share/bash-completion/completions/loosepin\n  \
@@ -396,7 +398,7 @@ pub struct CompletionsArguments {
     pub shell: Shell,
 }
 
-/// Print the manual page of loosepin, or of one of its commands, as roff
+/// Print the manual page of loosepin or of a command (roff)
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  loosepin manual > loosepin.1\n  loosepin manual study | man -l -")]
 pub struct ManualArguments {

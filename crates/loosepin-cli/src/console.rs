@@ -33,7 +33,7 @@ pub fn complain(complaints: &Complaints) {
     }
     message(complaints.render(colour()).trim_end());
     if let Some(complaint) = complaints.sorted().first() {
-        message(&format!("\n`loosepin explain {}` says more", complaint.code));
+        message(&format!("\n`loosepin explain {}` explains this error", complaint.code));
     }
 }
 

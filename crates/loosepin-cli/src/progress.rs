@@ -46,7 +46,7 @@ impl Bar {
         Bar::going_on(0)
     }
 
-    /// The same where `kept` of the runs were made before.
+    /// A bar of a study that continues with `kept` finished runs.
     pub fn going_on(kept: usize) -> Bar {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
         let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), kept, last: None }));
@@ -54,7 +54,7 @@ impl Bar {
         let remaining = move |_: &ProgressState, text: &mut dyn Write| {
             let remaining_s = shown.lock().ok().and_then(|pace| pace.remaining_s());
             let _ = match remaining_s {
-                None => write!(text, "the first ones are under way"),
+                None => write!(text, "the first runs have started"),
                 Some(remaining_s) => write!(text, "at most {} left", duration(remaining_s)),
             };
         };

@@ -1,4 +1,4 @@
-//! What is wrong with an input, as an exception.
+//! Errors of inputs, as exceptions.
 
 use loosepin::diagnostics::{self, Complaints, Severity};
 use pyo3::exceptions::PyException;
@@ -21,7 +21,7 @@ pub struct Complaint {
     code: &'static str,
     /// "error" or "warning".
     severity: String,
-    /// What is wrong, and the rule.
+    /// The error and the rule.
     message: String,
     /// The way out, where one is known.
     hint: Option<String>,

@@ -118,7 +118,7 @@ pub fn evaluate<'py>(
     answer(py, &answers, &names, &table)
 }
 
-/// What inputs and columns are called.
+/// Names of inputs and columns.
 pub struct Names<'n> {
     /// The random inputs.
     pub random: &'n [String],

@@ -15,7 +15,7 @@ use crate::function_bounds::{Names, answer, requests, unlocked};
 use crate::made_in_python::MadeInPython;
 use crate::waiting::{Told, wait_for};
 
-/// What is asked of a function.
+/// Questions about a function.
 pub struct Asked<'a> {
     /// Its columns.
     pub columns: &'a [String],

@@ -46,7 +46,7 @@ pub struct Inputs {
     pub random: Vec<RandomVariable>,
     /// Names of the epistemic inputs; a parameter of a distribution is called `input.parameter`.
     pub epistemic_names: Vec<String>,
-    /// What is known of them.
+    /// Their intervals, lists or other descriptions.
     pub epistemic: Vec<EpistemicVariable>,
     /// Those among them that are parameters of distributions.
     pub parameters: Vec<EpistemicParameter>,
@@ -104,7 +104,7 @@ impl Inputs {
     }
 }
 
-/// What is known of an epistemic input; nothing where the object is none.
+/// Description of an epistemic input; nothing where the object is none.
 fn epistemic(name: &str, input: &Bound<'_, PyAny>) -> PyResult<Option<EpistemicVariable>> {
     let number = |key: &str| input.getattr(key)?.extract::<f64>();
     let interval = |lower, upper| {

@@ -13,7 +13,7 @@ use pyo3::types::PyIterator;
 /// and of the reasons why runs failed, or of nothing as long as nothing is finished.
 pub struct MadeInPython {
     make: Py<PyAny>,
-    /// What it has raised.
+    /// Exception that it has raised.
     raised: Mutex<Option<PyErr>>,
 }
 
@@ -26,7 +26,7 @@ impl MadeInPython {
         Self { make, raised: Mutex::new(None) }
     }
 
-    /// What the callable has raised since it was asked last.
+    /// Exception that the callable has raised since the last call.
     pub fn raised(&self) -> Option<PyErr> {
         self.raised.lock().unwrap_or_else(PoisonError::into_inner).take()
     }

@@ -58,7 +58,7 @@ impl Model {
         self.0.source().text()
     }
 
-    /// What looks like an oversight in it.
+    /// Warnings about it.
     #[getter]
     fn warnings(&self) -> Vec<Complaint> {
         self.0.warnings.iter().map(Complaint::new).collect()

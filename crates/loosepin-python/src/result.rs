@@ -13,7 +13,7 @@ use pyo3::types::PyBytes;
 use crate::column::Column;
 use crate::error::{raise, raise_problem};
 
-/// What a study leaves behind.
+/// Result of a study with its runs.
 #[pyclass(frozen, module = "loosepin._loosepin")]
 pub struct StudyResult {
     result: study::result::StudyResult,

@@ -19,7 +19,7 @@ use loosepin::study::{
 pub struct Meeting {
     /// Finished runs of the same study are taken over.
     pub with_resume: bool,
-    /// What is there is replaced.
+    /// Whether existing results are replaced.
     pub with_force: bool,
 }
 

@@ -71,7 +71,7 @@ impl Study {
         Model(self.0.model.clone().into())
     }
 
-    /// What looks like an oversight in it or in its model.
+    /// Warnings about it or its model.
     #[getter]
     fn warnings(&self) -> Vec<Complaint> {
         self.0.warnings.iter().map(Complaint::new).collect()
@@ -141,7 +141,7 @@ impl Study {
         study::Study::from_texts(&study_texts(texts)).map(Self).map_err(raise)
     }
 
-    /// What every run records: name, SI unit, and for a curve the angles of the drive.
+    /// Columns of every run: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
         let recorded = recorded.map_err(|error| raise(error.complaint(&self.0)))?.into_iter();

@@ -38,7 +38,7 @@ impl Surrogates {
         self.0.inputs.iter().map(|input| (input.path.clone(), input.unit.symbol().to_owned())).collect()
     }
 
-    /// What can be predicted.
+    /// Outputs that can be predicted.
     fn outputs<'py>(&self, py: Python<'py>) -> PyResult<Vec<OutputTuple<'py>>> {
         let of_each = self.0.outputs.iter().map(|output| {
             let places = output.at.iter().map(|at| match (at.pose_rad(), at.reduction()) {

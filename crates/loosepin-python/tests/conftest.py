@@ -80,5 +80,5 @@ def desk(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def result(desk: Path) -> lp.StudyResult:
-    """The same study from Python, on one thread, with its files in `python`."""
+    """That study from Python, on one thread, with its files in `python`."""
     return lp.Study.load(desk / "study.toml").run(desk / "python", threads=1, progress=False)

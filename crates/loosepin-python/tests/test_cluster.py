@@ -89,7 +89,7 @@ def grow(client, workers):
 
 
 def held(client):
-    """What the cluster holds for the client still, a moment after it was told to let it go."""
+    """Keys that the cluster still holds for the client, a moment after their release."""
     deadline = time.monotonic() + MISSED_S
     while client.futures and time.monotonic() < deadline:
         time.sleep(0.02)

@@ -1,4 +1,4 @@
-"""What is wrong is said as on the terminal, and never by a panic."""
+"""Errors have the text of the terminal, and are never a panic."""
 
 import random
 
@@ -26,9 +26,9 @@ def test_text_place_code_and_hint(tmp_path):
 
 def test_kinds_of_files_are_not_mixed_up(tmp_path):
     study = write_study(tmp_path)
-    with pytest.raises(lp.LoosepinError, match="this is a study; a model is due"):
+    with pytest.raises(lp.LoosepinError, match="this is a study; expected a model"):
         lp.Model.load(study)
-    with pytest.raises(lp.LoosepinError, match="this is a model; a study is due"):
+    with pytest.raises(lp.LoosepinError, match="this is a model; expected a study"):
         lp.Study.load(MODEL)
     with pytest.raises(lp.LoosepinError, match="there is no such file") as refused:
         lp.Study.load(tmp_path / "nothing.toml")
@@ -59,7 +59,7 @@ def test_what_is_no_toml_is_refused_by_name():
 
 def test_oversights_are_warnings():
     text = MODEL.read_text(encoding="utf-8").replace("[parameter]", '[parameter]\nspare = "3 mm"', 1)
-    with pytest.warns(lp.LoosepinWarning, match="parameter 'spare' is used by nothing") as warned:
+    with pytest.warns(lp.LoosepinWarning, match="parameter 'spare' is not used") as warned:
         lp.Model.from_text(text)
     assert warned[0].filename == __file__
 

@@ -1,4 +1,4 @@
-"""What the documentation shows of Python runs: the blocks of every page in their order, and the notebook.
+"""The Python of the documentation runs: the blocks of every page in their order, and the notebook.
 
 A block whose first line begins with `# not run by the tests:` is not run; NOT_RUN lists these.
 """

@@ -21,7 +21,7 @@ def test_a_terminal_shows_one_line_that_goes(monkeypatch):
     line(50, 200)
     line.close()
     shown = terminal.getvalue().split("\r\x1b[K")
-    assert shown[1] == "[" + " " * 30 + "] 0 of at most 200 runs, the first ones are under way"
+    assert shown[1] == "[" + " " * 30 + "] 0 of at most 200 runs, the first runs have started"
     assert shown[2].startswith("[=======" + " " * 23 + "] 50 of at most 200 runs, at most ")
     assert shown[3] == ""
 

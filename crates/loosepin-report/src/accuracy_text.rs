@@ -1,4 +1,4 @@
-//! How near the bounds were to be and are: sentences for pages and terminals.
+//! Required and reached accuracy of the bounds: sentences for pages and terminals.
 
 use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
@@ -11,7 +11,7 @@ const ERROR_DIGITS: usize = 2;
 /// Targets that are told one by one; the others stand in `summary.json`.
 const MOST_TARGETS: usize = 12;
 
-/// How the study ended, then target by target what is asked and what is reached, first what is not.
+/// The end of the study, then required and reached accuracy of each target; those that are not reached come first.
 pub(super) fn accuracy_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let Some(record) = &result.accuracy else { return Vec::new() };
     let mut sentences = vec![ending(record, writer)];
@@ -23,7 +23,7 @@ pub(super) fn accuracy_sentences(result: &StudyResult, writer: &NumberWriter) ->
     }
     if record.stop == AccuracyStop::Budget {
         sentences.push(format!(
-            "Nothing is lost: the bounds are those of all runs that were made. With --budget \"{}\" the same runs are made again.",
+            "The bounds use all runs made so far. To repeat exactly these runs: --budget \"{}\".",
             counted(u64::from(record.rounds), "round", writer)
         ));
     }
@@ -45,27 +45,24 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
     let missing = record.targets.iter().filter(|target| !target.is_reached()).count();
     match record.stop {
         AccuracyStop::Reached if record.targets.is_empty() => {
-            format!("The samples as stated took {made}, within {whose} of {budget}.")
+            format!("The stated samples took {made}, within {whose} of {budget}.")
         }
-        AccuracyStop::Reached => format!("All bounds are as near as asked, after {made}."),
+        AccuracyStop::Reached => format!("All bounds reach the required accuracy after {made}."),
         AccuracyStop::Budget => {
             let next =
-                record.next_round_runs.map_or(String::new(), |runs| format!(", of {},", counted(runs, "run", writer)));
+                record.next_round_runs.map_or(String::new(), |runs| format!(" of {}", counted(runs, "run", writer)));
             let reached = if missing > 0 {
-                format!("Not as near as asked: {}.", of_accuracies(missing, record.targets.len()))
+                not_reached(missing, record.targets.len())
             } else {
                 "The samples are smaller than stated.".to_owned()
             };
-            format!(
-                "{reached} The study ended after {made}, since the next round{next} would have gone beyond {whose} of {budget}."
-            )
+            format!("{reached} The study ended after {made}: the next round{next} would exceed {whose} of {budget}.")
         }
         AccuracyStop::Exhausted => format!(
-            "Not as near as asked: {}. The study ended after {made}, since {}.",
-            of_accuracies(missing, record.targets.len()),
+            "{} The study ended after {made}: {}.",
+            not_reached(missing, record.targets.len()),
             if record.is_learned() {
-                "more runs to learn from do not help, or hardly, and direct runs at the bounds do not make up for it; the direct double \
-                 loop may come nearer (direct = \"double-loop\")"
+                "more training runs and more check runs hardly help. The direct double loop may reach it (direct = \"double-loop\")"
             } else {
                 "more runs are not possible or do not help"
             }
@@ -73,9 +70,13 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
     }
 }
 
-/// `2 of 3 accuracies`, `the one accuracy`.
-fn of_accuracies(missing: usize, all: usize) -> String {
-    if all == 1 { "the one accuracy".to_owned() } else { format!("{missing} of {all} accuracies") }
+/// `The required accuracy is not reached.`, `2 of 3 required accuracies are not reached.`
+fn not_reached(missing: usize, all: usize) -> String {
+    match (missing, all) {
+        (_, 1) => "The required accuracy is not reached.".to_owned(),
+        (1, _) => format!("1 of {all} required accuracies is not reached."),
+        _ => format!("{missing} of {all} required accuracies are not reached."),
+    }
 }
 
 fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutcome, writer: &NumberWriter) -> String {
@@ -89,26 +90,23 @@ fn outcome(result: &StudyResult, record: &AccuracyRecord, target: &AccuracyOutco
     );
     let asked = writer.value_shortest(target.asked_si, &target.unit);
     if target.is_reached() {
-        return format!("{subject}: bounds widened by at most {}, asked {asked}.", value(target.reached_si));
+        return format!("{subject}: numerical error at most {}, required {asked}.", value(target.reached_si));
     }
     if !target.reached_si.is_finite() {
-        return format!("{subject}: bounds without limit, asked {asked}; too few runs finished.");
+        return format!("{subject}: no finite error, required {asked}. Too few runs finished.");
     }
     let foreseen = match target.runs_needed {
         Some(runs) => format!(
-            "At the pace so far it would take about {} in place of {}.",
+            "About {} would reach it; {} were made.",
             counted(rounded_up(runs), "run", writer),
             writer.count(record.runs)
         ),
-        None => "More runs have hardly helped so far, so that nothing can be foreseen.".to_owned(),
+        None => "More runs hardly helped so far, so the number of runs needed is not known.".to_owned(),
     };
-    let surrogate = if record.is_learned() {
-        format!(", {} from what the surrogate does not know", value(target.surrogate_si))
-    } else {
-        String::new()
-    };
+    let surrogate =
+        if record.is_learned() { format!(", surrogate {}", value(target.surrogate_si)) } else { String::new() };
     format!(
-        "{subject}: bounds widened by up to {}, asked {asked}; {} from the finite samples, {} from the search{surrogate}. {foreseen}",
+        "{subject}: numerical error up to {} (sampling {}, search {}{surrogate}), required {asked}. {foreseen}",
         value(target.reached_si),
         value(target.sampling_si),
         value(target.optimisation_si),

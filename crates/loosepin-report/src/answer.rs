@@ -1,8 +1,11 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
+use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::study_page::bound_value;
-use super::wording::{counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words};
+use super::wording::{
+    capitalised, counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
+    verdict_words,
+};
 use loosepin_result::study::{
     BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, Reduction, RequirementOutcome,
     ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
@@ -20,7 +23,7 @@ pub(super) struct Answer {
     pub requirements: Vec<String>,
     /// The one sentence.
     pub headline: String,
-    /// What must be known with it.
+    /// Scatter alone, numerical error, runs and assumptions.
     pub details: Vec<String>,
     /// Whether a stated requirement is not met.
     pub verdict: Option<Verdict>,
@@ -36,8 +39,8 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
         (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
         (None, None) => match result.bounds.iter().find(|bound| bound.treatment == Treatment::Mixed) {
             Some(bound) => statistic_sentence(result, bound, &conditions, writer),
-            None if result.requirements.is_empty() => format!("{conditions} nothing was asked for."),
-            None => format!("{conditions} no more was asked for than whether the requirements are met."),
+            None if result.requirements.is_empty() => "The study asks for no statistic.".to_owned(),
+            None => "The study asks only whether the requirements are met.".to_owned(),
         },
     };
     let mut details = Vec::new();
@@ -57,7 +60,7 @@ pub(super) fn verdict_headline(verdict: Verdict) -> &'static str {
     }
 }
 
-/// "With the gudgeon radial clearance anywhere between 0.1 and 0.5 mm, " or what replaces it.
+/// " This holds for every gudgeon radial clearance from 0.1 to 0.5 mm." or what replaces it.
 fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
     let parts: Vec<String> = result
         .inputs
@@ -68,22 +71,22 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
                 InputKind::Random => None,
                 InputKind::Interval { lower_si, upper_si } | InputKind::SecondOrder { lower_si, upper_si } => {
                     Some(format!(
-                        "the {name} anywhere between {} and {}",
+                        "every {name} from {} to {}",
                         writer.shortest(*lower_si, &input.unit),
                         writer.value_shortest(*upper_si, &input.unit)
                     ))
                 }
-                InputKind::Evidence { elements, .. } => Some(format!(
-                    "what is known of the {name} in {}",
-                    counted(elements.len() as u64, "interval", writer)
-                )),
-                InputKind::Periodic { .. } => Some(format!("the {name} anywhere on its circle")),
-                InputKind::Fuzzy { .. } => Some(format!("the {name} wherever it is possible")),
-                InputKind::Choice { of } => Some(format!("the {name} any of {}", listed(of))),
+                InputKind::Evidence { elements, .. } => {
+                    Some(format!("the evidence on the {name} ({})", counted(elements.len() as u64, "interval", writer)))
+                }
+                InputKind::Periodic { .. } => Some(format!("every {name} of the full period")),
+                InputKind::Fuzzy { .. } => Some(format!("every possible {name}")),
+                InputKind::Choice { of } => Some(format!("each {name} of the list ({})", listed(of))),
             }
         })
         .collect();
-    if parts.is_empty() { "With the stated scatter,".to_owned() } else { format!("With {},", listed(&parts)) }
+    let for_what = if parts.is_empty() { "the stated scatter".to_owned() } else { listed(&parts) };
+    format!(" This holds for {for_what}.")
 }
 
 fn main_bound(result: &StudyResult) -> Option<(&BoundRecord, f64)> {
@@ -116,7 +119,7 @@ fn bound_sentence(
     writer: &NumberWriter,
 ) -> String {
     format!(
-        "{conditions} the {} stays within ±{} of its ideal motion over the whole cycle in at least {} of mechanisms.",
+        "The {} stays within ±{} of its ideal motion over the whole cycle in at least {} of mechanisms.{conditions}",
         output_words(&bound.output, &result.outputs),
         writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
         writer.percent(probability, Rounding::Down)
@@ -127,7 +130,7 @@ fn bound_sentence(
 fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, conditions: &str, writer: &NumberWriter) -> String {
     let unit = output_unit(result, &bound.output);
     format!(
-        "{conditions} the {} of {} ({}, {}) lies between {} and {}.",
+        "The {} of {} ({}, {}) lies between {} and {}.{conditions}",
         statistic_words(bound.statistic, &unit, writer),
         output_words(&bound.output, &result.outputs),
         deviation_words(bound.of),
@@ -154,14 +157,14 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str
     };
     let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let subject = output_words(&curve.output, &result.outputs);
-    match curve.of {
-        Deviation::Value => format!("{conditions} the {subject} lies {range}: {share} of mechanisms at any angle."),
-        _ => format!(
-            "{conditions} the {subject} stays {range} of its ideal motion in at least {share} of mechanisms, at each \
-             angle of {} taken by itself.",
-            result.cycle.drive
-        ),
-    }
+    let stays = match curve.of {
+        Deviation::Value => format!("lies {range}"),
+        _ => format!("stays {range} of its ideal motion"),
+    };
+    format!(
+        "At each angle of {}, the {subject} {stays} in at least {share} of mechanisms.{conditions}",
+        result.cycle.drive
+    )
 }
 
 /// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
@@ -175,7 +178,7 @@ fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter
     )
 }
 
-/// What not knowing costs; nothing of the output itself, whose size is no deviation.
+/// The band of scatter alone beside that of all unknown values; nothing for the output itself, whose size is no deviation.
 fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<String> {
     if curve.of == Deviation::Value {
         return None;
@@ -187,17 +190,18 @@ fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<Str
     let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
     is_worth_saying.then(|| {
         let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
-        let middle =
-            format!("If the unknown values were in the middle of their ranges, {share} of mechanisms would stay");
-        if [random_ends, mixed_ends].into_iter().all(|[lowest, highest]| lowest < 0.0 && highest > 0.0) {
-            return format!(
-                "{middle} within ±{} at each angle; not knowing them, with the numerical error, widens this to ±{}.",
-                writer.rounded(random, &curve.unit, SENTENCE_DIGITS, Rounding::Up),
-                writer.rounded(mixed, &curve.unit, SENTENCE_DIGITS, Rounding::Up)
-            );
-        }
-        let [random, mixed] = [random_ends, mixed_ends].map(|[low, high]| between(low, high, &curve.unit, writer));
-        format!("{middle} {random} at each angle; not knowing them, with the numerical error, widens this to {mixed}.")
+        let is_on_both_sides = [random_ends, mixed_ends].into_iter().all(|[low, high]| low < 0.0 && high > 0.0);
+        let [random, mixed] = if is_on_both_sides {
+            [random, mixed].map(|most| {
+                format!("within ±{}", writer.rounded(most, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+            })
+        } else {
+            [random_ends, mixed_ends].map(|[low, high]| between(low, high, &curve.unit, writer))
+        };
+        format!(
+            "With the unknown values in the middle of their ranges, {share} of mechanisms stay {random} at each angle. With all \
+             unknown values and the numerical error, they stay {mixed}."
+        )
     })
 }
 
@@ -208,28 +212,24 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
         .map(|requirement| {
             let unit = output_unit(result, &requirement.output);
             let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
-            let verdict = match requirement.verdict {
-                Verdict::Met => "is met".to_owned(),
-                Verdict::NotMet => "is not met".to_owned(),
-                Verdict::Undecided => {
-                    let way_out = way_to_decide(result, requirement, writer);
-                    format!("is undecided, because the numerical error reaches over it ({way_out})")
-                }
+            let way_out = match requirement.verdict {
+                Verdict::Undecided => format!(" {}", way_to_decide(result, requirement, writer)),
+                Verdict::Met | Verdict::NotMet => String::new(),
             };
             format!(
-                "The requirement that the {} of {} stays {limits} {} in at least {} of mechanisms {verdict}: the true \
-                 share is {}.",
+                "{}: the {} of {} stays {limits} {} in {} of mechanisms; required: at least {}.{way_out}",
+                capitalised(verdict_words(requirement.verdict)),
                 deviation_words(requirement.of),
                 requirement.output,
                 place_words(requirement.at, writer),
-                writer.percent(requirement.probability_at_least, Rounding::Nearest),
                 writer.percent_range(requirement.probability[0], requirement.probability[1]),
+                writer.percent(requirement.probability_at_least, Rounding::Nearest),
             )
         })
         .collect()
 }
 
-/// What would decide a requirement that is undecided.
+/// Hint for a requirement that is undecided.
 fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer: &NumberWriter) -> String {
     // No more are made.
     const MOST: f64 = 1e7;
@@ -238,17 +238,21 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
     let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
     if is_by_surrogate(result) && result.counts.failed > 0 {
-        "what fails is told by direct runs alone: direct = \"double-loop\"".to_owned()
+        "Some runs failed, and only direct runs count failures: use direct = \"double-loop\".".to_owned()
     } else if let Some(known) = too_few.filter(|known| needed(known) < MOST) {
         format!(
-            "of {} none lies outside, and so few show no larger share: 'inner' should be {} or more",
+            "All {} passed, but {} can prove only {}: increase 'inner' to {} or more.",
             counted(known.mechanisms, "mechanism", writer),
+            super::wording::count(known.mechanisms, writer),
+            writer.percent(requirement.probability[0], Rounding::Down),
             super::wording::count((needed(&known).ceil() as u64).next_power_of_two(), writer)
         )
     } else if is_by_surrogate(result) {
-        "more training_runs, a larger 'inner' or direct = \"double-loop\" may tell".to_owned()
+        "The required share lies within the numerical error: increase 'training_runs' or 'inner', or use \
+         direct = \"double-loop\"."
+            .to_owned()
     } else {
-        "larger 'inner' and 'outer' make it smaller".to_owned()
+        "The required share lies within the numerical error: increase 'inner' and 'outer'.".to_owned()
     }
 }
 
@@ -274,23 +278,19 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     };
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let mut sentence = match error_text {
-        Some(error) => format!("Numerical error of this answer: at most {error}, already added on the outside."),
-        None => "The numerical error of each bound stands beside it.".to_owned(),
+        Some(error) => format!("Numerical error: at most {error}, included in the answer."),
+        None => "The table shows the numerical error of each bound.".to_owned(),
     };
     if inner > 0 {
-        // The answer itself first: whoever reads on knows it as a promise.
         let is_answer = main_bound(result).is_some_and(|(bound, _)| bound.guarantee == Guarantee::Inner);
         let subject = match (is_answer, mixed().count()) {
-            (true, _) if inner == 1 => "It is".to_owned(),
-            (true, all) => format!("It and {} of the {} other bounds are", inner - 1, all - 1),
-            (false, all) => format!("{inner} of {all} bounds {}", if inner == 1 { "is" } else { "are" }),
+            (true, _) if inner == 1 => "This answer".to_owned(),
+            (true, all) => format!("{inner} of {all} bounds, this answer included,"),
+            (false, all) => format!("{inner} of {all} bounds"),
         };
-        let by = if is_by_surrogate(result) {
-            "by direct runs at their values"
-        } else {
-            "by the search or for want of samples beyond them (larger 'inner')"
-        };
-        sentence.push_str(&format!(" {subject} not confirmed, {by}, and may be wider."));
+        let reason = if is_by_surrogate(result) { "direct runs do not confirm it" } else { "increase 'inner'" };
+        let reason = if inner == 1 { reason.to_owned() } else { reason.replace(" it", " them") };
+        sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
     }
     sentence
 }
@@ -298,21 +298,20 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     let runs = counted(result.counts.runs, "run", writer);
     let failed = match result.counts.failed {
-        0 => "none failed".to_owned(),
+        0 => "none failed.".to_owned(),
         failed => format!(
-            "{} of them failed: {} counted as not known in probabilities and quantiles; means and deviations are those of \
-             the finished runs and have no bound",
-            super::wording::count(failed, writer),
-            if failed == 1 { "it is" } else { "they are" }
+            "{} failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \
+             the finished runs only and have no bound.",
+            super::wording::count(failed, writer)
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
     format!(
-        "From {runs}; {failed}. Assumed: the model as written, {} as stated, {} to start up and {} recorded.",
+        "{runs}, {failed} Assumptions: the model as written, {}, {} of start-up, {} recorded.",
         match random {
-            0 => "no random scatter".to_owned(),
-            1 => "the distribution of 1 random input".to_owned(),
-            many => format!("the distributions of {many} random inputs"),
+            0 => "no random input".to_owned(),
+            1 => "1 random input with its distribution as stated".to_owned(),
+            many => format!("{many} random inputs with their distributions as stated"),
         },
         turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s),
         turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s),
@@ -325,74 +324,73 @@ pub(super) fn turns(turns: f64, drive_speed_rad_s: Option<f64>) -> String {
     if turns == 1.0 { format!("1 {one}") } else { format!("{turns} {one}s") }
 }
 
-/// What goes round: the drive, or the cycle where no drive turns at a constant speed.
+/// "turn" of the drive, or "cycle" where no drive turns at a constant speed.
 pub(super) fn turn_word(drive_speed_rad_s: Option<f64>) -> &'static str {
     if drive_speed_rad_s.is_some() { "turn" } else { "cycle" }
 }
 
-/// What the three treatments claim and which of them keeps its promise, one sentence each.
+/// One paragraph a treatment: its assumption, the share of mechanisms that its band holds, its width beside the mixed band.
 pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &NumberWriter) -> Vec<String> {
-    let promised = comparison.promised_coverage;
-    let mixed_width =
-        comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
-    comparison
-        .bands
-        .iter()
-        .map(|band| {
-            let keeps = band.keeps_promise(promised);
-            let least = writer.percent(band.coverage_minimum, Rounding::Down);
-            let least_by_surrogate = writer.percent_range(band.least_share(), band.coverage_minimum);
-            let promise = writer.percent(promised, Rounding::Nearest);
-            let start = match band.treatment {
-                Treatment::ProbabilityOnly => {
-                    "Treating everything as probability pretends to know which unknown values are likely."
-                }
-                Treatment::IntervalOnly => {
-                    "Treating everything as interval throws away what is known about the scatter."
-                }
-                Treatment::Mixed => "Taking each for what it is claims neither too much nor too little knowledge.",
-            };
-            let kept = if band.is_promise_unknown(promised) {
-                format!(
-                    "Whether its band keeps the promise of {promise} {} not tell: where the truth is unkind, {} lie inside",
-                    if band.ends.is_some() { "the surrogate does" } else { "the runs do" },
-                    if band.ends.is_some() {
-                        least_by_surrogate
-                    } else {
-                        writer.percent_range((band.coverage_minimum - band.coverage_error).max(0.0), band.coverage_minimum)
-                    }
-                )
-            } else if band.coverage_minimum >= 1.0 {
-                "Its band keeps the promise: every run lies inside, whatever is true".to_owned()
-            } else if keeps && band.coverage_minimum < promised {
-                format!(
-                    "Its band keeps the promise of {promise} within numerical error: where the truth is unkind, {least} \
-                     ± {} lie inside",
-                    writer.percent(band.coverage_error, Rounding::Up)
-                )
-            } else if keeps {
-                format!("Its band keeps the promise: at least {least} of mechanisms lie inside, whatever is true")
-            } else {
-                let is_less = band.least_share() < band.coverage_minimum;
-                let least = if is_less { least_by_surrogate } else { least };
-                format!("Its band breaks the promise of {promise}: where the truth is unkind, only {least} lie inside")
-            };
-            let width = match mixed_width {
-                Some(mixed) if band.treatment != Treatment::Mixed && mixed > 0.0 => {
-                    let ratio = band.width_si() / mixed;
-                    if ratio > 1.02 {
-                        format!(", at {ratio:.2} times the width that is needed.")
-                    } else if ratio < 0.98 && !keeps {
-                        format!(", for it is only {ratio:.2} times as wide as the band that does.")
-                    } else {
-                        ".".to_owned()
-                    }
-                }
-                _ => ".".to_owned(),
-            };
-            format!("{start} {kept}{width}")
-        })
-        .collect()
+    let is_mixed = |band: &&TreatmentBand| band.treatment == Treatment::Mixed;
+    let mixed_width = comparison.bands.iter().find(is_mixed).map(TreatmentBand::width_si);
+    let sentence = |band: &TreatmentBand| {
+        let assumption = match band.treatment {
+            Treatment::ProbabilityOnly => "Probability only takes every unknown value as random.",
+            Treatment::IntervalOnly => "Interval only takes the worst case of all inputs, random ones included.",
+            Treatment::Mixed => "Mixed keeps random inputs random and unknown values unknown.",
+        };
+        let held = share_sentence(band, comparison.promised_coverage, writer);
+        format!("{assumption} {held}{}", width_sentence(band, mixed_width, writer))
+    };
+    comparison.bands.iter().map(sentence).collect()
+}
+
+/// The share of mechanisms inside a band at the worst of the unknown values, beside the promised one.
+fn share_sentence(band: &TreatmentBand, promised: f64, writer: &NumberWriter) -> String {
+    let promise = writer.percent(promised, Rounding::Nearest);
+    let least = writer.percent(band.coverage_minimum, Rounding::Down);
+    if band.is_promise_unknown(promised) {
+        let (of_what, least_share) = match band.ends {
+            Some(_) => ("surrogate", band.least_share()),
+            None => ("runs", (band.coverage_minimum - band.coverage_error).max(0.0)),
+        };
+        return format!(
+            "At the worst unknown values, {} of mechanisms lie inside the band. The {of_what} cannot show whether the promised \
+             {promise} do.",
+            writer.percent_range(least_share, band.coverage_minimum)
+        );
+    }
+    if band.coverage_minimum >= 1.0 {
+        return format!("Every run lies inside the band; {promise} are promised.");
+    }
+    if !band.keeps_promise(promised) {
+        let is_less = band.least_share() < band.coverage_minimum;
+        let least = if is_less { writer.percent_range(band.least_share(), band.coverage_minimum) } else { least };
+        return format!(
+            "At the worst unknown values, only {least} of mechanisms lie inside the band; {promise} are promised."
+        );
+    }
+    if band.coverage_minimum < promised {
+        return format!(
+            "At the worst unknown values, {least} ± {} of mechanisms lie inside the band. This agrees with the promised {promise}.",
+            writer.percent(band.coverage_error, Rounding::Up)
+        );
+    }
+    format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")
+}
+
+/// How much wider or narrower than the mixed band; nothing where that hardly differs.
+fn width_sentence(band: &TreatmentBand, mixed_width: Option<f64>, writer: &NumberWriter) -> String {
+    let Some(mixed) = mixed_width.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {
+        return String::new();
+    };
+    let wider = (100.0 * (band.width_si() / mixed - 1.0)).round() / 100.0;
+    let by = writer.percent(wider.abs(), Rounding::Nearest);
+    match wider {
+        0.02.. => format!(" The band is {by} wider than the mixed band."),
+        ..=-0.02 => format!(" The band is {by} narrower than the mixed band."),
+        _ => String::new(),
+    }
 }
 
 fn smallest(values: &[f64]) -> f64 {

@@ -86,7 +86,7 @@ impl Axes {
         }
     }
 
-    /// What the axes show, each with the symbol of its unit.
+    /// Names of the axes, each with the symbol of its unit.
     pub fn labels(&self, x: [&str; 2], y: [&str; 2]) -> Markup {
         let label = |[words, symbol]: [&str; 2]| {
             if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") }

@@ -12,7 +12,7 @@ const MOST_POINTS: usize = 1600;
 /// Rows of the table behind a chart.
 const TABLE_ROWS: usize = 24;
 
-/// What lies along the horizontal axis; decides on the ticks.
+/// Kind of the horizontal axis; decides on the ticks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum HorizontalAxis {
@@ -156,7 +156,7 @@ pub(super) struct Chart {
     /// One sentence on what is to be seen, for the caption.
     #[serde(skip)]
     pub caption: Markup,
-    /// What a reader who cannot see the chart must know.
+    /// Text alternative for readers who cannot see the chart.
     #[serde(skip)]
     pub alternative: String,
 }

@@ -1,8 +1,8 @@
-//! What contributes to the answers, for a terminal.
+//! Sensitivities, for a terminal.
 
 use super::number::{NumberWriter, plain_name};
 use super::study_page::{band_share, known_share, share_range};
-use super::terminal::{push_table, table};
+use super::terminal_table::{push_table, table};
 use super::wording::{listed, response_words};
 use loosepin_result::study::StudyResult;
 
@@ -11,17 +11,17 @@ pub(super) fn contributors_text(result: &StudyResult, writer: &NumberWriter) -> 
     let mut text = String::new();
     for one in &result.contributors {
         text.push_str(&format!(
-            "\nWhat would make the 95 % band narrower, which is {} wide\n\n{}\n",
+            "\nSensitivity: how much narrower the 95 % band ({} wide) becomes without one input\n\n{}\n",
             writer.value(one.band_width_si, &one.unit),
             response_words(result, (&one.output, one.of, one.at), writer)
         ));
-        let head = ["input", "way", "part of the band", "variance alone", "in all", "quasi-static"];
+        let head = ["input", "by", "band narrower by", "Sobol' first", "Sobol' total", "quasi-static"];
         let mut rows = table(&head, &[2, 3, 4, 5]);
         let name = |path: &String| plain_name(path, &result.inputs);
         for input in &one.random {
             rows.add_row([
                 listed(&input.paths.iter().map(name).collect::<Vec<String>>()),
-                "tighter part".to_owned(),
+                "tighter tolerance".to_owned(),
                 band_share([input.band_share; 2], writer),
                 share_range(&input.first, writer),
                 share_range(&input.total, writer),
@@ -31,7 +31,7 @@ pub(super) fn contributors_text(result: &StudyResult, writer: &NumberWriter) -> 
         for input in &one.epistemic {
             rows.add_row([
                 name(&input.path),
-                "measure".to_owned(),
+                "measurement".to_owned(),
                 band_share(input.band_share, writer),
                 "-".to_owned(),
                 "-".to_owned(),

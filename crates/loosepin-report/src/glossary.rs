@@ -6,45 +6,42 @@ const TERMS: [(&str, &str); 12] = [
     (
         "Deviation",
         "Actual position minus ideal position at the same angle of the drive. The ideal mechanism has nominal dimensions \
-         and no play. Total = dimensional (parts off their nominal size) + clearance (play).",
+         and no play. Total deviation = dimensional deviation (from tolerances) + clearance deviation (from play).",
     ),
-    ("Random input", "Scatters from part to part, with a known distribution: a length within its tolerance."),
+    ("Random input", "Varies from part to part, with a known distribution. Example: a length within its tolerance."),
     (
         "Interval input",
-        "Fixed but unknown: one only knows the two ends between which it lies. No value inside is taken as likelier than \
-         another.",
+        "Fixed but unknown. Only its lower and its upper limit are known; no probability is assumed between them.",
     ),
     (
         "One of a list",
-        "Fixed but unknown: one only knows which few values, or laws, are possible. None is taken as likelier than another.",
+        "Fixed but unknown. Only the possible values or laws are known; no probabilities are assumed for them.",
     ),
     (
         "Bounds of a statistic",
-        "The smallest and the largest value that a mean, a quantile or a probability takes as the interval inputs go \
-         through all their values. The truth lies between.",
+        "The smallest and the largest value of a mean, a quantile or a probability over all values of the interval inputs. The \
+         true value lies between them.",
     ),
-    ("Quantile", "The value below which the stated share of mechanisms stays."),
+    ("Quantile", "The stated share of mechanisms stays below this value."),
     (
         "Random band, widened band",
-        "The random band holds the stated share of mechanisms for one middle value of the interval inputs. The widened \
-         band holds it for every value of them.",
+        "The random band holds the stated share of mechanisms for the middle values of the interval inputs. The widened band \
+         holds it for all their values.",
     ),
     (
         "Probability box",
-        "Two curves between which the true distribution curve lies, wherever in their intervals the unknown inputs are.",
+        "Two curves. The true cumulative distribution lies between them for all values of the unknown inputs.",
     ),
     ("Attained at", "The values of the interval inputs at which a bound is reached."),
     (
         "Numerical error",
-        "How far the stated number may be from the one that infinitely many runs would give: from the finite number of \
-         samples, from the search over the intervals, and from a surrogate model where one was used. Bounds are widened \
-         by it.",
+        "The largest expected difference to the result of infinitely many runs. Its parts come from the finite number of samples, \
+         from the search over the intervals, and from the surrogate if one was used. The bounds include it.",
     ),
-    ("Coverage", "The share of mechanisms that really lie inside a band."),
+    ("Coverage", "The share of mechanisms inside a band, for the true values of the unknown inputs."),
     (
         "Energy residual",
-        "What does not add up in the energy account of a run, as a share of the largest energy exchanged. It is each \
-         run's check of itself.",
+        "The error of the energy balance of a run, as a share of the largest energy exchanged. It checks the run.",
     ),
 ];
 
@@ -52,7 +49,7 @@ const TERMS: [(&str, &str); 12] = [
 pub(super) fn glossary() -> Markup {
     html! {
         details.glossary {
-            summary { "The terms of this page in plain words" }
+            summary { "Terms used on this page" }
             dl {
                 @for (term, meaning) in TERMS {
                     dt { (term) }

@@ -1,4 +1,4 @@
-//! What is said of a history that no surrogate can learn: that it saves nothing there, and which statistics of the cycle it does learn.
+//! Words on a history that no surrogate can learn, and on the statistics of the cycle that it does learn.
 
 use super::number::{NumberWriter, Rounding};
 use super::wording::{listed, place_words};
@@ -26,7 +26,7 @@ pub(super) fn history_words(
     };
     if !is_history || !is_lost {
         let is_noise = output.verdict? == SurrogateVerdict::Nothing;
-        return is_noise.then(|| "The surrogate saves nothing for it: rely on direct bounds.".to_owned());
+        return is_noise.then(|| "Use direct bounds here.".to_owned());
     }
     let is_statistic = |other: &&SurrogateOutput| {
         let is_same = other.output == output.output && other.of == output.of;
@@ -35,18 +35,17 @@ pub(super) fn history_words(
     };
     let words = |other: &SurrogateOutput| {
         let explained = other.q2.map_or("constant".to_owned(), |q2| {
-            format!("{} of the variance is explained", writer.percent(q2.max(0.0), Rounding::Down))
+            format!("{} of the variance explained", writer.percent(q2.max(0.0), Rounding::Down))
         });
         format!("{} ({explained})", place_words(other.at, writer))
     };
     let learned: Vec<String> = all.iter().filter(is_statistic).map(words).collect();
     let what_instead = if learned.is_empty() {
-        "Ask for statistics of the cycle (reduce = \"rms\" or \"mean\") instead of histories, or rely on direct bounds."
-            .to_owned()
+        "Ask for a statistic of the cycle (reduce = \"rms\" or \"mean\"), or use direct bounds.".to_owned()
     } else {
-        format!("Statistics of the cycle are used instead: {}.", listed(&learned))
+        format!("It is used for statistics of the cycle: {}.", listed(&learned))
     };
-    Some(format!("The surrogate saves nothing for such a history. {what_instead}"))
+    Some(format!("The surrogate is of no use for this history. {what_instead}"))
 }
 
 /// Whether an error that goes on to fall as it did from half to all of the runs stays too large.
@@ -106,21 +105,21 @@ mod tests {
         assert_eq!(
             words(&all[0], &all).as_deref(),
             Some(
-                "The surrogate saves nothing for such a history. Statistics of the cycle are used instead: root mean square over the \
-                 cycle (97.4 % of the variance is explained)."
+                "The surrogate is of no use for this history. It is used for statistics of the cycle: root mean square over the \
+                 cycle (97.4 % of the variance explained)."
             )
         );
         assert_eq!(
             words(&all[0], &all[..1]).as_deref(),
             Some(
-                "The surrogate saves nothing for such a history. Ask for statistics of the cycle (reduce = \"rms\" or \"mean\") \
-                 instead of histories, or rely on direct bounds."
+                "The surrogate is of no use for this history. Ask for a statistic of the cycle (reduce = \"rms\" or \"mean\"), or use \
+                 direct bounds."
             )
         );
         assert_eq!(words(&all[1], &all), None);
         assert_eq!(
             words(&output(rms, 0.02, SurrogateVerdict::Nothing), &all).as_deref(),
-            Some("The surrogate saves nothing for it: rely on direct bounds.")
+            Some("Use direct bounds here.")
         );
     }
 

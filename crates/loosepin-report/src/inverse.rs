@@ -1,4 +1,4 @@
-//! What the requirements allow, and how small probabilities were estimated: sentences for pages and terminals.
+//! Loosest values that meet the requirements, and the estimates of small probabilities: sentences for pages and terminals.
 
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::wording::{counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words};
@@ -9,6 +9,8 @@ use loosepin_result::study::{
 
 /// Digits of a value that is allowed.
 const ALLOWED_DIGITS: usize = 3;
+/// Begin of the last sentence of an allowance.
+const ALL_ELSE: &str = "All other inputs as stated";
 
 /// One sentence for each input that may be loosened, then one for the cheapest combination.
 pub(super) fn inverse_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
@@ -16,13 +18,13 @@ pub(super) fn inverse_sentences(result: &StudyResult, writer: &NumberWriter) -> 
     allowed.chain(result.allocation.iter().map(|one| allocation(result, one, writer))).collect()
 }
 
-/// What of an input is meant: "the upper end of the gudgeon radial clearance".
+/// The loosened number of an input: "upper limit of the gudgeon radial clearance".
 fn subject(result: &StudyResult, path: &str, what: Loosened) -> String {
     let name = plain_name(path, &result.inputs);
     match what {
-        Loosened::UpperEnd => format!("the upper end of the {name}"),
-        Loosened::StandardDeviation => format!("the standard deviation of the {name}"),
-        Loosened::Fit => format!("the fit of the {name}"),
+        Loosened::UpperEnd => format!("upper limit of the {name}"),
+        Loosened::StandardDeviation => format!("standard deviation of the {name}"),
+        Loosened::Fit => format!("fit of the {name}"),
     }
 }
 
@@ -34,33 +36,32 @@ fn fit_allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWri
         let own = one.checks.iter().filter(|check| check.fit.as_ref() == Some(fit));
         own.min_by(|a, b| a.share.total_cmp(&b.share)).map_or_else(String::new, |check| {
             let share = writer.percent(check.share, Rounding::Down);
-            format!("{share} of at least {}", writer.percent(check.required_share, Rounding::Nearest))
+            format!("{share}, required {}", writer.percent(check.required_share, Rounding::Nearest))
         })
     };
     let refused = |fit: &String| {
         let check = one.checks.iter().rev().find(|check| check.fit.as_ref() == Some(fit));
-        check.map_or("nothing is known".to_owned(), |check| {
+        check.map_or("the verdict is not known".to_owned(), |check| {
             format!("they are {} ({})", verdict_words(check.verdict), least(fit))
         })
     };
     match (&one.allowed_fit, &one.beyond_fit) {
         (Some(allowed), Some(beyond)) => format!(
-            "With the rest as it is, the loosest fit of the list for the {name} is {allowed}: all requirements met, {}, and again \
-             with other random numbers. With {beyond}, the next looser one, {}. From {runs}.",
+            "The {name} may have the fit {allowed}: all requirements are met ({}), also with other random numbers. With {beyond}, the \
+             next looser fit, {}. {ALL_ELSE}, {runs}.",
             least(allowed),
             refused(beyond),
         ),
         (Some(allowed), None) => format!(
-            "With the rest as it is, {allowed} may be taken for the {name}, the loosest fit of the list: all requirements met, {}, \
-             and again with other random numbers. From {runs}.",
+            "The {name} may have the fit {allowed}, the loosest of the list: all requirements are met ({}), also with other random \
+             numbers. {ALL_ELSE}, {runs}.",
             least(allowed),
         ),
         (None, Some(tightest)) => format!(
-            "With the rest as it is, no fit of the list for the {name} meets the requirements: with {tightest}, the tightest, {}. \
-             From {runs}.",
+            "No fit of the list for the {name} meets the requirements: with {tightest}, the tightest fit, {}. {ALL_ELSE}, {runs}.",
             refused(tightest),
         ),
-        (None, None) => format!("No fit was asked about for the {name}."),
+        (None, None) => format!("The study asks for no fit of the {name}."),
     }
 }
 
@@ -75,7 +76,7 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
         checked(value_si).map_or(String::new(), |check| {
             let [share, required] = [check.share, check.required_share];
             format!(
-                "{} of at least {}",
+                "{}, required {}",
                 writer.percent(share, Rounding::Down),
                 writer.percent(required, Rounding::Nearest)
             )
@@ -84,18 +85,17 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
     let runs = counted(one.runs, "run", writer);
     match (one.allowed_si, one.beyond_si) {
         (Some(allowed), Some(beyond)) => format!(
-            "With the rest as it is, {subject} may be {}: all requirements met, {}, and again with other random numbers. At {} {}. \
-             From {runs}.",
+            "The {subject} may be {}: all requirements are met ({}), also with other random numbers. At {} {}. {ALL_ELSE}, {runs}.",
             value(allowed, Rounding::Down),
             share(allowed),
             value(beyond, Rounding::Up),
-            checked(beyond).map_or("nothing is known".to_owned(), |check| {
+            checked(beyond).map_or("the verdict is not known".to_owned(), |check| {
                 format!("they are {} ({})", verdict_words(check.verdict), share(beyond))
             }),
         ),
         (Some(allowed), None) => format!(
-            "With the rest as it is, {subject} may be {}, the largest value asked about: all requirements met, {}, and again with \
-             other random numbers. From {runs}.",
+            "The {subject} may be {}, the largest value of the range: all requirements are met ({}), also with other random numbers. \
+             {ALL_ELSE}, {runs}.",
             value(allowed, Rounding::Down),
             share(allowed),
         ),
@@ -103,15 +103,14 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
             let least = one.checks.iter().map(|check| check.value_si).fold(f64::INFINITY, f64::min);
             if checked(least).is_some_and(|check| check.verdict == Verdict::Undecided) {
                 return format!(
-                    "With the rest as it is, no value of {subject} that was tried is shown to meet the requirements: at {}, the \
-                     least, they are undecided ({} so far), and more samples ('inner') may show it. From {runs}.",
+                    "No tested value of the {subject} is shown to meet the requirements. At {}, the smallest, they are undecided \
+                     ({}): increase 'inner'. {ALL_ELSE}, {runs}.",
                     value(least, Rounding::Nearest),
                     share(least)
                 );
             }
             format!(
-                "With the rest as it is, no value of {subject} that was tried meets the requirements, {} being the least ({}). \
-                 From {runs}.",
+                "No tested value of the {subject} meets the requirements, not even {}, the smallest ({}). {ALL_ELSE}, {runs}.",
                 value(least, Rounding::Nearest),
                 share(least)
             )
@@ -126,24 +125,23 @@ fn allocation(result: &StudyResult, one: &AllocationRecord, writer: &NumberWrite
         AllocationStop::Found => {}
         AllocationStop::AllExcluded => {
             return format!(
-                "No offer named: none of {combinations} meets the requirements, each being run and refused, or looser than such a one \
+                "No offer found: none of {combinations} meets the requirements. Each was run, or is looser than one that was run \
                  ({studies})."
             );
         }
         AllocationStop::TriedEnough => {
             let left = one.combinations - one.excluded;
             return format!(
-                "No offer named: the search ended after {studies}. Of {combinations}, {} excluded, being run and refused, or looser \
-                 than such a one; nothing is known of the {} that {} more.",
+                "No offer found: the search ended after {studies}. Of {combinations}, {} excluded: run without success, or looser than \
+                 such a one. The {} that {} more {} not tried.",
                 is_or_are(one.excluded, writer),
                 if left == 1 { "one".to_owned() } else { format!("{} others", writer.count(left)) },
                 if left == 1 { "costs" } else { "cost" },
+                if left == 1 { "was" } else { "were" },
             );
         }
         AllocationStop::TooManyCombinations => {
-            return format!(
-                "No offer named: {combinations} are more than are searched. Fewer offers an input would do."
-            );
+            return format!("No offer found: {combinations} are too many to search. Give fewer offers for each input.");
         }
     }
     let choices: Vec<String> = one
@@ -151,11 +149,12 @@ fn allocation(result: &StudyResult, one: &AllocationRecord, writer: &NumberWrite
         .iter()
         .map(|choice| {
             let value = writer.value_shortest(choice.value_si, &choice.unit);
-            format!("{} {value} for {}", subject(result, &choice.path, choice.what), choice.cost)
+            format!("{} {value} (cost {})", subject(result, &choice.path, choice.what), choice.cost)
         })
         .collect();
     format!(
-        "Cheapest of {combinations}: {}, together {}; every cheaper one is run and refused, or looser than such a one ({studies}).",
+        "Cheapest of {combinations}: {}, total cost {}. No cheaper combination meets the requirements: each was run, or is looser than \
+         one that was run ({studies}).",
         listed(&choices),
         one.cost
     )
@@ -174,7 +173,7 @@ pub(super) fn rare_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec
 fn rare(result: &StudyResult, one: &RareRecord, writer: &NumberWriter) -> String {
     let unit = super::answer::output_unit(result, &one.output);
     format!(
-        "{} of {} ({}, {}): largest {}; smallest {}.",
+        "{} of {} ({}, {}): upper bound {}; lower bound {}.",
         statistic_words(one.statistic, &unit, writer),
         one.output,
         deviation_words(one.of),
@@ -187,18 +186,18 @@ fn rare(result: &StudyResult, one: &RareRecord, writer: &NumberWriter) -> String
 fn rare_end(end: &RareEnd, writer: &NumberWriter) -> String {
     let means = match (end.method, end.reliability_index) {
         (RareMethodUsed::Importance, Some(index)) => {
-            format!("by sampling around design points at {index:.2} standard deviations")
+            format!("by importance sampling around design points at {index:.2} standard deviations")
         }
-        (RareMethodUsed::Importance, None) => "by sampling around design points".to_owned(),
+        (RareMethodUsed::Importance, None) => "by importance sampling around design points".to_owned(),
         (RareMethodUsed::Subset, _) => "by subset simulation".to_owned(),
     };
     let failed = if end.failed > 0 {
-        format!(", {} failed and count as the event", writer.count(end.failed))
+        format!(", {} failed and count as beyond the limit", writer.count(end.failed))
     } else {
         String::new()
     };
     let error = if end.probability > 0.0 {
-        format!(", standard error {} of it", writer.percent(end.standard_error / end.probability, Rounding::Up))
+        format!(", relative standard error {}", writer.percent(end.standard_error / end.probability, Rounding::Up))
     } else {
         String::new()
     };

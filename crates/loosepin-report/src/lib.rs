@@ -4,6 +4,7 @@
 mod accuracy_text;
 mod answer;
 mod axes;
+mod bound_words;
 mod cases_page;
 mod chart;
 mod contributors_text;
@@ -27,6 +28,7 @@ mod surrogate_figure;
 mod surrogate_text;
 mod sweep_page;
 mod terminal;
+mod terminal_table;
 mod wording;
 
 pub use cases_page::{cases_page, cases_text};
@@ -35,4 +37,5 @@ pub use motion_page::motion_page;
 pub use simulation_page::simulation_page;
 pub use study_page::{study_excerpt, study_page};
 pub use sweep_page::sweep_page;
-pub use terminal::{TERMINAL_COLUMNS, motion_text, simulation_text, study_text, sweep_text};
+pub use terminal::{motion_text, simulation_text, study_text, sweep_text};
+pub use terminal_table::TERMINAL_COLUMNS;

@@ -1,4 +1,4 @@
-//! Measured curves over computed ones, and what is left between them.
+//! Measured curves over computed ones, and their residuals.
 
 use maud::{Markup, html};
 
@@ -13,8 +13,8 @@ use loosepin_text::units::SiUnit;
 pub(super) fn measured_figures(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "Residuals are measured minus computed at the same place; computed values lie on straight lines between the \
-             recorded samples."
+            "Residual: measured minus computed value at the same time or angle. Computed values are interpolated linearly between \
+             the samples."
         }
         table.cards {
             thead {

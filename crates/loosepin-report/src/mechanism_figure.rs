@@ -73,7 +73,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
                 }
                 @if has_ideal && largest_clearance_mm > 0.0 {
                     label {
-                        span { "Deviation drawn" }
+                        span { "Magnification" }
                         select.magnification {
                             @for choice in MAGNIFICATIONS.iter().filter(|choice| **choice <= 5.0 * magnification) {
                                 option value=(choice) selected[*choice == magnification] {
@@ -86,9 +86,8 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
             }
             figcaption {
                 @if has_ideal && largest_clearance_mm > 0.0 {
-                    "The mechanism over one turn. Solid: with play, its departure from the ideal position magnified as \
-                     chosen above. Dashed: the ideal mechanism. The orange rings are bearings with play; the gap between \
-                     ring and pin is the clearance, magnified alike."
+                    "The mechanism over one turn. Solid: with play, deviation magnified as chosen above. Dashed: ideal. Orange rings: \
+                     bearings with play; the gap to the pin is the clearance, with the same magnification."
                 } @else {
                     "The mechanism over one turn."
                 }

@@ -193,7 +193,7 @@ fn convex_hull(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     hull
 }
 
-/// What is drawn of the joints in which order.
+/// Layers of the joints, in the order of drawing.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum PinLayer {
     Bearings,

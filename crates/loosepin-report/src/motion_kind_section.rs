@@ -1,4 +1,4 @@
-//! What kind of motion a run shows: whether it repeats itself, the motion once a turn, and what neighbouring motions do.
+//! Kind of motion of a run: period, motion once a turn, growth of small differences.
 
 use maud::{Markup, html};
 
@@ -12,7 +12,7 @@ use loosepin_result::simulation::{
 };
 use loosepin_text::units::SiUnit;
 
-/// What is said about the kind of motion, in sentences; for pages and terminals alike.
+/// Period and Lyapunov exponent in sentences; for pages and terminals alike.
 pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
     let period = record.kind.as_ref().map(|kind| period_sentence(kind, writer));
     period.into_iter().chain(record.lyapunov.as_ref().map(|found| exponent_sentence(found, writer))).collect()
@@ -21,15 +21,12 @@ pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -
 fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
     let turns = counted(u64::from(kind.turns), "turn", writer);
     match kind.period_turns {
-        Some(1) => format!("The motion repeats itself every turn, over the {turns} looked at."),
+        Some(1) => format!("The motion repeats every turn ({turns} examined)."),
         Some(period) => {
-            format!(
-                "The motion repeats itself every {}, over the {turns} looked at.",
-                counted(u64::from(period), "turn", writer)
-            )
+            format!("The motion repeats every {} ({turns} examined).", counted(u64::from(period), "turn", writer))
         }
         None => format!(
-            "The motion does not repeat itself within half of the {turns} looked at: it has not settled, or never does."
+            "The motion does not repeat within half of the {turns} examined. It has not settled yet, or it is not periodic."
         ),
     }
 }
@@ -46,14 +43,13 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
     let tenfold = number(std::f64::consts::LN_10 / found.growth_per_turn().abs());
     match found.kind {
         NeighbourKind::Part => format!(
-            "{measured}: motions that differ by next to nothing part, tenfold every {tenfold}{space}turns. A single history \
-             means little, statistics over many turns do."
+            "{measured}. Small differences grow tenfold every {tenfold}{space}turns. A single history is not representative: use \
+             statistics over many turns."
         ),
-        NeighbourKind::Meet => format!("{measured}: neighbouring motions meet, tenfold every {tenfold}{space}turns."),
-        NeighbourKind::Undecided => format!(
-            "{measured}: that neighbouring motions part, or meet, is not shown over {}.",
-            counted(found.growth.len() as u64, "turn", writer)
-        ),
+        NeighbourKind::Meet => format!("{measured}. Small differences shrink tenfold every {tenfold}{space}turns."),
+        NeighbourKind::Undecided => {
+            format!("{measured}. Its sign is not certain after {}.", counted(found.growth.len() as u64, "turn", writer))
+        }
     }
 }
 
@@ -73,9 +69,9 @@ fn sections(kind: &MotionKind, drive: &str, writer: &NumberWriter) -> Markup {
     let angle = writer.value_trimmed(kind.section_angle_rad, &SiUnit::ANGLE);
     html! {
         p {
-            "Once a turn, at " (angle) " of " (drive) ": a motion that repeats itself every turn shows one dot, one that repeats \
-            itself every second turn two, and one that never does a cloud. Journals count as back within "
-            (writer.percent(kind.repeat_share, Rounding::Nearest)) " of their clearance."
+            "Once a turn, at " (angle) " of " (drive) " (Poincaré section). A motion that repeats every turn gives one dot, every second \
+            turn two dots. A motion that is not periodic gives a cloud. A journal counts as back within "
+            (writer.percent(kind.repeat_share, Rounding::Nearest)) " of its clearance."
         }
         @if !kind.journals.is_empty() {
             div.orbits { @for journal in &kind.journals { (journal_sections(journal as &JournalOrbit, writer)) } }
@@ -104,7 +100,7 @@ fn output_chart(output: &SectionedOutput, index: usize, writer: &NumberWriter) -
         }],
         marks: Vec::new(),
         height: 200,
-        caption: html! { strong { "Deviation of " (output.name) " once a turn." } " Level where the motion repeats itself every turn." },
+        caption: html! { strong { "Deviation of " (output.name) " once a turn." } " The line is level if the motion repeats every turn." },
         alternative: format!("Chart of the {label} at the end of each turn."),
     }
     .figure()
@@ -136,18 +132,18 @@ fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
         y_label: "powers of ten".to_owned(),
         y_symbol: String::new(),
         y_range: None,
-        entries: vec![entry("growth of the separation", Role::First, false, &total), entry("its mean", Role::Worst, true, &even)],
+        entries: vec![entry("growth of the distance", Role::First, false, &total), entry("mean growth", Role::Worst, true, &even)],
         marks: Vec::new(),
         height: 260,
         caption: html! {
-            strong { "How far a neighbouring motion would be by now, in powers of ten." }
-            " Measured from a run started at " (writer.rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest))
-            " of the natural scales beside this one and brought back there again and again, after "
-            (writer.shortest(found.transient_turns, &SiUnit::NONE)) " turns to settle and " (found.aligning_turns)
-            " in which the direction of the separation settled. The slope is the largest Lyapunov exponent; its standard error, "
-            (writer.rounded(found.standard_error_1_s, &SiUnit::NONE, 2, Rounding::Up)) " 1/s, comes from 20 batches of turns."
+            strong { "Growth of a small difference, in powers of ten." }
+            " A second run starts at a distance of " (writer.rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest))
+            " natural scales and is brought back to that distance again and again. Before the measurement: "
+            (writer.shortest(found.transient_turns, &SiUnit::NONE)) " turns for the motion to settle, "
+            (found.aligning_turns) " turns for the direction. The slope is the largest Lyapunov exponent. Its standard error is "
+            (writer.rounded(found.standard_error_1_s, &SiUnit::NONE, 2, Rounding::Up)) " 1/s, from 20 batches of turns."
         },
-        alternative: "Chart of the growth of the separation of neighbouring motions over the turns, in powers of ten.".to_owned(),
+        alternative: "Chart of the growth of a small difference over the turns, in powers of ten.".to_owned(),
     }
     .figure()
 }

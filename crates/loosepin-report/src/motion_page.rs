@@ -1,4 +1,4 @@
-//! The page of the ideal motion: outputs, the quasi-static worst case, who contributes, the mechanism.
+//! The page of the ideal motion: outputs, the quasi-static worst case and its contributors, the mechanism.
 
 use maud::{Markup, html};
 
@@ -19,11 +19,11 @@ pub fn motion_page(record: &MotionRecord) -> String {
     let writer = NumberWriter::for_page(&record.display_units);
     let mut sections = Vec::new();
     if record.outputs.iter().any(has_clearance) {
-        sections.push(Section::new("clearance", "What play can do", clearance(record, &writer)));
-        sections.push(Section::new("contributors", "Which joint is to blame", contributors(record, &writer)));
+        sections.push(Section::new("clearance", "Effect of play", clearance(record, &writer)));
+        sections.push(Section::new("contributors", "Contribution of each joint", contributors(record, &writer)));
     }
     if record.outputs.iter().any(has_scatter) {
-        sections.push(Section::new("scatter", "What scatter of the parts does", scatter(record, &writer)));
+        sections.push(Section::new("scatter", "Effect of part scatter", scatter(record, &writer)));
     }
     sections.push(Section::new("motion", "Ideal motion", motion(record, &writer)));
     if !record.drawing.bodies.is_empty() {
@@ -66,8 +66,8 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
             let (angle_rad, worst_si) = largest(record, &output.clearance.worst_case_si);
             let (_, rim_si) = largest(record, &output.clearance.rim_standard_deviation_si);
             format!(
-                "Play alone can move the {} by up to ±{} (worst at {}), if nothing presses the joints to one side; were \
-                 the journals spread evenly round their rims, its standard deviation would be at most {}.",
+                "Play alone moves the {} by up to ±{} (worst case, at {}). If every contact direction is equally likely, the \
+                 standard deviation is at most {}.",
                 output.name,
                 writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
                 writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
@@ -77,13 +77,17 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
         .collect();
     if sentences.is_empty() {
         let is_ideal = !record.outputs.iter().any(has_scatter);
-        let words = if is_ideal { "No joint has play: the mechanism moves ideally." } else { "No joint has play." };
+        let words = if is_ideal {
+            "No joint has play and no part scatters: the motion is ideal."
+        } else {
+            "No joint has play."
+        };
         sentences.push(words.to_owned());
     }
     sentences.extend(record.outputs.iter().filter(|output| has_scatter(output)).map(|output| {
         let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
         format!(
-            "Scatter of the parts moves the {} with a standard deviation of at most {} (at {}).",
+            "Part scatter moves the {} with a standard deviation of at most {} (at {}).",
             output.name,
             writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
             writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
@@ -132,9 +136,9 @@ fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Char
 fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "Each journal may lie anywhere in the disc of its clearance. The worst case adds up all joints at their worst; \
-             the standard deviations take the journals as scattered over their discs, or over their rims. Inertia and \
-             impacts are left out here: that is what " code { "simulate" } " and " code { "study" } " are for."
+            "Each journal may lie anywhere in its clearance circle. The worst case adds the largest effects of all joints. The \
+             standard deviations assume journals spread evenly over their circles, or over the rims. Inertia and impacts are not \
+             included: use " code { "simulate" } " and " code { "study" } " for them."
         }
         @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_clearance(output)) {
             (clearance_chart(record, output, index, writer).figure())
@@ -158,7 +162,7 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
     };
     let answer = &output.clearance;
     band("worst case", Role::Mixed, true, &answer.worst_case_si);
-    band("± standard deviation, anywhere in the discs", Role::Random, true, &answer.disc_standard_deviation_si);
+    band("± standard deviation, anywhere in the circles", Role::Random, true, &answer.disc_standard_deviation_si);
     band("± standard deviation, on the rims", Role::Mean, false, &answer.rim_standard_deviation_si);
     band("± standard deviation of the dimensions", Role::Probability, false, &output.dimensional_standard_deviation_si);
     let (angle_rad, worst_si) = largest(record, &answer.worst_case_si);
@@ -169,7 +173,7 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
     );
     chart.caption = html! {
         strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " Worst case: " (words)
-        ". To first order in the clearances."
+        ". First order in the clearances."
     };
     chart.alternative = format!(
         "Chart of the quasi-static worst case of {} over one cycle: {words}.",
@@ -232,8 +236,7 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
 fn scatter(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "To first order in the dimensions that scatter, without play: the root of the sum of the squares of what each causes by \
-             itself, and of what those do that go together."
+            "Root sum of squares of the effects of all dimensions, correlations included. First order, without play."
         }
         @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_scatter(output)) {
             (scatter_chart(record, output, index, writer).figure())
@@ -261,7 +264,7 @@ fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, wri
         writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
     );
     chart.caption = html! {
-        strong { "Scatter of " (named_words(&output.name, &output.words)) " from the parts." } " Standard deviation: " (words) "."
+        strong { "Scatter of " (named_words(&output.name, &output.words)) " due to part scatter." } " Standard deviation: " (words) "."
     };
     chart.alternative = format!(
         "Chart of the standard deviation of {} over one cycle: {words}.",
@@ -280,13 +283,13 @@ fn scatter_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWr
     html! {
         table.cards {
             thead {
-                tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation it causes" } }
+                tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation" } }
             }
             tbody {
                 @for (deviation_si, path) in &dimensions {
                     tr {
                         th scope="row" { code { (path) } }
-                        td.number data-label="Largest standard deviation it causes" {
+                        td.number data-label="Largest standard deviation" {
                             (writer.value(*deviation_si, &output.unit))
                         }
                     }

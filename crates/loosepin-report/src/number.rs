@@ -18,7 +18,7 @@ const LARGEST_PLAIN: f64 = 1e7;
 /// A scaled value this close to a whole number (relative) is that number: decimal fractions have no exact binary form.
 const REPRESENTATION_NOISE: f64 = 1e-12;
 
-/// What stands for not-a-number, without a unit.
+/// Text for not-a-number, without a unit.
 const NOT_KNOWN: &str = "not known";
 
 /// Which way a number is rounded.

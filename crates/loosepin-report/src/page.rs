@@ -35,7 +35,7 @@ impl Section {
 pub(super) struct Page {
     /// Of the window and the first heading.
     pub title: String,
-    /// What kind of page this is, above the title.
+    /// Kind of page, above the title.
     pub kicker: &'static str,
     /// The line below the title.
     pub subtitle: Markup,
@@ -84,13 +84,12 @@ impl Page {
                     }
                     footer {
                         p.help {
-                            "Charts: drag across to enlarge a stretch, double-click to see all again; press a name below \
-                             a chart to hide or show it. With the keyboard: arrows move the read-out, + and − enlarge, 0 \
-                             shows all."
+                            "Charts: drag to zoom in, double-click to zoom out. Click a name below a chart to hide or show its \
+                             curve. Keyboard: arrows move the cursor, + and − zoom, 0 shows all."
                         }
-                        p { "Written by loosepin " (self.version) ". This page is complete in itself and loads nothing." }
+                        p { "Written by loosepin " (self.version) ". This page works offline and loads nothing." }
                     }
-                    noscript { p.help { "The charts of this page are drawn by its own script, which is switched off here; the numbers stand in the tables." } }
+                    noscript { p.help { "The charts need JavaScript, which is switched off here. The tables hold the numbers." } }
                     script { (PreEscaped(UPLOT_SCRIPT)) }
                     script { (PreEscaped(CHART_SCRIPT)) }
                     script { (PreEscaped(MECHANISM_SCRIPT)) }

@@ -1,15 +1,15 @@
 //! Percentiles of statistics that are themselves random, in words.
 
 use super::answer::output_unit;
+use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
-use super::study_page::bound_value;
 use super::wording::{deviation_words, output_words, place_words, statistic_words};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 
-/// What stands above them.
-pub(super) const PERCENTILES_MEAN: &str = "Parameters of distributions are themselves known by distributions, so that each statistic is random: with the \
-     probability of a percentile it does not exceed that percentile. Where something else is unknown, each percentile lies between two \
-     bounds. Numerical errors are added outwards. All other numbers here hold wherever in its range such a parameter lies.";
+/// Note above the percentiles.
+pub(super) const PERCENTILES_MEAN: &str = "The parameters of some distributions have distributions themselves, so each statistic is random. It stays below a \
+     percentile with the probability of that percentile. If other inputs are unknown, each percentile has two bounds. Numerical errors are \
+     included. All other numbers on this page hold for all values of such a parameter in its range.";
 
 /// More statistics are left to `bounds.csv`.
 const MOST_STATISTICS: usize = 20;

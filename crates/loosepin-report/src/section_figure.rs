@@ -49,8 +49,8 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
             figcaption {
                 strong { "Once a turn, at " (angle) " of " (record.drive) ": the deviation of " (name) "." }
                 " A dot for each of " (record.recorded_turns) " turns; "
-                span.regular { "blue" } " where the motion repeats itself, "
-                span.irregular { "orange" } " where it does not."
+                span.regular { "blue" } " if the motion repeats, "
+                span.irregular { "orange" } " if not."
             }
         }
     }

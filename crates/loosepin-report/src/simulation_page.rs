@@ -47,20 +47,20 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
             "The journal in its bearing",
             html! {
                 p {
-                    "The path of the pin's centre relative to the hole, in the frame of the part that carries the hole."
+                    "The path of the pin centre relative to the hole, in the frame of the part with the hole."
                 }
                 div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, &writer)) } }
             },
         ));
     }
     if let Some(kind) = kind_section(record, &writer) {
-        sections.push(Section::new("kind", "What kind of motion it is", kind));
+        sections.push(Section::new("kind", "Kind of motion", kind));
     }
     if !record.drawing.bodies.is_empty() {
         let figure = mechanism_figure(&record.drawing, &record.settings.drive, "mechanism-figure");
         sections.push(Section::new("mechanism", "The mechanism", figure));
     }
-    sections.push(Section::new("energy", "Energy account", energy(record, &writer)));
+    sections.push(Section::new("energy", "Energy balance", energy(record, &writer)));
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
     Page {
         title: record.model.clone(),
@@ -83,7 +83,7 @@ fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
         @if let StopReason::Failed { words, .. } = &record.stop {
             p.verdict.not-met { "The run failed" }
-            p { (words) ". What follows is the part before." }
+            p { (words) ". This page shows the time before." }
         }
         (sentences(&headline_sentences(record, writer)))
     }
@@ -109,7 +109,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };
     if let Some(extreme) = deviation {
         sentences.push(format!(
-            "{with}, the {} departs from its ideal motion by {} to {}.",
+            "{with}, the {} deviates from its ideal motion by {} to {}.",
             extreme.name.trim_end_matches(", deviation"),
             writer.value(extreme.minimum.value_si, &extreme.unit),
             writer.value(extreme.maximum.value_si, &extreme.unit),
@@ -123,16 +123,16 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     for joint in &record.joints {
         let force = writer.value(joint.peak_force_n, &SiUnit::FORCE);
         let contact = if joint.impacts == 0 {
-            format!("no impact, with up to {force} contact force")
+            format!("no impact, contact force up to {force}")
         } else {
             format!(
-                "{} with up to {} approach speed and {force} contact force",
+                "{}, approach speed up to {}, contact force up to {force}",
                 counted(joint.impacts, "impact", writer),
                 writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
             )
         };
         sentences.push(format!(
-            "{}: {contact}; the surfaces are pressed together by {} at most.",
+            "{}: {contact}, penetration up to {}.",
             joint.joint,
             writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
@@ -142,14 +142,14 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     }
     sentences.extend(kind_sentences(record, writer));
     sentences.push(format!(
-        "The energy account of the run closes to {} of the largest energy exchanged.",
+        "The energy balance has an error of {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
     sentences.extend(quasi_static_sentence(&record.quasi_static_check, writer));
     sentences
 }
 
-/// The outcome of the quasi-static check: the output that breaks it, or else the one that departs furthest.
+/// The outcome of the quasi-static check: the output that breaks it, or else the one that comes nearest.
 fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> Option<String> {
     let worst = checks.iter().max_by(|a, b| {
         (a.is_exceeded, a.largest_share)
@@ -159,32 +159,32 @@ fn quasi_static_sentence(checks: &[QuasiStaticShare], writer: &NumberWriter) -> 
     let skipped: usize = checks.iter().map(|check| check.samples_without_worst_case).sum();
     let mut sentence = if worst.is_exceeded {
         format!(
-            "The {} departs by {}, beyond the {} that clearances and penetrations allow: this run is wrong.",
+            "This run is wrong: the {} deviates by {}, but clearances and penetrations allow only {}.",
             worst.output,
             writer.value(worst.deviation_si, &worst.unit),
             writer.value(worst.worst_case_si, &worst.unit)
         )
     } else {
         format!(
-            "No output departs further than clearances and penetrations allow; the {} departs furthest, by {} of what they allow.",
+            "No output deviates more than clearances and penetrations allow. The {} comes nearest, with {} of the allowed deviation.",
             worst.output,
             writer.percent(worst.largest_share, Rounding::Up)
         )
     };
     if skipped > 0 {
         sentence.push_str(&format!(
-            " {} could not be checked, with a dead point within the clearances.",
+            " {} could not be checked: a dead point lies within the clearances.",
             counted(skipped as u64, "sample", writer)
         ));
     }
     Some(sentence)
 }
 
-/// How a control followed its reference, and whether it keeps moving where it ought to rest.
+/// Largest error and effort of a control, and its oscillation where the reference rests.
 fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let mut sentences = vec![format!(
-        "Control {}: {} departs from its reference by {} at most, with up to {} in {}.",
+        "Control {}: {} deviates from its reference by up to {}, with an effort of up to {} in {}.",
         control.name,
         control.measured,
         writer.value(largest(&control.error_si), &control.unit),
@@ -196,13 +196,13 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
         let period = writer.value(swing.period_s, &SiUnit::TIME);
         sentences.push(match swing.course {
             SwingCourse::Steady => format!(
-                "Control {}: {} does not come to rest although its reference does: it keeps swinging by {amplitude} either way, once \
-                 in {period} (a limit cycle, over {} swings).",
+                "Control {}: {} does not come to rest although its reference does. It oscillates with amplitude {amplitude} and period \
+                 {period} (a limit cycle, {} oscillations).",
                 control.name, control.measured, swing.swings
             ),
             SwingCourse::Grows => format!(
-                "Control {}: {} swings more and more although its reference rests: by {amplitude} either way in the end, once in \
-                 {period}.",
+                "Control {}: {} is unstable although its reference rests. It oscillates with period {period}, at the end with amplitude \
+                 {amplitude}.",
                 control.name, control.measured
             ),
         });
@@ -292,7 +292,7 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         }
     };
     html! {
-        p { "Located on the continuous motion, not read off samples." }
+        p { "Extremes of the continuous motion, also between the samples." }
         table.cards {
             thead {
                 tr { th scope="col" { "Quantity" } th.number scope="col" { "Smallest" } th.number scope="col" { "Largest" } }
@@ -377,8 +377,7 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
         chart.entries.push(Entry::line(&history.joint, role, false, &history.force_n, &SiUnit::FORCE, writer));
     }
     chart.caption = html! {
-        strong { "Normal contact force" } " at the sample times; a peak between samples is higher than drawn, and stands \
-        in the table of impacts."
+        strong { "Normal contact force" } " at the sample times. The table of impacts holds the peaks between samples."
     };
     chart.alternative = "Chart of the normal contact force of each joint with play over time.".to_owned();
     chart
@@ -390,7 +389,7 @@ fn controls(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
             h3 { (control.name) }
             @let about = html! { strong { "Error." } " Reference minus " (control.measured) "." };
             (control_chart(record, format!("control-error-{index}"), "error", (&control.error_si, &control.unit), about, writer))
-            @let about = html! { strong { "Effort." } " What the actuator does in " (control.joint) "." };
+            @let about = html! { strong { "Effort." } " Force or torque of the actuator in " (control.joint) "." };
             (control_chart(record, format!("control-effort-{index}"), "effort", (&control.effort_si, &control.effort_unit), about, writer))
         }
     }
@@ -429,7 +428,7 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
         (
             "Loss of contact".to_owned(),
             html! {
-                "out of contact for " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact is lost "
+                "no contact during " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact lost "
                 (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per " (turn)
             },
         ),
@@ -450,7 +449,7 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
         rows.push((
             "Restitution".to_owned(),
             html! {
-                "stated " (writer.shortest(nominal, &SiUnit::NONE)) "; a free impact under this law really delivers "
+                "stated " (writer.shortest(nominal, &SiUnit::NONE)) "; a free impact under this law gives "
                 strong { (writer.value_trimmed(delivered, &SiUnit::NONE)) }
             },
         ));
@@ -458,13 +457,13 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
     if let Some(share) = joint.share_outside_validity {
         rows.push((
             "Outside the law's validity".to_owned(),
-            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law was made for" },
+            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law is valid for" },
         ));
     }
     if joint.floored_contacts > 0 {
         rows.push((
-            "Very gentle contacts".to_owned(),
-            html! { (count(joint.floored_contacts, writer)) " computed with the least impact speed of the law" },
+            "Very slow contacts".to_owned(),
+            html! { (count(joint.floored_contacts, writer)) " computed with the smallest impact speed of the law" },
         ));
     }
     rows
@@ -491,19 +490,19 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         }
     }
     chart.caption = html! {
-        strong { "Energy account." } " Kinetic, potential and stored energy, what was lost, and the work supplied since \
-        the start; what is zero throughout is left out."
+        strong { "Energy balance." } " Kinetic, potential and stored energy, losses, and the work supplied since the start. Parts \
+        that are always zero are not drawn."
     };
-    chart.alternative = "Chart of the parts of the energy account over time.".to_owned();
+    chart.alternative = "Chart of the parts of the energy balance over time.".to_owned();
     let mut rest = time_chart(record, "energy-residual".to_owned(), writer);
     rest.height = 200;
     rest.y_label = "residual".to_owned();
     rest.y_symbol = writer.symbol(&unit);
     rest.entries.push(Entry::line("residual", Role::Worst, false, &account.residual_j, &unit, writer));
     rest.caption = html! {
-        strong { "What does not add up." } " At most "
+        strong { "Residual of the energy balance." } " At most "
         (writer.rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))
-        " of the largest energy exchanged: the run's own check."
+        " of the largest energy exchanged. It checks the run."
     };
     rest.alternative = "Chart of the energy residual over time.".to_owned();
     html! {
@@ -519,7 +518,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Turns".to_owned(),
             html! {
-                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " to start up, then "
+                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " of start-up, then "
                 (turns(settings.recorded_turns, settings.drive_speed_rad_s)) " recorded, "
                 (settings.samples_per_turn) " samples per " (turn_word(settings.drive_speed_rad_s))
             },
@@ -535,7 +534,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
             html! {
                 (count(counters.steps, writer)) " steps, " (count(counters.rejections, writer)) " rejected, "
                 (count(counters.evaluations, writer)) " evaluations of the equations of motion, "
-                (count(counters.contact_changes, writer)) " beginnings and ends of contact located"
+                (count(counters.contact_changes, writer)) " contact changes located"
             },
         ),
         ("Version".to_owned(), html! { "loosepin " (record.version) }),

@@ -1,4 +1,4 @@
-//! Training runs against one input, with the surrogate and by how much it is taken to err.
+//! Training runs against one input, with the surrogate and its error.
 
 use maud::{Markup, html};
 
@@ -64,8 +64,8 @@ pub(super) fn surrogate_figure(
             }
             figcaption {
                 strong { (name) ", " (deviation_words(output.of)) ", " (at) ", against the " (input) "." }
-                " " span.irregular { "Dots" } ": training runs, moved along the surrogate to the middle of all other inputs. "
-                span.regular { "Lines" } ": the surrogate there, and by how much it is taken to err."
+                " " span.irregular { "Dots" } ": training runs, projected along the surrogate to the middle of all other inputs. "
+                span.regular { "Lines" } ": the surrogate there, with its error."
             }
         }
     }

@@ -1,10 +1,10 @@
-//! What surrogates learned and what they save: sentences and tables for pages and terminals.
+//! Quality and bounds of surrogates: sentences and tables for pages and terminals.
 
 use super::answer::output_unit;
+use super::bound_words::bound_value;
 use super::history_words::history_words;
 use super::number::{NumberWriter, Rounding};
-use super::study_page::bound_value;
-use super::terminal::{push_table, table, wrapped};
+use super::terminal_table::{push_table, table, wrapped};
 use super::wording::{
     band_digits, count, counted, deviation_words, listed, output_words, place_words, response_words, share_words,
     statistic_words, treatment_words,
@@ -17,38 +17,32 @@ use loosepin_result::study::{
 /// Rows of a table; the others stand in `summary.json`.
 pub(super) const MOST_ROWS: usize = 24;
 
-/// What the part is called.
+/// Title of the section.
 pub(super) fn title(record: &SurrogateRecord) -> &'static str {
-    if record.is_alone() { "The surrogate" } else { "The same by surrogate" }
+    if record.is_alone() { "The surrogate" } else { "Bounds by surrogate" }
 }
 
 /// How many runs the surrogates needed, beside the direct bounds.
 pub(super) fn runs_sentence(record: &SurrogateRecord, writer: &NumberWriter) -> String {
+    let runs = |runs: u64| counted(runs, "run", writer);
+    let checked = match (record.confirming_runs, record.runs_at_bounds > 0) {
+        (0, _) => "not checked by other runs".to_owned(),
+        (more, true) => format!("checked by {} at the values that attain the bounds", runs(more)),
+        (more, false) => format!("checked by {} at extreme values, none of them at a bound", runs(more)),
+    };
     let failed = if record.failed > 0 {
-        format!("; {} of all these failed", count(record.failed, writer))
+        format!(" {} of these runs failed.", count(record.failed, writer))
     } else {
         String::new()
     };
     let direct = match record.direct_runs {
-        0 => "there are no direct bounds beside".to_owned(),
-        runs => format!("the direct bounds took {}", count(runs, writer)),
+        0 => "There are no direct bounds to compare with.".to_owned(),
+        direct => format!("The direct bounds took {}.", runs(direct)),
     };
-    format!(
-        "Learned from {}, {}{failed}; {direct}.",
-        counted(record.training_runs, "run", writer),
-        match (record.confirming_runs, record.runs_at_bounds > 0) {
-            (0, _) => "held against no other".to_owned(),
-            (runs, true) =>
-                format!("and held against {} more at the values that attain the bounds", count(runs, writer)),
-            (runs, false) => format!(
-                "and held against {} more at extreme values, none of them at values that attain a bound",
-                count(runs, writer)
-            ),
-        },
-    )
+    format!("Trained on {}, {checked}.{failed} {direct}", runs(record.training_runs))
 }
 
-/// One sentence or more for each output: what was learned, how well, and what more runs would do.
+/// One sentence or more for each output: kind of surrogate, error, and the effect of more runs.
 pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Vec<String> {
     // Where the surrogate is alone its bounds are those of the study.
     let bounds = if record.is_alone() { &result.bounds } else { &record.bounds };
@@ -56,7 +50,7 @@ pub(super) fn output_sentences(result: &StudyResult, record: &SurrogateRecord, w
         let own = |bound: &BoundRecord| bound.output == output.output && bound.of == output.of && bound.at == output.at;
         output.at == ResponsePoint::Whole || bounds.iter().any(own)
     };
-    // What nothing was learned of is said whatever is asked.
+    // A failure to learn is always said.
     let shown = record.outputs.iter().filter(|output| output.problem.is_some() || is_asked(output));
     shown.map(|output| output_sentence(result, (output, &record.outputs), writer)).collect()
 }
@@ -77,7 +71,7 @@ fn output_sentence(
         return format!("{subject}: no surrogate. {problem}.");
     }
     let q2 = output.q2.map_or(String::new(), |q2| {
-        format!(", {} of the variance is explained", writer.percent(q2.max(0.0), Rounding::Down))
+        format!(", {} of the variance explained", writer.percent(q2.max(0.0), Rounding::Down))
     });
     let size = |si: f64| writer.rounded(si, &output.unit, 2, Rounding::Up);
     let mut sentence = format!(
@@ -92,23 +86,19 @@ fn output_sentence(
     }
     if output.failed > 0 {
         sentence.push_str(&format!(
-            " {} gave no value: what share of the mechanisms fails at which values was not learned, so that nothing is known of \
-             probabilities and quantiles.",
+            " {} failed. The surrogate does not learn failures, so probabilities and quantiles have no bounds.",
             counted(output.failed, "run", writer)
         ));
     }
     if output.share_outside > 0.0 {
         sentence.push_str(&format!(
-            " At a bound {} of the mechanisms lie outside of the range of its runs, where it gives no answer, and count as failed; \
-             more training_runs reach further.",
+            " At a bound, {} of the mechanisms lie outside the training range and count as failed: increase 'training_runs'.",
             writer.percent(output.share_outside, Rounding::Up)
         ));
     }
     if output.largest_ratio > 0.0 {
-        sentence.push_str(&format!(
-            " Direct runs at the bounds differ by up to {:.1} standard deviations of it; up to {:.1} are conceded.",
-            output.largest_ratio, output.reach
-        ));
+        sentence
+            .push_str(&format!(" Check runs differ by {:.1}σ; {:.1}σ is allowed.", output.largest_ratio, output.reach));
     }
     sentence
 }
@@ -137,26 +127,24 @@ fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer:
         .collect();
     let learned = if learned.is_empty() { String::new() } else { format!(" ({})", listed(&learned)) };
     match output.verdict {
-        Some(SurrogateVerdict::Constant) => "All runs gave the same.".to_owned(),
-        Some(SurrogateVerdict::Resolved) => "Nothing is left that would matter.".to_owned(),
+        Some(SurrogateVerdict::Constant) => "All runs gave the same value.".to_owned(),
+        Some(SurrogateVerdict::Resolved) => "The remaining error is negligible.".to_owned(),
         Some(SurrogateVerdict::Falling) => format!("The error falls with more runs{learned}."),
         Some(SurrogateVerdict::Floor) if still_falls(&output.learning) => format!(
-            "The error falls less and less with more runs{learned}, as if to a limit not far below: what is left is taken for a \
-             property of the response, and is part of its scatter here."
+            "The error falls more and more slowly with more runs{learned}. The rest is treated as scatter of the response."
         ),
         Some(SurrogateVerdict::Floor) => format!(
-            "What is left does not fall with more runs{learned}: it is no error of the surrogate but a property of the response, \
-             and is part of its scatter here."
+            "The error does not fall with more runs{learned}. It is a property of the response and is treated as its scatter."
         ),
-        Some(SurrogateVerdict::Nothing) => format!(
-            "Nothing was learned{learned}: as a function of the inputs this is noise. What is drawn from are the runs themselves."
-        ),
+        Some(SurrogateVerdict::Nothing) => {
+            format!("Nothing was learned{learned}: the response is noise. The bounds use the runs themselves.")
+        }
         Some(SurrogateVerdict::Jump) => format!(
-            "A few errors are large and most are small{learned}: the response jumps, and near the jump the surrogate is wrong. What \
-             is left is part of its scatter here; rely on direct bounds (direct = \"double-loop\")."
+            "Most errors are small and a few are large{learned}: the response jumps, and the surrogate is wrong near the jump. Use \
+             direct bounds (direct = \"double-loop\")."
         ),
         Some(SurrogateVerdict::Unknown) | None => {
-            "Too few runs to tell whether more would help; what is left is taken as scatter.".to_owned()
+            "There are too few runs to see the effect of more. The rest is treated as scatter.".to_owned()
         }
     }
 }
@@ -189,7 +177,7 @@ pub(super) fn range_words(bound: &BoundRecord, writer: &NumberWriter) -> String 
     )
 }
 
-/// The larger part of the error that the surrogate does not know.
+/// The larger error of the surrogate at both ends.
 pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
     let error = bound.lower.error.surrogate_si.max(bound.upper.error.surrogate_si);
     if bound.statistic.is_probability() {
@@ -209,7 +197,7 @@ pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison,
     )
 }
 
-/// Treatment, direct band, band by surrogate, what the surrogate does not know of its ends, share inside: a row a treatment.
+/// Treatment, direct band, band by surrogate, error of the surrogate, share inside: a row a treatment.
 pub(super) fn treatment_rows(
     result: &StudyResult,
     comparison: &TreatmentComparison,
@@ -231,9 +219,8 @@ pub(super) fn treatment_rows(
     comparison.bands.iter().map(row).collect()
 }
 
-/// What the columns of [`treatment_rows`] are.
-pub(super) const TREATMENT_HEAD: [&str; 5] =
-    ["treatment", "direct", "by surrogate", "± surrogate", "share inside, by surrogate"];
+/// Heads of the columns of [`treatment_rows`].
+pub(super) const TREATMENT_HEAD: [&str; 5] = ["treatment", "direct", "by surrogate", "± surrogate", "share inside"];
 
 /// The surrogates of a study for a terminal; empty where there are none.
 pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> String {

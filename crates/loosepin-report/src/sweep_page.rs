@@ -1,4 +1,4 @@
-//! The page of a sweep: where the motion repeats itself, how often and how hard it strikes.
+//! The page of a sweep: period of the motion, impacts and forces over the swept value.
 
 use maud::{Markup, html};
 
@@ -16,9 +16,10 @@ use loosepin_text::units::SiUnit;
 /// loss of contact and peak forces of each joint. Text from files is escaped.
 pub fn sweep_page(record: &SweepRecord) -> String {
     let writer = NumberWriter::for_page(&record.display_units);
-    let mut sections = vec![Section::new("sections", "Where the motion repeats itself", bifurcations(record, &writer))];
+    let mut sections =
+        vec![Section::new("sections", "Periodic and non-periodic motion", bifurcations(record, &writer))];
     if !record.joints.is_empty() {
-        sections.push(Section::new("joints", "What happens in the joints", joints(record, &writer)));
+        sections.push(Section::new("joints", "Impacts and forces in the joints", joints(record, &writer)));
     }
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
     Page {
@@ -63,9 +64,9 @@ pub(super) fn stretches(record: &SweepRecord) -> Vec<Stretch> {
 /// `repeats itself every turn`.
 pub(super) fn period_words(period: Result<Option<u32>, ()>) -> String {
     match period {
-        Ok(Some(1)) => "repeats itself every turn".to_owned(),
-        Ok(Some(turns)) => format!("repeats itself every {turns} turns"),
-        Ok(None) => "does not repeat itself".to_owned(),
+        Ok(Some(1)) => "repeats every turn".to_owned(),
+        Ok(Some(turns)) => format!("repeats every {turns} turns"),
+        Ok(None) => "does not repeat".to_owned(),
         Err(()) => "could not be computed".to_owned(),
     }
 }
@@ -77,19 +78,18 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
     let failed: Vec<&str> = record.points.iter().filter_map(|point| point.failure.as_deref()).collect();
     let irregular = runs - repeating - failed.len();
     let first = if irregular == 0 && failed.is_empty() {
-        format!("The motion repeats itself for all {runs} values of {}.", record.path)
+        format!("The motion repeats at all {runs} values of {}.", record.path)
     } else if failed.len() == runs {
-        format!("The motion could be computed for none of the {runs} values of {}.", record.path)
+        format!("All {runs} runs failed: no value of {} gives a motion.", record.path)
     } else if repeating == 0 && failed.is_empty() {
         format!(
-            "The motion repeats itself for none of the {runs} values of {}: single histories mean little, statistics over \
-             many turns do.",
+            "The motion repeats at none of the {runs} values of {}. Use statistics over many turns, not a single history.",
             record.path
         )
     } else {
         format!(
-            "The motion repeats itself for {repeating} of the {runs} values of {}; for {irregular} it does not: there single \
-             histories mean little, statistics over many turns do.",
+            "The motion repeats at {repeating} of {runs} values of {} and does not repeat at {irregular}. Where it does not repeat, use \
+             statistics over many turns, not a single history.",
             record.path
         )
     };
@@ -111,11 +111,11 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
         })
         .collect();
     if words.len() > 1 {
-        sentences.push(format!("The longest stretches: {}.", words.join("; ")));
+        sentences.push(format!("Longest ranges: {}.", words.join("; ")));
     }
     if let Some(reason) = failed.first() {
         let failed = counted(failed.len() as u64, "run", writer);
-        sentences.push(format!("{failed} failed; the first one: {reason}"));
+        sentences.push(format!("{failed} failed. The first reason: {reason}"));
     }
     sentences
 }
@@ -123,8 +123,8 @@ pub(super) fn headline_sentences(record: &SweepRecord, writer: &NumberWriter) ->
 fn bifurcations(record: &SweepRecord, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "A motion that repeats itself every turn shows one dot above its value, one that repeats itself every second turn \
-             two, and one that never does a cloud. After " (record.transient_turns) " turns to settle."
+            "A motion that repeats every turn gives one dot above its value, every second turn two dots. A motion that is not periodic \
+             gives a cloud. The first " (record.transient_turns) " turns are not shown."
         }
         @for output in 0..record.outputs.len() { (section_figure(record, output, writer)) }
     }
@@ -193,14 +193,14 @@ fn method(record: &SweepRecord, writer: &NumberWriter) -> Markup {
             "Runs".to_owned(),
             html! {
                 (record.points.len()) ", each from the ideal position and velocities; " (record.transient_turns)
-                " turns to settle, " (record.recorded_turns) " turns looked at"
+                " turns of start-up, " (record.recorded_turns) " turns examined"
             },
         ),
         (
-            "Repeats itself".to_owned(),
+            "Period".to_owned(),
             html! {
-                "after p turns, where every journal is back within " (writer.percent(REPEAT_SHARE, Rounding::Nearest))
-                " of its clearance after every p turns looked at; p is at most half of them"
+                "p turns, if every journal is back within " (writer.percent(REPEAT_SHARE, Rounding::Nearest))
+                " of its clearance after every p turns; p is at most half of the turns examined"
             },
         ),
         (
@@ -246,8 +246,8 @@ mod tests {
         assert_eq!(
             headline_sentences(&record, &NumberWriter::for_terminal(&record.display_units)),
             [
-                "The motion could be computed for none of the 2 values of parameter.rod_length.",
-                "2\u{a0}runs failed; the first one: the loops cannot be closed"
+                "All 2 runs failed: no value of parameter.rod_length gives a motion.",
+                "2\u{a0}runs failed. The first reason: the loops cannot be closed"
             ]
         );
         assert!(sweep_page(&record).contains("not computed"));

@@ -1,16 +1,17 @@
 //! The tables that the command prints: plain text, aligned, with units, at most 100 columns, readable without colour.
 
-use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
+use comfy_table::Table;
 
 use super::accuracy_text::accuracy_sentences;
 use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
+use super::bound_words::{bound_error, bound_value};
 use super::contributors_text::contributors_text;
 use super::inverse::{inverse_sentences, rare_sentences};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::percentile_words::percentile_sentences;
-use super::study_page::{bound_error, bound_value};
 use super::surrogate_text::{band_words, surrogate_text};
+use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
     place_words, promise_word, reading_beside, response_words, share_words, statistic_words, treatment_words,
@@ -23,8 +24,6 @@ use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment}
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
 
-/// Columns that a terminal is taken to have.
-pub const TERMINAL_COLUMNS: u16 = 100;
 /// Rows of a table; the others stand in the files.
 const MOST_ROWS: usize = 24;
 
@@ -51,8 +50,12 @@ pub fn study_text(result: &StudyResult) -> String {
         .collect();
     if !shown.is_empty() {
         let is_over_some = has_unknown(&result.inputs);
-        let over = if is_over_some { format!(" over the {}", unknown_words(&result.inputs)) } else { String::new() };
-        text.push_str(&format!("\nBounds{over}, widened by their numerical error\n"));
+        let over = if is_over_some {
+            format!(" for all values of the {}", unknown_words(&result.inputs))
+        } else {
+            String::new()
+        };
+        text.push_str(&format!("\nBounds{over}, numerical error included\n"));
         let rows = &shown[..shown.len().min(MOST_ROWS)];
         for group in
             rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
@@ -71,10 +74,10 @@ pub fn study_text(result: &StudyResult) -> String {
         text.push_str(&format!("\n{}\n", wrapped(&words, "")));
     }
     for (title, sentences) in [
-        ("Accuracy", accuracy_sentences(result, &writer)),
-        ("How well each statistic is known", percentile_sentences(result, &writer)),
+        ("Accuracy of the bounds", accuracy_sentences(result, &writer)),
+        ("Percentiles of the statistics", percentile_sentences(result, &writer)),
         ("Small probabilities", rare_sentences(result, &writer)),
-        ("What the requirements allow", inverse_sentences(result, &writer)),
+        ("Loosest values that meet the requirements", inverse_sentences(result, &writer)),
     ] {
         if !sentences.is_empty() {
             text.push_str(&format!("\n{title}\n\n"));
@@ -87,7 +90,7 @@ pub fn study_text(result: &StudyResult) -> String {
     text.push_str(&contributors_text(result, &writer));
     for comparison in &result.treatments {
         text.push_str(&format!(
-            "\nThree ways to treat what is not known: {} {}, {}\n\n{}\n",
+            "\nThree treatments of the unknown inputs: {} {}, {}\n\n{}\n",
             comparison.output,
             deviation_words(comparison.of),
             place_words(comparison.at, &writer),
@@ -157,11 +160,11 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     }
     push_table(&mut text, &joints);
     if !record.joints.is_empty() {
-        text.push_str("restitution: what a free impact delivers under the law (as stated in the file)\n");
+        text.push_str("restitution: of a free impact under the contact law (as stated in the file)\n");
     }
     push_table(&mut text, &contact_table(record, &writer));
     if record.joints.iter().any(|joint| joint.share_outside_validity.is_some()) {
-        text.push_str("too fast: share of the impacts beyond the speed up to which the contact law is meant\n");
+        text.push_str("too fast: share of the impacts faster than the contact law is valid for\n");
     }
     let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
     for curve in &record.measured {
@@ -175,11 +178,11 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     }
     push_table(&mut text, &measured);
     if !record.measured.is_empty() {
-        text.push_str("residuals: measured minus computed\n");
+        text.push_str("residual: measured minus computed\n");
     }
     let counters = &record.counters;
     text.push_str(&format!(
-        "\n{} steps, {} rejected, {} evaluations, {} beginnings and ends of contact\n",
+        "\n{} steps, {} rejected, {} evaluations, {} contact changes\n",
         count(counters.steps, &writer),
         count(counters.rejections, &writer),
         count(counters.evaluations, &writer),
@@ -196,7 +199,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
     let mut ranges =
-        table(&["output", "smallest", "largest", "worst case of play", "at", "deviation on rims"], &[1, 2, 3, 4, 5]);
+        table(&["output", "smallest", "largest", "worst case of play", "at", "standard deviation"], &[1, 2, 3, 4, 5]);
     for output in &record.outputs {
         let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
         let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
@@ -258,8 +261,7 @@ pub fn sweep_text(record: &SweepRecord) -> String {
     as_shown(&text)
 }
 
-/// How often and how long the parts of each joint with play do not touch, and how much of the impacts and of the clearance is
-/// beyond what the law is meant for.
+/// Impacts and losses of contact per turn, time without contact, impacts faster than the law is valid for, relative penetration.
 fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
     let [impacts, losses] = ["impacts", "losses"]
         .map(|what| format!("{what} a {}", super::answer::turn_word(record.settings.drive_speed_rad_s)));
@@ -281,7 +283,7 @@ fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
 
 /// The scatter of the dimensions where it moves each output most: their root of the sum of squares, and their parts.
 fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
-    let mut scatter = table(&["output", "scatters", "standard deviation", "at", "share of variance"], &[2, 3, 4]);
+    let mut scatter = table(&["output", "input", "standard deviation", "at", "share of variance"], &[2, 3, 4]);
     for output in &record.outputs {
         if output.dimensional_standard_deviation_si.is_empty() {
             continue;
@@ -297,7 +299,7 @@ fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
                 writer.percent((part_si / total_si).powi(2), Rounding::Nearest),
             ]);
         };
-        row("all, root of the sum of squares", total_si);
+        row("all (root sum of squares)", total_si);
         for dimension in &output.dimensional_contributors {
             row(&dimension.path, dimension.standard_deviation_si.get(pose).copied().unwrap_or(f64::NAN));
         }
@@ -321,8 +323,8 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
 }
 
 fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, writer: &NumberWriter) -> String {
-    // A band by a surrogate has one number more: what the surrogate does not know of its ends.
-    let mut head = vec!["treatment", "band", "width", "share really inside", "promise"];
+    // A band by a surrogate has one number more: the error of the surrogate at its ends.
+    let mut head = vec!["treatment", "band", "width", "share inside", "promise"];
     if comparison.bands.iter().any(|band| band.ends.is_some()) {
         head.insert(2, "± surrogate");
     }
@@ -340,38 +342,7 @@ fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, wr
     trimmed(&treatments)
 }
 
-/// A table with a rule under its head, numbers to the right, wrapped to the width of the terminal.
-pub(super) fn table(head: &[&str], numbers: &[usize]) -> Table {
-    let mut table = Table::new();
-    // Only the rule under the head and the gap between columns.
-    table
-        .load_style(TableStyle::new().header_separator(LineStyle::none().fill('-').junction('-')))
-        .set_content_arrangement(ContentArrangement::Dynamic)
-        .set_width(TERMINAL_COLUMNS)
-        .set_header(head.iter().copied());
-    for (index, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((0, 1));
-        if numbers.contains(&index) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    table
-}
-
-/// Adds a table that has rows.
-pub(super) fn push_table(text: &mut String, table: &Table) {
-    if table.row_count() > 0 {
-        text.push_str(&format!("\n{}\n", trimmed(table)));
-    }
-}
-
-/// The lines of a table without blanks at their ends.
-fn trimmed(table: &Table) -> String {
-    let lines: Vec<String> = table.lines().map(|line| line.trim_end().to_owned()).collect();
-    lines.join("\n")
-}
-
-/// What a terminal shows as it is: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
+/// The text as a terminal shows it: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
 fn as_shown(text: &str) -> String {
     let is_command =
         |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
@@ -381,11 +352,4 @@ fn as_shown(text: &str) -> String {
         c => c,
     };
     text.chars().map(shown).collect()
-}
-
-pub(super) fn wrapped(sentence: &str, bullet: &str) -> String {
-    let indent = " ".repeat(bullet.len());
-    let options =
-        textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent(bullet).subsequent_indent(&indent);
-    textwrap::fill(sentence, options)
 }

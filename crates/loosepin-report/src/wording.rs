@@ -11,8 +11,8 @@ pub(super) fn deviation_words(of: Deviation) -> &'static str {
     match of {
         Deviation::Value => "value",
         Deviation::Total => "deviation",
-        Deviation::Dimensional => "deviation from part scatter",
-        Deviation::Clearance => "deviation from play",
+        Deviation::Dimensional => "deviation due to part scatter",
+        Deviation::Clearance => "deviation due to play",
     }
 }
 
@@ -23,10 +23,10 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
             format!("at {}", writer.value_trimmed(pose_rad, &SiUnit::ANGLE))
         }
         ResponsePoint::Reduced { reduction } => match reduction {
-            Reduction::Maximum => "largest in the cycle",
-            Reduction::Minimum => "smallest in the cycle",
-            Reduction::MaximumAbsolute => "largest in the cycle, in either direction",
-            Reduction::Range => "peak to peak in the cycle",
+            Reduction::Maximum => "largest value in the cycle",
+            Reduction::Minimum => "smallest value in the cycle",
+            Reduction::MaximumAbsolute => "largest absolute value in the cycle",
+            Reduction::Range => "peak-to-peak value in the cycle",
             Reduction::RootMeanSquare => "root mean square over the cycle",
             Reduction::Mean => "mean over the cycle",
         }
@@ -71,9 +71,9 @@ pub(super) fn band_digits(comparison: &TreatmentComparison) -> usize {
 
 pub(super) fn treatment_words(treatment: Treatment) -> &'static str {
     match treatment {
-        Treatment::ProbabilityOnly => "Everything as probability",
-        Treatment::IntervalOnly => "Everything as interval",
-        Treatment::Mixed => "Each as what it is",
+        Treatment::ProbabilityOnly => "Probability only",
+        Treatment::IntervalOnly => "Interval only",
+        Treatment::Mixed => "Mixed",
     }
 }
 
@@ -95,9 +95,11 @@ pub(super) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str 
 
 pub(super) fn reading_words(reading: Reading) -> &'static str {
     match reading {
-        Reading::FixedButUnknown => "fixed but unknown: one value, the same for every mechanism made (reading A)",
-        Reading::UnknownDistribution => "of unknown distribution, independent of the random inputs (reading A2)",
-        Reading::RandomSet => "free to differ from mechanism to mechanism in any way (reading B)",
+        Reading::FixedButUnknown => "fixed but unknown: one value, the same for all mechanisms (reading A)",
+        Reading::UnknownDistribution => {
+            "with an unknown distribution, independent of the random inputs (reading A2)"
+        }
+        Reading::RandomSet => "any value in each mechanism, even dependent on the random inputs (reading B)",
     }
 }
 
@@ -111,12 +113,12 @@ pub(super) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> Strin
 
 pub(super) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> String {
     match guarantee {
-        Guarantee::Enclosure => "proven, rounding included".to_owned(),
-        Guarantee::Optimised => "best found by a search over the intervals".to_owned(),
+        Guarantee::Enclosure => "proven, rounding errors included".to_owned(),
+        Guarantee::Optimised => "found by a search over the intervals, not proven".to_owned(),
         Guarantee::Sampled { confidence } => {
-            format!("holds with {} confidence over the sampling", writer.percent(confidence, Rounding::Nearest))
+            format!("estimated from samples, with {} confidence", writer.percent(confidence, Rounding::Nearest))
         }
-        Guarantee::Inner => "at least this wide; not confirmed".to_owned(),
+        Guarantee::Inner => "may be too narrow: not confirmed".to_owned(),
     }
 }
 
@@ -128,7 +130,7 @@ pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What the epistemic inputs are called: by what is known of them.
+/// Name of the epistemic inputs: "interval inputs" where all are intervals, "unknown inputs" otherwise.
 pub(super) fn unknown_words(inputs: &[InputDescription]) -> &'static str {
     if has_lists(inputs) || has_parts(inputs) { "unknown inputs" } else { "interval inputs" }
 }
@@ -138,17 +140,18 @@ pub(super) fn has_unknown(inputs: &[InputDescription]) -> bool {
     inputs.iter().any(|input| input.kind != InputKind::Random)
 }
 
-/// What stands beside bounds that are put together from several intervals.
-pub(super) const MASSES_ADD: &str = "Masses of evidence add: such a bound is attained by one value in each of the intervals, so that no single value stands beside it. \
-     Read as probability, each interval is taken by its mass and evenly within; of fuzzy numbers each cut by the difference of the degrees.";
+/// Note on bounds that are put together from several intervals.
+pub(super) const MASSES_ADD: &str = "A bound from evidence adds the masses of its intervals. Each interval has its own worst value, so the table names no single one. \
+     The probability-only treatment draws an interval with its mass as probability, and a uniform value inside it. The mass of a cut of a \
+     fuzzy number is the difference of the degrees.";
 
 /// Whether an input is made of several intervals.
 pub(super) fn has_parts(inputs: &[InputDescription]) -> bool {
     inputs.iter().any(|input| matches!(input.kind, InputKind::Evidence { .. } | InputKind::Fuzzy { .. }))
 }
 
-/// What the treatments take lists for.
-pub(super) const EQUALLY_PROBABLE: &str = "Read as probability, every member of a list is equally probable; read as interval, every combination of members is tried.";
+/// Note on lists in the probability-only and the interval-only treatment.
+pub(super) const EQUALLY_PROBABLE: &str = "The probability-only treatment gives all members of a list the same probability. The interval-only treatment tries all combinations.";
 
 /// Whether an input is one of a list.
 pub(super) fn has_lists(inputs: &[InputDescription]) -> bool {
@@ -200,18 +203,17 @@ pub(super) fn counted(value: u64, singular: &str, writer: &NumberWriter) -> Stri
 pub(super) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String> {
     (count > 0).then(|| {
         format!(
-            "The bounds are those of curves, angle by angle: {} in bounds.csv. One number for the whole cycle is asked for with \
-             'reduce'.",
+            "All bounds are points of curves: {} in bounds.csv. For one number over the whole cycle, ask with 'reduce'.",
             counted(count as u64, "row", writer)
         )
     })
 }
 
-/// `A further 3 bounds stand in `, `A further bound stands in `; `which` stands behind the noun, with a space at its end.
+/// `3 more bounds are in `, `1 more bound is in `; `which` stands behind the noun, with a space at its end.
 pub(super) fn further(others: usize, singular: &str, which: &str, writer: &NumberWriter) -> String {
     match others {
-        1 => format!("A further {singular} {which}stands in "),
-        _ => format!("A further {} {which}stand in ", counted(others as u64, singular, writer)),
+        1 => format!("1 more {singular} {which}is in "),
+        _ => format!("{} more {singular}s {which}are in ", count(others as u64, writer)),
     }
 }
 

@@ -75,7 +75,7 @@ impl Problem for StudyError {
             ),
             Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
             Self::Store(error) => error.hint(),
-            Self::Interrupted { .. } => Some("the same command with --resume goes on".to_owned()),
+            Self::Interrupted { .. } => Some("continue with the same command and --resume".to_owned()),
             Self::TooManyFailed(failed) => {
                 let again =
                     failed.commonest.as_ref().map(|reason| format!("`{}` repeats one; ", reason.example.command));
@@ -85,7 +85,9 @@ impl Problem for StudyError {
                 ))
             }
             Self::RoundOpen(_) => Some("run its shards, then loosepin merge with their folders".to_owned()),
-            Self::NotMade { .. } => Some("what was made is kept: the same command with --resume goes on".to_owned()),
+            Self::NotMade { .. } => {
+                Some("what was made is kept: continue with the same command and --resume".to_owned())
+            }
             Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
             Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
         }

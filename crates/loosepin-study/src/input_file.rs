@@ -59,7 +59,7 @@ impl InputFile {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum InputFileProblem {
     /// A study where a model is due.
-    #[error("this is a study; a model is due")]
+    #[error("this is a study; expected a model")]
     StudyForModel {
         /// The model that the study names.
         model: String,
@@ -68,7 +68,7 @@ pub enum InputFileProblem {
     #[error("the file says nothing: neither a model nor a study")]
     Empty,
     /// A model where a study is due.
-    #[error("this is a model; a study is due")]
+    #[error("this is a model; expected a study")]
     ModelForStudy,
 }
 

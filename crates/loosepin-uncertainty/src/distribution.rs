@@ -210,7 +210,7 @@ pub enum DistributionError {
         sum: f64,
     },
     /// A value of a discrete distribution twice.
-    #[error("the value {value} stands there twice")]
+    #[error("the value {value} is there twice")]
     ValueTwice {
         /// The value.
         value: f64,

@@ -37,7 +37,7 @@ pub struct Evidence {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum EvidenceError {
     /// No element.
-    #[error("evidence without an element; at least one is due")]
+    #[error("evidence without an element; give at least one")]
     Empty,
     /// A mass that is none.
     #[error("mass {mass} of element {element}; must be > 0 and at most 1")]
@@ -215,7 +215,7 @@ mod tests {
             let elements = masses.iter().map(|&mass| FocalElement { interval: interval(0.5, 0.75), mass }).collect();
             Evidence::try_new(elements).unwrap_err().to_string()
         };
-        assert_eq!(refused(&[]), "evidence without an element; at least one is due");
+        assert_eq!(refused(&[]), "evidence without an element; give at least one");
         assert_eq!(refused(&[0.3, 0.6]), "the masses sum to 0.8999999999999999; must be 1, within 0.000001");
         assert_eq!(refused(&[1.25, -0.25]), "mass 1.25 of element 1; must be > 0 and at most 1");
     }

@@ -19,7 +19,7 @@ pub struct FuzzyNumber {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum FuzzyError {
     /// No cut.
-    #[error("a fuzzy number without a cut; at least one is due")]
+    #[error("a fuzzy number without a cut; give at least one")]
     Empty,
     /// A degree outside [0, 1].
     #[error("cut at {alpha}; must lie between 0 and 1")]

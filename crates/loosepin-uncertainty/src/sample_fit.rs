@@ -60,7 +60,7 @@ pub enum SampleFitError {
         count: usize,
     },
     /// Values that are all the same.
-    #[error("all values are the same; there is nothing to fit")]
+    #[error("all values are the same; nothing can be fitted")]
     NoScatter,
     /// A value that the family cannot have.
     #[error("the value {value}; this family has positive values only")]

@@ -13,8 +13,6 @@ pub fn run(arguments: &ExportArguments) -> Ending {
     for file in &files {
         console::message(&format!("wrote {}", file.display()));
     }
-    console::message(
-        "values alone: the error of each value and what is left of noise stay behind; outside of what was learned they are not-a-number",
-    );
+    console::message("exported without errors and noise; outside the training range the values are NaN");
     Ok(Done::Well)
 }

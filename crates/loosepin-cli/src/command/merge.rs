@@ -41,7 +41,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         with_force: arguments.output.force,
     };
     plan_shards(&study).map_err(|error| error.complaint(&study))?;
-    let stop = stop_on_signals("Ctrl-C will end this at once; the shards keep what they have made");
+    let stop = stop_on_signals("Ctrl-C ends the merge at once; the shards keep their runs");
     let of = record.of;
     let stores: Vec<(Shard, PathBuf)> = (1..)
         .zip(&shards.folders)
@@ -75,7 +75,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         return Ok(Done::RoundOpen);
     }
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
-    tell_concluded(concluded, "the same command goes on")
+    tell_concluded(concluded, "continue with the same command")
 }
 
 /// Where the results go: where those of a study in one piece would.

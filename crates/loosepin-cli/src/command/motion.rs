@@ -80,7 +80,7 @@ fn with_widest_play(file: &InputFile, set: &[String]) -> Vec<String> {
     widest.chain(set.iter().cloned()).collect()
 }
 
-/// What scatters, where a study says so.
+/// Random inputs, where the file is a study.
 fn scatter(file: &InputFile) -> Vec<Scatter> {
     match file {
         InputFile::Model(_) => Vec::new(),

@@ -21,7 +21,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     let results = whole.path();
     if whole.is_finished()? {
         console::message(&format!(
-            "{} holds this study already: there is nothing left for shard {shard} (--force runs it anew)",
+            "{} already holds this study: nothing is left for shard {shard} (--force runs it again)",
             results.display()
         ));
         return Ok(Done::Well);
@@ -43,14 +43,14 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     let identity = store_identity(&claim.inputs);
     let open = |path: &Path| RunStore::begin_beside(path, published.as_deref(), &identity, beginning);
     let Begun::Open(folder, store) = begin_in_folder(&claim, open)? else {
-        console::message(&format!("{} holds this study already", claim.path().display()));
+        console::message(&format!("{} already holds this study", claim.path().display()));
         return Ok(Done::Well);
     };
     let text = to_json(&record, &folder, SHARD_FILE)?;
     // Not among the files of the result, which go when it is begun again.
     write_whole(&folder.path().join(SHARD_FILE), text.as_bytes())?;
     tell_going_on(&store);
-    let stop = stop_on_signals("Ctrl-C will end the shard at once; what was finished until a moment before is kept");
+    let stop = stop_on_signals("Ctrl-C ends the shard at once; saved runs are kept");
     let bar = Bar::new();
     let means = Means { threads: threads(arguments.threads), progress: &bar, stop: &stop, store: Some(&store) };
     let outcome = conduct_part(study, &claim.inputs.to_string(), &means, Part::Shard(shard));
@@ -77,7 +77,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         Err(StudyError::Interrupted { .. }) => {
             let kept = store.settle().map_err(|error| Failure::of(&error))?;
             console::message(&format!(
-                "interrupted; {kept} runs of shard {shard} are kept in {}\nhint: the same command with --resume goes on",
+                "interrupted; {kept} runs of shard {shard} are kept in {}\nhint: continue with the same command and --resume",
                 folder.path().display()
             ));
             Ok(Done::Interrupted)

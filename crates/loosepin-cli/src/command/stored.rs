@@ -26,7 +26,7 @@ pub fn place(output: &OutputArguments) -> Place {
 /// Says that a result is there already.
 pub fn tell_again(folder: &ResultsFolder) {
     console::message(&format!(
-        "{} holds this {} already: the report is written again (--force runs it anew)",
+        "{} already holds this {}: the report is written again (--force runs it again)",
         folder.path().display(),
         folder.kind().words()
     ));
@@ -36,7 +36,7 @@ pub fn tell_again(folder: &ResultsFolder) {
 pub fn tell_going_on(store: &RunStore) {
     if store.runs_at_start() > 0 {
         let runs = console::counted(store.runs_at_start() as usize, "finished run", "finished runs");
-        console::message(&format!("going on with {runs}"));
+        console::message(&format!("continuing with {runs}"));
     }
 }
 

@@ -39,7 +39,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     }
     // Planned first, so that a study that cannot begin leaves no folder behind.
     loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
-    let stop = stop_on_signals("Ctrl-C will end the study at once; what was finished until a moment before is kept");
+    let stop = stop_on_signals("Ctrl-C ends the study at once; saved runs are kept");
     let beginning = Beginning::stated(claim.with_force, arguments.resume);
     let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
@@ -57,7 +57,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let outcome = conduct(&study, &claim.inputs.to_string(), &means);
     bar.finish();
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
-    tell_concluded(concluded, "the same command with --resume goes on")
+    tell_concluded(concluded, "continue with the same command and --resume")
 }
 
 /// Reads a study with what the command line states beside the file; also gives the hash of all inputs.

@@ -39,7 +39,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
         tell_again(&folder);
         return show_again::<SweepRecord>(&mut folder);
     }
-    let stop = stop_on_signals("Ctrl-C will end the sweep at once");
+    let stop = stop_on_signals("Ctrl-C ends the sweep at once");
     let bar = Bar::new();
     let heard = |finished: usize| bar.runs(finished, plan.points);
     heard(0);

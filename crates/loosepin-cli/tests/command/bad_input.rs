@@ -4,7 +4,7 @@ use std::fs;
 
 use super::command_line::{Desk, case_text};
 
-/// What `check`, `simulate` and `motion` say about a model of a case with one text of it replaced.
+/// Messages of `check`, `simulate` and `motion` on a model of a case with one text of it replaced.
 fn bad_model(case: &str, from: &str, to: &str, messages: &str) {
     let text = case_text(case, "model.toml");
     assert_eq!(text.matches(from).count(), 1, "{from:?} stands once in the model");
@@ -16,7 +16,7 @@ fn bad_model(case: &str, from: &str, to: &str, messages: &str) {
     assert!(!desk.path("results").exists(), "nothing is left behind");
 }
 
-/// The same for `check`, `study` and `motion` and the study of the worn pin.
+/// Messages of `check`, `study` and `motion` on the study of the worn pin with one text replaced.
 fn bad_study(from: &str, to: &str, messages: &str) {
     let desk = Desk::with_model("slider_crank_worn_pin");
     let text = case_text("slider_crank_worn_pin", "study.toml");
@@ -189,7 +189,7 @@ fn a_loop_in_which_every_joint_is_driven() {
     desk.write("model.toml", &text.replace(play, "").replace("[assembly]\n", &format!("{drives}[assembly]\n")));
     desk.fail(
         &["check", "model.toml"],
-        "model.toml:34:10: warning[E0408]: contact 'steel_pin' is used by nothing\n\
+        "model.toml:34:10: warning[E0408]: contact 'steel_pin' is not used\n\
          hint: changing it has no effect on the results\n\
          model.toml:56:8: error[E0703]: joint 'rocker_pivot' closes a loop in which every joint is driven\n\
          hint: remove one of the drives of this loop",
@@ -231,7 +231,7 @@ fn an_interval_turned_round() {
         "interval = [\"0.1 mm\", \"0.5 mm\"]",
         "interval = [\"0.5 mm\", \"0.1 mm\"]",
         "study.toml:22:49: error[E0601]: epistemic 'joint.gudgeon.radial_clearance': interval begins at 0.5 mm and ends at \
-         0.1 mm; the lower end stands first\n\
+         0.1 mm; the lower end must be first\n\
          hint: write [\"0.1 mm\", \"0.5 mm\"]",
     );
 }
@@ -329,11 +329,11 @@ fn a_model_where_a_study_is_due_and_the_other_way_round() {
     desk.write("study.toml", &case_text("slider_crank_worn_pin", "study.toml"));
     desk.fail(
         &["simulate", "study.toml"],
-        "study.toml:1:1: error[E0905]: this is a study; a model is due\nhint: its model is model.toml",
+        "study.toml:1:1: error[E0905]: this is a study; expected a model\nhint: its model is model.toml",
     );
     desk.fail(
         &["study", "model.toml"],
-        "model.toml:1:1: error[E0905]: this is a model; a study is due\n\
+        "model.toml:1:1: error[E0905]: this is a model; expected a study\n\
          hint: a study names its model by the key `model`; for a single run use `loosepin simulate`",
     );
 }

@@ -83,8 +83,8 @@ fn what_is_wrong_with_a_case_is_said_with_its_place() {
         (
             "angle = \"0 deg\"",
             "angle = [\"0 deg\", \"9 deg\"]",
-            "cases/crank/expected.toml:4:9: error[E0203]: expected 'acceleration_at_start': angle has 2 entries; one for each of \
-             the 1 values is due",
+            "cases/crank/expected.toml:4:9: error[E0203]: expected 'acceleration_at_start': angle has 2 entries; expected one \
+             for each of the 1 values",
         ),
         (
             "5e3 N/m^1.5",

@@ -59,7 +59,7 @@ fn measured_curves_enter_hash_page_and_summary() {
     let bare = run(&["--out", "bare"]);
     let with = run(&["--out", "with", "--measured", "measured.csv"]);
     assert_eq!((bare.status, with.status), (0, 0), "{}", with.messages);
-    assert!(with.output.contains("residuals: measured minus computed") && !bare.output.contains("residuals"));
+    assert!(with.output.contains("residual: measured minus computed") && !bare.output.contains("residual"));
     let summary: serde_json::Value = serde_json::from_str(&desk.read("with/summary.json")).expect("JSON");
     assert_eq!(summary["measured"][0]["output"], "slider");
     assert!(!desk.read("bare/summary.json").contains("measured"));

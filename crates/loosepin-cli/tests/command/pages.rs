@@ -30,7 +30,7 @@ const FLAGS_MARK: &str = "# the tests run it with ";
 const CASE: &str = "slider_crank_worn_pin";
 const FEWER: [(&str, &str); 2] = [("outer = 64 ", "outer = 6 "), ("inner = 256 ", "inner = 16 ")];
 
-/// What a page holds that concerns these tests, in its order.
+/// Part of a page that these tests run or compare.
 #[derive(Debug, PartialEq)]
 enum Piece {
     Script(String),

@@ -110,7 +110,7 @@ fn identity_a_killed_study_ends_with_the_same_bytes() {
         refused.messages
     );
     let resumed = desk.run(&["study", "study.toml", "--out", "killed", "--resume", "--threads", "1"]);
-    assert!(resumed.messages.starts_with("going on with "), "{}", resumed.messages);
+    assert!(resumed.messages.starts_with("continuing with "), "{}", resumed.messages);
     assert_eq!((resumed.status, &resumed.output), (whole.status, &whole.output));
     for file in ["summary.json", "bounds.csv", "runs.parquet", "report.html"] {
         assert!(bytes(&desk, "whole", file) == bytes(&desk, "killed", file), "{file} differs");
@@ -151,7 +151,7 @@ statistics = ["mean"]
     }
     assert!(is_there(&desk.path("killed/runs.sqlite")), "killed too late to show anything");
     let resumed = desk.run(&["study", "study.toml", "--out", "killed", "--resume", "--threads", "1"]);
-    let kept = resumed.messages.strip_prefix("going on with ").and_then(|rest| rest.split(' ').next()?.parse().ok());
+    let kept = resumed.messages.strip_prefix("continuing with ").and_then(|rest| rest.split(' ').next()?.parse().ok());
     assert!(kept.is_some_and(|kept: usize| kept > TRAINING_RUNS), "not killed in a later round: {}", resumed.messages);
     assert_eq!((resumed.status, &resumed.output), (whole.status, &whole.output));
     for file in ["summary.json", "bounds.csv", "runs.parquet", "surrogates.json", "report.html"] {

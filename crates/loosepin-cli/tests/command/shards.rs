@@ -52,7 +52,7 @@ probability_at_least = 0.8
 /// Files that do not depend on who has made the runs.
 const FILES: [&str; 4] = ["summary.json", "bounds.csv", "runs.parquet", "report.html"];
 
-/// The same with a surrogate in place of the inverse question.
+/// Study with a surrogate in place of the inverse question.
 fn with_surrogate() -> String {
     let (study, _) = STUDY.split_once("[allow]").expect("it asks how loose the pin may be");
     study.replace("seed = 11", "seed = 11\nsurrogate = { kind = \"chaos\", training_runs = 40, confirming_runs = 8 }")
@@ -80,7 +80,7 @@ fn merge(desk: &Desk, out: &str, of: u32) -> Said {
     merge_with(desk, out, of, if of == 2 { 50 } else { 100 })
 }
 
-/// The same, where the merge makes rounds of at most so many runs itself.
+/// Merge that makes rounds of at most so many runs itself.
 fn merge_with(desk: &Desk, out: &str, of: u32, small_round: u32) -> Said {
     let folders: Vec<String> = (1..=of).map(|index| format!("{out}.shard-{index}-of-{of}")).collect();
     let small_round = small_round.to_string();
@@ -140,7 +140,7 @@ fn identity_shards_give_the_bytes_of_the_single_run() {
     assert_eq!(merges, [1, 4, 2]);
     let again = shard(&desk, "shared7", 3, 7);
     assert_eq!(again.status, 0);
-    assert!(again.messages.starts_with("shared7 holds this study already"), "{}", again.messages);
+    assert!(again.messages.starts_with("shared7 already holds this study"), "{}", again.messages);
 }
 
 /// A probability near 1e-4 over an interval: a search for design points in rounds of a few runs, then samples around them in rounds
@@ -302,7 +302,7 @@ fn a_forced_shard_begins_anew_whatever_was_published() {
     assert_eq!(refused.status, 2, "{}", refused.messages);
     let forced = desk.run(&["study", "study.toml", "--out", "bounds", "--shard", "1/2", "--force"]);
     assert_eq!(forced.status, 0, "{}", forced.messages);
-    assert!(!forced.messages.contains("going on with"), "{}", forced.messages);
+    assert!(!forced.messages.contains("continuing with"), "{}", forced.messages);
 }
 
 #[test]

@@ -165,13 +165,16 @@ fn the_kind_of_motion_is_told_and_stored() {
         ["simulate", "model.toml", "--set", "joint.gudgeon.radial_clearance=0.02mm", "--turns", "4", "--samples", "50"];
     let said = desk.succeed(&[&run[..], &["--transient", "40", "--lyapunov", "20", "--out", "run"]].concat());
     let words = said.output.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("The motion repeats itself every turn, over the 4 turns looked at."), "{words}");
-    assert!(words.contains("Largest Lyapunov exponent -") && words.contains("neighbouring motions meet"), "{words}");
+    assert!(words.contains("The motion repeats every turn (4 turns examined)."), "{words}");
+    assert!(
+        words.contains("Largest Lyapunov exponent -") && words.contains("Small differences shrink tenfold"),
+        "{words}"
+    );
     let summary: serde_json::Value = serde_json::from_str(&desk.read("run/summary.json")).expect("JSON");
     assert_eq!(summary["kind"]["period_turns"], 1);
     assert_eq!(summary["lyapunov"]["kind"], "meet");
     assert_eq!(summary["lyapunov"]["growth"].as_array().map(Vec::len), Some(20));
-    assert!(desk.read("run/report.html").contains("What kind of motion it is"));
+    assert!(desk.read("run/report.html").contains("Kind of motion"));
 }
 
 #[test]
@@ -202,7 +205,7 @@ fn a_finished_run_is_told_and_its_report_written_again() {
     assert_eq!(
         again.messages,
         format!(
-            "{folder} holds this simulation already: the report is written again (--force runs it anew)\nreport: {report}\n"
+            "{folder} already holds this simulation: the report is written again (--force runs it again)\nreport: {report}\n"
         )
     );
     assert_eq!(desk.read(&report), first_page);
@@ -249,7 +252,7 @@ fn folders_that_hold_something_else_are_refused() {
     );
     desk.fail(
         &["simulate", "model.toml", "--out", "model.toml"],
-        "error[E0903]: model.toml is a file; a folder is due",
+        "error[E0903]: model.toml is a file; expected a folder",
     );
     desk.fail(
         &["report", "."],

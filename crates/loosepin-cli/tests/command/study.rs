@@ -69,13 +69,13 @@ fn a_requirement_that_is_not_met_is_exit_status_1() {
     let desk = desk(&format!("{SHORT_STUDY}{BROKEN}"));
     let said = desk.run(&["study", "study.toml", "--out", "bounds"]);
     assert_eq!(said.status, 1, "{}", said.messages);
-    assert!(said.output.contains(" is not met"), "{}", said.output);
+    assert!(said.output.contains("Not met: the "), "{}", said.output);
     // The stored result says the same.
     let again = desk.run(&["study", "study.toml", "--out", "bounds"]);
     assert_eq!((again.status, &again.output), (1, &said.output));
     assert_eq!(
         again.messages,
-        "bounds holds this study already: the report is written again (--force runs it anew)\nreport: bounds/report.html\n"
+        "bounds already holds this study: the report is written again (--force runs it again)\nreport: bounds/report.html\n"
     );
     let report = desk.run(&["report", "bounds"]);
     assert_eq!((report.status, &report.output), (1, &said.output));
@@ -120,7 +120,7 @@ fn ctrl_c_ends_a_study_and_keeps_its_runs() {
     assert_eq!(child.wait().expect("it ends").code(), Some(130), "{messages}");
     assert!(messages.starts_with("interrupted after ") && messages.contains(" of at most "), "{messages}");
     assert!(
-        messages.ends_with("they are kept in bounds/runs.sqlite\nhint: the same command with --resume goes on\n"),
+        messages.ends_with("they are kept in bounds/runs.sqlite\nhint: continue with the same command and --resume\n"),
         "{messages}"
     );
     assert!(desk.path("bounds/runs.parquet").exists());
@@ -152,22 +152,22 @@ fn check_tells_what_is_one_of_a_list() {
 fn an_accuracy_is_reached_or_it_is_said_what_it_would_take() {
     let desk = desk(&format!("{SHORT_STUDY}{KEPT}"));
     let reached = desk.succeed(&["study", "study.toml", "--accuracy", "slider.mean=20um", "--out", "near"]);
-    assert!(reached.output.contains("\nAccuracy\n\n- All bounds are as near as asked, after "), "{}", reached.output);
-    assert!(reached.output.contains(", asked 0.02 mm."), "{}", reached.output);
+    assert!(
+        reached.output.contains("\nAccuracy of the bounds\n\n- All bounds reach the required accuracy after "),
+        "{}",
+        reached.output
+    );
+    assert!(reached.output.contains(", required 0.02 mm."), "{}", reached.output);
     // Not reached is said and is no error; nothing is lost.
     let ended =
         desk.succeed(&["study", "study.toml", "--accuracy", "1e-14m", "--budget", "2500 runs", "--out", "ended"]);
     assert!(
-        ended.output.contains("- Not as near as asked: the one accuracy. The study ended after "),
+        ended.output.contains("- The required accuracy is not reached. The study ended after "),
         "{}",
         ended.output
     );
-    assert!(ended.output.contains("have gone beyond the budget of 2500 runs."), "{}", ended.output);
-    assert!(
-        ended.output.contains("- Nothing is lost: the bounds are those of all runs that were made."),
-        "{}",
-        ended.output
-    );
+    assert!(ended.output.contains("exceed the budget of 2500 runs."), "{}", ended.output);
+    assert!(ended.output.contains("- The bounds use all runs made so far."), "{}", ended.output);
     let summary: serde_json::Value = serde_json::from_str(&desk.read("ended/summary.json")).expect("JSON");
     let accuracy = &summary["accuracy"];
     assert_eq!((&accuracy["stop"], &accuracy["budget"]["runs"]), (&"budget".into(), &2500.into()));
@@ -189,7 +189,7 @@ fn accuracies_and_budgets_are_complained_about_with_the_column_in_their_text() {
             "--accuracy",
             "1kg",
             "--accuracy:1:1: error[E0304]: the accuracy is a mass; must be a length\n\
-             hint: an accuracy is measured as the bounds are; of probabilities it is a number such as 0.01",
+             hint: an accuracy has the unit of the bounds; for probabilities it is a number such as 0.01",
         ),
         ("--accuracy", "-1um", "--accuracy:1:1: error[E0501]: the accuracy is -0.001 mm; must be > 0"),
         (

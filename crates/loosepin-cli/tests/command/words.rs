@@ -1,4 +1,4 @@
-//! What the other commands print, and how they end.
+//! Output and exit status of the other commands.
 
 use std::io::Read;
 use std::process::Stdio;
@@ -94,9 +94,8 @@ fn codes_are_explained() {
         desk.succeed(&["explain", "e0303"]).output,
         "E0303: a unit is missing\n\
          \n\
-         A bare number where a unit is due is refused, zero included: no unit is assumed, since a clearance\n\
-         of 0.5 could mean millimetres to one reader and metres to another. Write the value as text with its\n\
-         unit: \"0.5 mm\".\n"
+         The value needs a unit, also if it is zero. No unit is assumed: a clearance of 0.5 could be in\n\
+         millimetres or in metres. Write the value as text with its unit: \"0.5 mm\".\n"
     );
     assert!(desk.succeed(&["explain", "--list"]).output.contains("\nE0704  the links cannot close a loop\n"));
     let said = desk.run(&["explain", "E9999"]);
@@ -231,7 +230,7 @@ fn a_mechanism_that_forces_move_is_simulated_and_has_no_ideal_motion() {
          hint: use loosepin simulate: it follows the forces in time",
     );
     let said = desk.succeed(&["simulate", "model.toml", "--out", "run"]);
-    assert!(said.output.contains("energy account"), "{}", said.output);
+    assert!(said.output.contains("energy balance"), "{}", said.output);
     let history = std::fs::read_to_string(desk.path("run/history.csv")).expect("the history is there");
     assert!(history.starts_with("time_s,cycle_rad,tip_x_m,tip_y_m\n0.0,0.0,"), "{}", &history[..80]);
     assert_eq!(history.lines().count(), 502);

@@ -54,7 +54,9 @@ pub enum ModelProblem {
         body: String,
     },
     /// Contact stiffness both from materials and given.
-    #[error("{entry}: '{material}' and '{given}' exclude one another; the stiffness comes from materials or is given")]
+    #[error(
+        "{entry}: '{material}' and '{given}' cannot be used together; the stiffness comes from materials or is given"
+    )]
     StiffnessTwice {
         /// The contact.
         entry: String,
@@ -70,7 +72,7 @@ pub enum ModelProblem {
         entry: String,
     },
     /// A material value for both parts and for one of them.
-    #[error("{entry}: '{both}' and '{one}' exclude one another")]
+    #[error("{entry}: '{both}' and '{one}' cannot be used together")]
     MaterialTwice {
         /// The contact.
         entry: String,
@@ -96,7 +98,7 @@ pub enum ModelProblem {
         entry: String,
     },
     /// A key without effect in this combination.
-    #[error("{entry}: '{key}' has no meaning beside '{beside}'")]
+    #[error("{entry}: '{key}' cannot be used with '{beside}'")]
     KeyWithoutEffect {
         /// The table.
         entry: String,
@@ -134,7 +136,7 @@ pub enum ModelProblem {
         joint: String,
     },
     /// A joint that nothing reads.
-    #[error("{entry}: 'joint' has no meaning here; '{key}' is no expression over its angle, position or speed")]
+    #[error("{entry}: 'joint' has no effect here; '{key}' is no expression over its angle, position or speed")]
     JointNotRead {
         /// The load.
         entry: String,
@@ -162,7 +164,7 @@ pub enum ModelProblem {
         entry: String,
     },
     /// A contact that only a pin in a hole can have.
-    #[error("{entry}: contact '{contact}' has {what}, which means nothing for {what_touches}")]
+    #[error("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}")]
     NotForPlanes {
         /// The joint.
         entry: String,
@@ -208,7 +210,7 @@ pub enum ModelProblem {
         other: String,
     },
     /// A CSV file with other than two columns.
-    #[error("a row has {found} {}; two are due", if *found == 1 { "column" } else { "columns" })]
+    #[error("a row has {found} {}; expected two", if *found == 1 { "column" } else { "columns" })]
     CsvColumns {
         /// Columns of the row.
         found: usize,
@@ -318,7 +320,7 @@ pub enum ModelProblem {
         due: loosepin_text::units::Dimension,
     },
     /// A parameter or contact that nothing refers to.
-    #[error("{entry} is used by nothing")]
+    #[error("{entry} is not used")]
     Unused {
         /// The entry.
         entry: String,
@@ -413,7 +415,7 @@ impl Problem for ModelProblem {
             }
             Self::CsvNumber { .. } => Some("with a point and no thousands separator, for example 0.25 or 1e-3".to_owned()),
             Self::NoCarrier { .. } => Some(
-                "hang both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
+                "mount both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" couples any two joints"
                     .to_owned(),
             ),
             Self::NotDrivable { why, .. } if *why == HAS_PLAY_IN_GUIDE => {

@@ -20,7 +20,7 @@ from ._extras import need
 Rows = tuple[NDArray[np.float64], NDArray[np.int32]]
 """A row for each run, and the number of the reason why it failed, -1 for none."""
 Part = tuple[int, NDArray[np.float64], NDArray[np.int32]]
-"""The same, behind the place of its first run."""
+"""Index of the first run, then rows and reasons as in `Rows`."""
 Maker = Callable[[list[tuple[int, float]], NDArray[np.float64], NDArray[np.float64]], Iterator[Part | None]]
 """Makes runs from what is loosened and from their inputs, part by part; nothing while there is none."""
 
@@ -35,7 +35,7 @@ _TICK_S = 0.1
 
 
 def maker(client: Any, study: _loosepin.Study, accuracy: tuple[str, ...], budget: str | None) -> Maker:
-    """What makes the runs of `study` on the cluster of `client`."""
+    """Function that makes the runs of `study` on the cluster of `client`."""
     distributed = need("distributed", "client=...")
     if not isinstance(client, distributed.Client):
         raise TypeError(f"client is a {type(client).__name__}; must be a distributed.Client")

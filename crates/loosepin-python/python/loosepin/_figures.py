@@ -73,7 +73,7 @@ def _curves(axis: Any, curve: Curve, units: dict[str, Any]) -> None:
     unit, factor = shown(curve.unit, units)
     angle = np.degrees(curve.pose_rad)
     share = 100 * (curve.probabilities[1] - curve.probabilities[0])
-    axis.fill_between(angle, *(end * factor for end in curve.mixed), color=UNKNOWN, alpha=0.35, lw=0, label=f"{share:.3g} % for every unknown value")
+    axis.fill_between(angle, *(end * factor for end in curve.mixed), color=UNKNOWN, alpha=0.35, lw=0, label=f"{share:.3g} %, all unknown values")
     axis.fill_between(angle, *(end * factor for end in curve.random), color=RANDOM, alpha=0.6, lw=0, label=f"{share:.3g} %, unknown values in the middle")
     axis.plot(angle, curve.nominal * factor, color=INK, lw=0.9, label="nominal")
     axis.set(xlabel="angle of the drive [deg]", ylabel=f"{curve.output}, {curve.of}{_in(unit)}")
@@ -84,7 +84,7 @@ def _boxes(axis: Any, box: dict[str, Any], units: dict[str, Any]) -> None:
     unit, factor = shown(box["unit"], units)
     values = np.array(box["value_si"], dtype=float) * factor
     lower, upper, only = (np.array(box[key], dtype=float) for key in ("lower", "upper", "probability_only"))
-    axis.fill_between(values, lower, upper, color=UNKNOWN, alpha=0.35, lw=0, label="for every unknown value")
+    axis.fill_between(values, lower, upper, color=UNKNOWN, alpha=0.35, lw=0, label="all unknown values")
     axis.plot(values, only, color=RANDOM, lw=1.2, label="unknown values taken as random")
     if box["limit_si"] is not None:
         axis.axvline(float(box["limit_si"]) * factor, color=INK, lw=0.8, ls=":")
@@ -101,7 +101,7 @@ def _contributors(axis: Any, record: dict[str, Any], _units: dict[str, Any]) -> 
         axis.barh(row, 100 * float(high), color=colour, alpha=0.55)
         axis.barh(row, 100 * float(low), color=colour)
     axis.set_yticks(range(len(bars)), [bar[0] for bar in bars])
-    axis.set_xlabel("% of the band that would go")
+    axis.set_xlabel("% by which the band becomes narrower")
     at = record["at"].get("reduction", record["at"]["kind"]).replace("_", " ")
     axis.set_title(f"{record['output']}, {record['of']} {at}: held fixed (blue), known (orange)", fontsize="medium")
 

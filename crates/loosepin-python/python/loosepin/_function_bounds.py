@@ -52,7 +52,7 @@ class Box:
 
 
 class FunctionBounds:
-    """What `bounds` found: `result.bounds` holds one `Bound` for each statistic of each output."""
+    """Result of `bounds`: `result.bounds` holds one `Bound` for each statistic of each output."""
 
     def __init__(self, record: dict[str, Any], outputs: Sequence[str]) -> None:
         """Use `bounds`."""
@@ -61,7 +61,7 @@ class FunctionBounds:
         self.cuts: tuple[tuple[float, tuple[Bound, ...]], ...] = tuple(
             (alpha, _bounds(each, outputs)) for alpha, each in record["cuts"]
         )
-        """The same by degree of possibility, where an input is fuzzy."""
+        """Bounds at each degree of possibility, where an input is fuzzy."""
         self.boxes: tuple[Box, ...] = tuple(Box(outputs[each[0]], *each[1:]) for each in record["boxes"])
         """One for each "cdf" that was asked for."""
         self.bands: tuple[Band, ...] = tuple(
@@ -75,7 +75,7 @@ class FunctionBounds:
         self.outputs: dict[str, Array] = {column.name: column.values for column in record["outputs"]}
         """Every value that it returned."""
         self.purpose: NDArray[np.str_] = np.array(record["purpose"])
-        """What each run was for: "mixed", "probability_only" or "interval_only"."""
+        """Purpose of each run: "mixed", "probability_only" or "interval_only"."""
 
     def to_pandas(self) -> pandas.DataFrame:
         """One bound a row."""
@@ -179,7 +179,7 @@ def requests(statistics: Sequence[Statistic], outputs: int) -> list[tuple[int, s
 
 
 def table(returned: Any, rows: int, outputs: list[str]) -> Array:
-    """What a function returned, as one row for each run and one column for each output."""
+    """Return value of a function, as one row for each run and one column for each output."""
     values = np.asarray(returned, dtype=np.float64)
     if values.ndim == 1:
         values = values[:, np.newaxis]

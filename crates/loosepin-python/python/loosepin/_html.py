@@ -1,4 +1,4 @@
-"""What notebooks show: one piece of HTML that needs neither network nor scripts."""
+"""HTML for notebooks, without network and scripts."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""What is known of an uncertain number: a distribution, or only what it may be.
+"""Uncertain inputs: distributions, intervals, lists and other descriptions.
 
-A parameter of a distribution may itself be an `Interval` (or another kind of ignorance): that is a probability box.
+A parameter of a distribution may be an `Interval` or another epistemic input: the distribution is then a probability box.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Fuzzy:
 
 
 Unknown = Interval | Periodic | OneOf | Evidence | Fuzzy
-"""What is not random."""
+"""Any epistemic input."""
 Parameter = float | Unknown
 """A parameter of a distribution."""
 
@@ -168,6 +168,6 @@ Distribution = (
     | Discrete
     | Empirical
 )
-"""What is random."""
+"""Any random input."""
 Input = Distribution | Unknown
 """An uncertain number."""

@@ -32,7 +32,7 @@ class Output:
     name: str
     """Its name in the model."""
     words: str
-    """What it is, for example "x of slider.pin"."""
+    """Meaning, for example "x of slider.pin"."""
     unit: str
     """SI unit of its values."""
 
@@ -133,7 +133,7 @@ class Simulation(Mapping[str, NDArray[np.float64]]):
         }
         ideal, deviation = native.ideal_and_deviation()
         self.ideal: dict[str, NDArray[np.float64]] = {column.name: column.values for column in ideal}
-        """What each output would be without play, in its SI unit."""
+        """Each output without play, in its SI unit."""
         self.deviation: dict[str, NDArray[np.float64]] = {column.name: column.values for column in deviation}
         """Each output minus what it would be without play, in its SI unit."""
         self.units: dict[str, str] = dict(outputs)

@@ -15,7 +15,7 @@ _EVERY_S = 0.25
 
 
 def listener(progress: bool | Listener) -> _Line | _Callable | None:
-    """What `Study.run` tells how far it is."""
+    """Listener for the progress of `Study.run`."""
     if callable(progress):
         return _Callable(progress)
     if not progress:
@@ -53,7 +53,7 @@ class _Line:
         if finished:
             left = f"at most {_duration((now - self._began) / finished * (most - finished))} left"
         else:
-            left = "the first ones are under way"
+            left = "the first runs have started"
         self._show(f"[{bar}] {finished} of at most {most} runs, {left}")
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""What a study answers."""
+"""Results of a study."""
 
 from __future__ import annotations
 
@@ -39,13 +39,13 @@ class BoundEnd:
     """One end of a bound, in the unit of the bound."""
 
     value: float
-    """What was found: the statistic has this value at the witness."""
+    """Value of the statistic at the witness."""
     widened: float
     """The value moved outwards by what was not resolved: the bound to rely on."""
     error_sampling: float
     """Numerical error from the finite number of random samples."""
     error_optimisation: float
-    """Numerical error from the search over what is not known."""
+    """Numerical error from the search over the epistemic inputs."""
     error_surrogate: float
     """Numerical error from a surrogate; 0 where none was used."""
     witness: dict[str, float | str]
@@ -119,7 +119,7 @@ class Curve:
     probabilities: tuple[float, float]
     """Probabilities of the ends of the bands."""
     random: tuple[Array, Array]
-    """The band of the random scatter alone, with what is not known in the middle."""
+    """The band of the random scatter alone, with unknown inputs in the middle of their ranges."""
     mixed: tuple[Array, Array]
     """The band for every value of what is not known, numerical error included."""
 
@@ -209,7 +209,7 @@ class StudyResult:
 
     @cached_property
     def surrogates(self) -> Surrogates | None:
-        """What was learned, where the study asks for surrogates."""
+        """Surrogates, where the study asks for them."""
         from ._surrogates import Surrogates
 
         text = self._native.surrogates_json()

@@ -60,7 +60,7 @@ class Surrogates:
 
     @property
     def outputs(self) -> tuple[SurrogateOutput, ...]:
-        """What can be predicted, in the order in which `predict` counts."""
+        """Outputs that can be predicted; `predict` takes the index in this list."""
         return tuple(
             SurrogateOutput(output, of, unit, tuple(places), np.array(poses), members)
             for output, of, unit, places, poses, members in self._native.outputs()

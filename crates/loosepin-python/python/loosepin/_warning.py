@@ -1,4 +1,4 @@
-"""What looks like an oversight in a file, as a Python warning."""
+"""Warnings about a file, as Python warnings."""
 
 from __future__ import annotations
 

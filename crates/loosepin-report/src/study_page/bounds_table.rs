@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use crate::answer::output_unit;
+use crate::bound_words::{bound_error, bound_value, error_parts};
 use crate::number::{NumberWriter, Rounding};
 use crate::wording::{
     MASSES_ADD, further, guarantee_words, has_parts, has_unknown, only_curves, reading_beside, response_words,
@@ -24,9 +25,8 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
     html! {
         p {
             "Each statistic lies between its two bounds"
-            @if has_unknown(&result.inputs) { ", wherever in their ranges the " (unknown_words(&result.inputs)) " are" }
-            ". The bounds are \
-             rounded and widened outwards by their numerical error, which stands beside them."
+            @if has_unknown(&result.inputs) { " for all values of the " (unknown_words(&result.inputs)) }
+            ". The bounds include their numerical error and are rounded outwards."
         }
         @if has_parts(&result.inputs) {
             p { (MASSES_ADD) }
@@ -38,7 +38,7 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
                     th.number scope="col" { "Lower bound, attained at" }
                     th.number scope="col" { "Upper bound, attained at" }
                     th.number scope="col" { "± numerical error" }
-                    th scope="col" { "What stands behind it" }
+                    th scope="col" { "Guarantee" }
                 }
             }
             @for group in rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading) {
@@ -55,7 +55,7 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
         }
         @if others > 0 {
             p.quiet {
-                (further(others, "bound", "(points of the curves, other treatments) ", writer)) code { "bounds.csv" } "."
+                (further(others, "bound", "(points of curves, other treatments) ", writer)) code { "bounds.csv" } "."
             }
         }
     }
@@ -68,56 +68,18 @@ fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Mark
         tr {
             td data-label="Statistic" { (statistic_words(bound.statistic, &output_unit, writer)) }
             td.number data-label="Lower bound" {
-                (end_value(&bound.lower, bound, Rounding::Down, writer)) " "
+                (bound_value(&bound.lower, bound, Rounding::Down, writer)) " "
                 span.quiet { (witness(&bound.lower)) }
             }
             td.number data-label="Upper bound" {
-                strong { (end_value(&bound.upper, bound, Rounding::Up, writer)) } " "
+                strong { (bound_value(&bound.upper, bound, Rounding::Up, writer)) } " "
                 span.quiet { (witness(&bound.upper)) }
             }
             td.number data-label="± numerical error" {
-                (error(bound, writer)) " "
+                (bound_error(bound, writer)) " "
                 span.quiet { (error_parts(bound, writer)) }
             }
-            td data-label="What stands behind it" { span.quiet { (guarantee_words(bound.guarantee, writer)) } }
+            td data-label="Guarantee" { span.quiet { (guarantee_words(bound.guarantee, writer)) } }
         }
     }
-}
-
-/// The widened end, rounded outwards.
-pub(crate) fn end_value(end: &BoundEnd, bound: &BoundRecord, rounding: Rounding, writer: &NumberWriter) -> String {
-    if bound.statistic.is_probability() {
-        writer.percent(end.widened_si, rounding)
-    } else {
-        writer.down_to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
-    }
-}
-
-/// The larger error of both ends.
-pub(crate) fn error(bound: &BoundRecord, writer: &NumberWriter) -> String {
-    part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, writer)
-}
-
-fn part(error_si: f64, bound: &BoundRecord, writer: &NumberWriter) -> String {
-    if bound.statistic.is_probability() {
-        writer.percent(error_si, Rounding::Up)
-    } else {
-        writer.error(error_si, &bound.unit)
-    }
-}
-
-/// Which parts of the error are not zero, at the end where it is larger.
-fn error_parts(bound: &BoundRecord, writer: &NumberWriter) -> String {
-    let error = if bound.upper.error.total_si() >= bound.lower.error.total_si() {
-        bound.upper.error
-    } else {
-        bound.lower.error
-    };
-    let parts = [("sampling", error.sampling_si), ("search", error.optimisation_si), ("surrogate", error.surrogate_si)];
-    let words: Vec<String> = parts
-        .into_iter()
-        .filter(|(_, value_si)| *value_si != 0.0)
-        .map(|(name, value_si)| format!("{name} {}", part(value_si, bound, writer)))
-        .collect();
-    words.join(", ")
 }

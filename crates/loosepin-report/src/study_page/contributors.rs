@@ -1,4 +1,4 @@
-//! What would make the band narrower: tighter parts, or better measurement; one chart in two colours.
+//! Sensitivity: how much narrower the band becomes by a tighter tolerance or a better measurement; one chart in two colours.
 
 use maud::{Markup, html};
 
@@ -10,9 +10,9 @@ use loosepin_result::study::{Contributors, ShareRange, StudyResult};
 pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "How much narrower the band that holds 95 % of mechanisms, whatever the unknown values are, would be without each input: "
-            span class="swatch probability line" {} " " strong { "tighter parts" } " (a random input that did not scatter) or "
-            span class="swatch mixed line" {} " " strong { "better measurement" } " (an unknown value that were known)."
+            "Each bar shows how much narrower the band of 95 % of mechanisms becomes without the uncertainty of one input: "
+            span class="swatch probability line" {} " " strong { "tighter tolerance" } " (a random input without scatter) or "
+            span class="swatch mixed line" {} " " strong { "better measurement" } " (an unknown value that is measured)."
         }
         @for one in &result.contributors { (figure(result, one, writer)) }
     }
@@ -28,9 +28,9 @@ fn figure(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Ma
                 thead {
                     tr {
                         th scope="col" { "Input" }
-                        th scope="col" { "Part of the band that would go" }
-                        th.number scope="col" { "Share of the variance: alone" }
-                        th.number scope="col" { "in all" }
+                        th scope="col" { "Band narrower by" }
+                        th.number scope="col" { "Sobol' index, first order" }
+                        th.number scope="col" { "Sobol' index, total" }
                         th.number scope="col" { "Quasi-static share" }
                     }
                 }
@@ -38,18 +38,18 @@ fn figure(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Ma
                     @for input in &one.random {
                         tr {
                             th scope="row" { (names(&input.paths, result)) }
-                            td data-label="Part of the band" { (bar("probability", [input.band_share; 2], writer)) }
-                            td.number data-label="Variance alone" { (share(&input.first, writer)) }
-                            td.number data-label="Variance in all" { (share(&input.total, writer)) }
+                            td data-label="Band narrower by" { (bar("probability", [input.band_share; 2], writer)) }
+                            td.number data-label="Sobol' index, first order" { (share(&input.first, writer)) }
+                            td.number data-label="Sobol' index, total" { (share(&input.total, writer)) }
                             td.number data-label="Quasi-static share" { (known(input.quasi_static_share, writer)) }
                         }
                     }
                     @for input in &one.epistemic {
                         tr {
                             th scope="row" { (plain_name(&input.path, &result.inputs)) }
-                            td data-label="Part of the band" { (bar("mixed", input.band_share, writer)) }
-                            td.number data-label="Variance alone" { "–" }
-                            td.number data-label="Variance in all" { "–" }
+                            td data-label="Band narrower by" { (bar("mixed", input.band_share, writer)) }
+                            td.number data-label="Sobol' index, first order" { "–" }
+                            td.number data-label="Sobol' index, total" { "–" }
                             td.number data-label="Quasi-static share" { (known(input.quasi_static_share, writer)) }
                         }
                     }
@@ -60,26 +60,27 @@ fn figure(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Ma
     }
 }
 
-/// What the numbers are and how far they can be trusted.
+/// Meaning and error of the numbers.
 fn caption(one: &Contributors, writer: &NumberWriter) -> String {
     let error = one.epistemic.iter().map(|input| input.error).fold(0.0, f64::max);
     let mut caption = format!(
-        "The band is {} wide{}. Known inputs: from the least to the most over the values that they may have, from the existing runs; \
-         error {}.",
+        "The band is {} wide{}. For an unknown value, the reduction depends on the measured value: the bar goes from the smallest to \
+         the largest. It is computed from the existing runs, with an error of {}.",
         writer.value(one.band_width_si, &one.unit),
-        if one.at == loosepin_result::study::ResponsePoint::Whole { " in the mean over the poses" } else { "" },
+        if one.at == loosepin_result::study::ResponsePoint::Whole { " on average over the poses" } else { "" },
         writer.percent(error, Rounding::Up)
     );
     if !one.points.is_empty() {
         caption.push_str(&format!(
-            " Shares of the variance: Sobol' indices, first order and total, over {} of the unknown inputs with their errors \
-             (confidence {}); their part of the band takes the scatter to shrink with the square root of the variance.",
+            " Sobol' indices are shares of the variance, at {} of the unknown inputs, errors included (confidence {}). For a random \
+             input, the band is assumed to shrink with the square root of the variance.",
             crate::wording::counted(one.points.len() as u64, "value", writer),
             writer.percent(one.confidence, Rounding::Nearest)
         ));
     }
     caption.push_str(
-        " Quasi-static: of the variance by linear scatter without play, or of the worst case of all clearances, without dynamics.",
+        " Quasi-static share, without dynamics: share of the variance by linear scatter without play, or share of the worst case of \
+         all clearances.",
     );
     caption
 }

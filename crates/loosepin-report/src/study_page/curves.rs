@@ -32,7 +32,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
     };
     if !curve.mixed.lower_si.is_empty() {
         let (lower, upper) = range(&curve.mixed);
-        let label = format!("{share}, whatever the unknown values");
+        let label = format!("{share}, all unknown values");
         add(label, Role::Mixed, false, EntryValues::band(&lower, &upper));
     }
     for each in curve.simultaneous.iter().filter(|each| !each.band.lower_si.is_empty()) {
@@ -43,7 +43,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
     let has_random = curve.random.lower_si.iter().any(|value| value.is_finite());
     if has_random {
         let (lower, upper) = range(&curve.random);
-        add(format!("{share}, random scatter alone"), Role::Random, false, EntryValues::band(&lower, &upper));
+        add(format!("{share}, random scatter only"), Role::Random, false, EntryValues::band(&lower, &upper));
     }
     if !curve.nominal_si.is_empty() {
         let values = scaled(&curve.nominal_si, &curve.unit, writer);
@@ -57,7 +57,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
     let subject = output_words(&curve.output, &result.outputs);
     let centre = writer.witness(&curve.centre, &result.inputs);
     let worst_words = format!(
-        "reaches furthest at {}, to {}",
+        "is largest at {}, {} from zero",
         writer.rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest),
         writer.rounded(worst, &curve.unit, 2, Rounding::Up)
     );
@@ -75,21 +75,19 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         height: 380,
         caption: html! {
             strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
-            "At each angle, " (share) " of mechanisms lie inside "
+            "At each angle, " (share) " of mechanisms lie inside the orange band for all unknown values"
             @if has_random {
-                "the blue band if the unknown values are in the middle of their ranges"
+                ", and inside the blue band for unknown values in the middle of their ranges"
                 @if !centre.is_empty() { " (" (centre) ")" }
-                ", and inside "
             }
-            "the orange band whatever " @if has_random { "they" } @else { "the unknown values" } " are. The orange band " (worst_words)
-            "; its numerical error, up to " (writer.error(curve.numerical_error_si, &curve.unit))
-            ", is included."
+            ". The orange band " (worst_words) ". It includes its numerical error of up to "
+            (writer.error(curve.numerical_error_si, &curve.unit)) "."
             @for each in &curve.simultaneous {
                 " " (simultaneous_words(each, writer))
             }
         },
         alternative: format!(
-            "Chart of the {} of {} over one turn of {}; the band for every unknown value {worst_words}.",
+            "Chart of the {} of {} over one turn of {}; the band for all unknown values {worst_words}.",
             deviation_words(curve.of),
             subject,
             result.cycle.drive
@@ -97,15 +95,15 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
     }
 }
 
-/// What the band for whole curves says.
+/// Sentence on the band for whole curves.
 fn simultaneous_words(each: &SimultaneousCurve, writer: &NumberWriter) -> String {
     let share = writer.percent(each.share, Rounding::Nearest);
     if each.band.lower_si.is_empty() {
-        return format!("The runs do not tell in which band {share} of mechanisms stay for the whole cycle.");
+        return format!("The runs give no band that {share} of mechanisms keep for the whole cycle.");
     }
     format!(
-        "Between the dashed lines {share} of mechanisms stay for the whole cycle, whatever the unknown values: {:.2} times as wide as \
-         the band of the same share at each angle by itself.",
+        "{share} of mechanisms stay between the dashed lines for the whole cycle, for all unknown values. That band is {:.2} times as \
+         wide as the band of the same share at each single angle.",
         each.factor
     )
 }
@@ -140,8 +138,8 @@ fn worst_pose(curve: &DeviationCurve) -> (f64, f64) {
 pub(super) fn box_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "Read off the share of mechanisms that stay below a given size. The share itself is known only to lie within \
-             the orange band: how wide it is shows what is not known."
+            "The share of mechanisms that stay below a given value lies inside the orange band. The height of the band shows the \
+             effect of the unknown inputs."
         }
         @for (index, probability_box) in result.boxes.iter().enumerate() {
             (box_chart(result, probability_box, index, writer).figure())
@@ -158,14 +156,14 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         place_words(pbox.at, writer)
     );
     let mut entries = vec![Entry {
-        label: "bounds of the share below".to_owned(),
+        label: "bounds of the share".to_owned(),
         role: Role::Mixed,
         dashed: false,
         values: EntryValues::band(&percent(&pbox.lower), &percent(&pbox.upper)),
     }];
     if !pbox.probability_only.is_empty() {
         entries.push(Entry {
-            label: "everything as probability".to_owned(),
+            label: "probability only".to_owned(),
             role: Role::Probability,
             dashed: true,
             values: EntryValues::line(&percent(&pbox.probability_only)),
@@ -186,7 +184,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
     };
     let median = match (crossing(&pbox.upper), crossing(&pbox.lower)) {
         (Some(from), Some(to)) => format!(
-            "Half of all mechanisms stay below a size between {} and {}.",
+            "The median lies between {} and {}.",
             significant(writer.scaled(from, &pbox.unit), 2, Rounding::Down).replace('-', "−"),
             writer.rounded(to, &pbox.unit, 2, Rounding::Up)
         ),
@@ -217,7 +215,7 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
     let above = pbox.value_si.partition_point(|value_si| *value_si < limit_si);
     let read_off = || {
         let least = pbox.lower.get(above.saturating_sub(1)).copied()?;
-        Some(([least, pbox.upper.get(above).copied()?], ", without the sampling error"))
+        Some(([least, pbox.upper.get(above).copied()?], ", sampling error not included"))
     };
     let bounded = bounded_share(result, pbox, limit_si).map(|share| (share, ", numerical error included"));
     let Some(([least, most], error)) = bounded.or_else(read_off) else { return String::new() };

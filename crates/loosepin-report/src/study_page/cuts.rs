@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use crate::answer::output_unit;
+use crate::bound_words::bound_value;
 use crate::number::{NumberWriter, Rounding};
 use crate::percentile_words::{PERCENTILES_MEAN, percentile_words};
-use crate::study_page::bounds_table::end_value;
 use crate::wording::{deviation_words, further, output_words, place_words, statistic_words};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 
@@ -18,8 +18,8 @@ pub(super) fn cuts(result: &StudyResult, writer: &NumberWriter) -> Markup {
     let columns: Vec<(String, &[BoundRecord])> = columns.collect();
     html! {
         p {
-            "A fuzzy number says which values are possible to which degree. At each degree every statistic lies between its two \
-             bounds; the higher the degree, the less is possible and the closer they are."
+            "A fuzzy number gives each value a degree of possibility. At each degree every statistic lies between its two bounds. A \
+             higher degree allows fewer values, so its bounds are closer."
         }
         (in_columns(&columns, result, writer))
     }
@@ -60,8 +60,8 @@ fn in_columns(columns: &[(String, &[BoundRecord])], result: &StudyResult, writer
                         @for (title, bounds) in columns {
                             td.number data-label=(title) {
                                 @if let Some(bound) = bounds.get(*index) {
-                                    (end_value(&bound.lower, bound, Rounding::Down, writer)) " to "
-                                    (end_value(&bound.upper, bound, Rounding::Up, writer))
+                                    (bound_value(&bound.lower, bound, Rounding::Down, writer)) " to "
+                                    (bound_value(&bound.upper, bound, Rounding::Up, writer))
                                 } @else { "–" }
                             }
                         }

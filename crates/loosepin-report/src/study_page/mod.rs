@@ -10,7 +10,6 @@ mod treatments;
 
 use maud::{Markup, html};
 
-pub(super) use bounds_table::{end_value as bound_value, error as bound_error};
 pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
 use super::accuracy_text::accuracy_sentences;
@@ -34,8 +33,8 @@ pub fn study_page(result: &StudyResult) -> String {
         sections.push(Section::new("requirements", "Requirements", requirements(result, &writer)));
     }
     for (id, title, sentences) in [
-        ("accuracy", "How near the bounds are", accuracy_sentences(result, &writer)),
-        ("allowed", "What the requirements allow", inverse_sentences(result, &writer)),
+        ("accuracy", "Accuracy of the bounds", accuracy_sentences(result, &writer)),
+        ("allowed", "Loosest values that meet the requirements", inverse_sentences(result, &writer)),
         ("rare", "Small probabilities", rare_sentences(result, &writer)),
     ] {
         if !sentences.is_empty() {
@@ -43,39 +42,31 @@ pub fn study_page(result: &StudyResult) -> String {
         }
     }
     if !result.bounds.is_empty() {
-        sections.push(Section::new("bounds", "The numbers", bounds_table::bounds_table(result, &writer)));
+        sections.push(Section::new("bounds", "Bounds", bounds_table::bounds_table(result, &writer)));
     }
     if let Some(record) = &result.surrogate {
         let markup = surrogate::surrogate(result, record, &writer);
         sections.push(Section::new("surrogate", super::surrogate_text::title(record), markup));
     }
     if !result.cuts.is_empty() {
-        sections.push(Section::new("degrees", "By degree of possibility", cuts::cuts(result, &writer)));
+        sections.push(Section::new("degrees", "Bounds by degree of possibility", cuts::cuts(result, &writer)));
     }
     if !result.percentiles.is_empty() {
-        sections.push(Section::new(
-            "percentiles",
-            "How well each statistic is known",
-            cuts::percentiles(result, &writer),
-        ));
+        sections.push(Section::new("percentiles", "Percentiles of the statistics", cuts::percentiles(result, &writer)));
     }
     if !result.curves.is_empty() {
         sections.push(Section::new("curves", "Deviation over the cycle", curves::deviation_charts(result, &writer)));
     }
     if !result.boxes.is_empty() {
-        sections.push(Section::new("boxes", "How likely is which size", curves::box_charts(result, &writer)));
+        sections.push(Section::new("boxes", "Probability boxes", curves::box_charts(result, &writer)));
     }
     if !result.contributors.is_empty() {
-        sections.push(Section::new(
-            "contributors",
-            "What would make it narrower",
-            contributors::contributors(result, &writer),
-        ));
+        sections.push(Section::new("contributors", "Sensitivity", contributors::contributors(result, &writer)));
     }
     if !result.treatments.is_empty() {
         sections.push(Section::new(
             "treatments",
-            "Three ways to treat what is not known",
+            "Three treatments of the unknown inputs",
             treatments::treatments(result, &writer),
         ));
     }
@@ -150,15 +141,15 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         table.cards {
             caption.quiet {
-                "Each share "
-                @if has_unknown(&result.inputs) { "holds for every value of the " (unknown_words(&result.inputs)) " and " }
-                "includes its numerical error."
+                "Shares of mechanisms, numerical error included"
+                @if has_unknown(&result.inputs) { ", for all values of the " (unknown_words(&result.inputs)) }
+                "."
             }
             thead {
                 tr {
                     th scope="col" { "Requirement" }
                     th.number scope="col" { "Required share" }
-                    th.number scope="col" { "True share" }
+                    th.number scope="col" { "Share inside" }
                     th scope="col" { "Smallest at" }
                     th scope="col" { "Verdict" }
                 }
@@ -175,7 +166,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
                         td.number data-label="Required share" {
                             "≥ " (writer.percent(requirement.probability_at_least, Rounding::Nearest))
                         }
-                        td.number data-label="True share" {
+                        td.number data-label="Share inside" {
                             (writer.percent_range(requirement.probability[0], requirement.probability[1]))
                         }
                         td data-label="Smallest at" { (writer.witness(&requirement.witness, &result.inputs)) }
@@ -194,8 +185,8 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
 fn orbits(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "The path of the pin's centre relative to the hole, in the frame of the part that carries the hole. Inside the \
-             circle the pin flies free; on it, the parts touch."
+            "The path of the pin centre relative to the hole, in the frame of the part with the hole. Inside the circle the pin \
+             does not touch the hole. On the circle the parts are in contact."
         }
         div.orbits { @for orbit in &result.orbits { (orbit_figure(orbit, writer)) } }
     }

@@ -1,4 +1,4 @@
-//! Which runs failed and why, the energy check, and how everything was computed.
+//! Failed runs with their reasons, the energy check, and the method.
 
 use maud::{Markup, html};
 
@@ -17,37 +17,35 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
     let share = result.counts.failed as f64 / result.counts.runs.max(1) as f64;
     html! {
         p {
-            @if is_by_surrogate(result) { (counted(result.counts.runs, "run", writer)) ", by which a surrogate was learned and held against them. " }
+            @if is_by_surrogate(result) { (counted(result.counts.runs, "run", writer)) ", to train a surrogate and to check it. " }
             @else {
                 (counted(result.counts.runs, "run", writer))
-                @if result.counts.by_purpose.len() > 1 { ", " (count(double_loop_runs(result), writer)) " of them in the double loop" }
+                @if result.counts.by_purpose.len() > 1 { ", " (count(double_loop_runs(result), writer)) " in the double loop" }
                 ": " (double_loop_words(result, ", each with ", writer))
-                @if has_unknown(&result.inputs) && has_scatter(result) { ", the same for every one of them" }
+                @if has_unknown(&result.inputs) && has_scatter(result) { ", the same samples for every value" }
                 ". "
             }
             @if result.counts.failed == 0 { "No run failed. " }
             @else {
                 strong { (counted(result.counts.failed, "run", writer)) " failed" }
-                " (" (writer.percent(share, Rounding::Up)) "). What " @if result.counts.failed == 1 { "it" } @else { "they" } " would have given is not known: probabilities \
-                 include both possibilities. "
+                " (" (writer.percent(share, Rounding::Up)) "). Probabilities allow for both outcomes of a failed run. "
             }
             @if let Some(settled) = result.settled_share {
-                "In " (writer.percent(settled, Rounding::Down)) " of the runs the motion had settled into a period; the \
-                 others are kept. "
+                "In " (writer.percent(settled, Rounding::Down)) " of the runs the motion is periodic; the other runs count as well. "
                 @if settled < 0.5 {
-                    "Most motions do not repeat from turn to turn: statistics over more recorded turns are advised."
+                    "Most motions do not repeat from turn to turn: record more turns."
                 }
             }
         }
         @if !result.failures.is_empty() {
             table.cards {
-                thead { tr { th scope="col" { "Reason" } th.number scope="col" { "Runs" } th scope="col" { "One of them" } } }
+                thead { tr { th scope="col" { "Reason" } th.number scope="col" { "Runs" } th scope="col" { "Example" } } }
                 tbody {
                     @for failure in &result.failures {
                         tr {
                             th scope="row" { (failure.words) br; code.quiet { (failure.code) } }
                             td.number data-label="Runs" { (count(failure.count, writer)) }
-                            td data-label="One of them" {
+                            td data-label="Example" {
                                 "run " (failure.example.index) ":" pre { code { (failure.example.command) } }
                             }
                         }
@@ -74,7 +72,7 @@ fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
         rows.push((
             "Restitution".to_owned(),
             html! {
-                "stated " (range(nominal, writer)) "; under this contact law a free impact really delivers "
+                "stated " (range(nominal, writer)) "; a free impact under this contact law gives "
                 strong { (range(delivered, writer)) }
             },
         ));
@@ -82,13 +80,13 @@ fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
     if let Some(share) = joint.share_outside_validity {
         rows.push((
             "Outside the law's validity".to_owned(),
-            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law was made for" },
+            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law is valid for" },
         ));
     }
     if joint.floored_contacts > 0 {
         rows.push((
-            "Very gentle contacts".to_owned(),
-            html! { (count(joint.floored_contacts, writer)) " computed with the least impact speed of the law" },
+            "Very slow contacts".to_owned(),
+            html! { (count(joint.floored_contacts, writer)) " computed with the smallest impact speed of the law" },
         ));
     }
     html! { h3 { "Impacts in " (joint.joint) } (facts(&rows)) }
@@ -112,8 +110,8 @@ pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup 
     );
     html! {
         p {
-            "Every run adds up its energy: kinetic, potential, stored, lost in contact and friction, supplied by the drive. \
-             What is left over, as a share of the largest energy exchanged, is the run's own check."
+            "Every run checks its energy balance: kinetic, potential and stored energy, losses in contact and friction, work of \
+             the drive. The residual is given as a share of the largest energy exchanged."
         }
         (histogram_figure(
             &energy.histogram,
@@ -131,7 +129,7 @@ pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup 
 
 pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
-        h3 { "What is uncertain" }
+        h3 { "Uncertain inputs" }
         table.cards {
             thead { tr { th scope="col" { "Input" } th scope="col" { "Kind" } th scope="col" { "Range or distribution" } } }
             tbody {
@@ -153,12 +151,10 @@ pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
                     @if let Some(linear) = correlation.linear { "linear " (writer.shortest(linear, &SiUnit::NONE)) }
                     @else { "rank " (writer.shortest(correlation.rank, &SiUnit::NONE)) }
                 }
-                ". All other random inputs are independent. Interval-only bands take every combination of the cut inputs, \
-                 correlated or not"
-                "."
+                ". All other random inputs are independent. The interval-only treatment ignores correlations."
             }
         }
-        h3 { "How it was run" }
+        h3 { "Runs" }
         (facts(&run_facts(result, writer)))
         (glossary())
     }
@@ -189,12 +185,12 @@ fn double_loop_words(result: &StudyResult, each: &str, writer: &NumberWriter) ->
 
 fn purpose_words(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::DoubleLoop => "with each as what it is",
-        Purpose::Mixture => "with everything as probability",
-        Purpose::Extreme => "with everything as interval",
-        Purpose::Contributors => "for what contributes",
+        Purpose::DoubleLoop => "of the mixed treatment",
+        Purpose::Mixture => "of the probability-only treatment",
+        Purpose::Extreme => "of the interval-only treatment",
+        Purpose::Contributors => "for sensitivities",
         Purpose::Rare => "for small probabilities",
-        Purpose::Training => "for surrogates to learn from",
+        Purpose::Training => "to train surrogates",
         Purpose::Confirming => "to confirm surrogates",
     }
 }
@@ -229,7 +225,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
                 @if let Some(speed) = result.cycle.drive_speed_rad_s {
                     " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
                 }
-                "; " (turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s)) " to start up, then "
+                "; " (turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s)) " of start-up, then "
                 (turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s)) " recorded"
             },
         ),
@@ -237,7 +233,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
             "Runs".to_owned(),
             html! {
                 (count(counts.runs, writer))
-                @if is_by_surrogate(result) { ", by which a surrogate was learned and held against them" }
+                @if is_by_surrogate(result) { ", to train a surrogate and to check it" }
                 @else {
                     " = " (double_loop_words(result, " × ", writer))
                 }

@@ -1,4 +1,4 @@
-//! Surrogates beside the direct bounds: what they save, and what they do not know.
+//! Bounds and errors of surrogates beside the direct bounds.
 
 use maud::{Markup, html};
 
@@ -22,14 +22,14 @@ pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: 
     let others = record.bounds.len() - shown.len().min(MOST_ROWS);
     html! {
         p {
-            "A surrogate is a function learned from runs, and these bounds come from it. "
+            "These bounds come from a surrogate: a function fitted to runs. "
             (runs_sentence(record, writer))
-            " Means and probabilities are corrected by these runs; every bound is widened by what the surrogate does not know."
+            " Means and probabilities are corrected by the check runs. All bounds include the error of the surrogate."
         }
         ul { @for sentence in output_sentences(result, record, writer) { li { (sentence) } } }
         @if !shown.is_empty() { (bounds(result, &shown[..shown.len().min(MOST_ROWS)], writer)) }
         @if others > 0 {
-            p.quiet { "A further " (others) " of its bounds stand in " code { "summary.json" } "." }
+            p.quiet { (others) " more of its bounds are in " code { "summary.json" } "." }
         }
         @for comparison in &record.treatments { (treatments(result, comparison, writer)) }
         @for (index, output) in record.outputs.iter().enumerate() {
@@ -129,8 +129,8 @@ fn along_chart(
         marks: Vec::new(),
         height: 220,
         caption: html! {
-            strong { (name) ", " (deviation_words(output.of)) ": error of the surrogate at runs that it has not seen." }
-            " Root mean square, pose by pose."
+            strong { (name) ", " (deviation_words(output.of)) ": error of the surrogate at runs that were not used for training." }
+            " Root mean square at each angle."
         },
         alternative: format!("Held-out error of the surrogate of {name} over the cycle."),
     }

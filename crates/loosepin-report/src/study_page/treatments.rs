@@ -1,4 +1,4 @@
-//! The three treatments side by side: what each claims, how wide it is, and whether it keeps its promise.
+//! The three treatments side by side: band, width, share inside, promise.
 
 use maud::{Markup, html};
 
@@ -14,12 +14,12 @@ use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentCom
 pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "The same runs, read in three ways. Each reading names a band and promises that a stated share of mechanisms \
-             lies inside. Whether it does depends on the unknown values; the share that is really inside was counted at "
+            "Three treatments of the same inputs. Each gives a band that is meant to hold a promised share of mechanisms. The share \
+             inside depends on the unknown values. It was counted at all unknown values "
             @if is_learned(result) {
-                "each of those that were looked at, of the surrogate. Its ends may be off by what the surrogate does not know; a share is as small as it is then."
+                "tested, with the surrogate. The shares include the error of the surrogate."
             } @else {
-                "each of those that were run, in the runs that the mixed band was made from."
+                "tested, in the runs of the mixed treatment."
             }
             @if has_lists(&result.inputs) {
                 " " (EQUALLY_PROBABLE)
@@ -50,10 +50,10 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                 thead {
                     tr {
                         th scope="col" { "Treatment" }
-                        th scope="col" { "Band that is to hold " (promise) " of mechanisms" }
+                        th scope="col" { "Band for " (promise) " of mechanisms" }
                         @if is_learned(result) { th.number scope="col" { "± surrogate" } }
                         th.number scope="col" { "Width" }
-                        th scope="col" { "Share really inside" }
+                        th scope="col" { "Share inside" }
                         th scope="col" { "Promise" }
                     }
                 }
@@ -68,7 +68,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                             td.number data-label="Width" {
                                 (writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))
                             }
-                            td data-label="Share really inside" { (coverage_strip(band, promised, share_from, writer)) }
+                            td data-label="Share inside" { (coverage_strip(band, promised, share_from, writer)) }
                             td data-label="Promise" {
                                 @let word = promise_word(band, promised);
                                 @if band.is_promise_unknown(promised) { span.verdict.undecided { (word) } }
@@ -80,9 +80,9 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                 }
             }
             figcaption {
-                "Bars: the bands on a common scale. Dots: the share inside at each value of the " (unknown_words(&result.inputs)) " that was \
-                 run, from " (writer.percent(share_from, Rounding::Nearest)) " to " (writer.percent(1.0, Rounding::Nearest))
-                "; the upright line is the promised " (promise) "."
+                "Bars: the bands on a common scale. Dots: the share inside at each tested value of the "
+                (unknown_words(&result.inputs)) ", from " (writer.percent(share_from, Rounding::Nearest)) " to "
+                (writer.percent(1.0, Rounding::Nearest)) ". Vertical line: the promised " (promise) "."
             }
         }
         ul.treatment-words {

@@ -53,7 +53,7 @@ pub enum MeasuredProblem {
         name: String,
     },
     /// Several columns, and none of them named.
-    #[error("the table has {} columns; which one is meant is not said", known.len())]
+    #[error("the table has {} columns; the study names none of them", known.len())]
     WhichColumn {
         /// Their names.
         known: Vec<String>,

@@ -41,7 +41,7 @@ pub enum ResultsError {
         example: String,
     },
     /// A file where a folder is due.
-    #[error("{} is a file; a folder is due", path.display())]
+    #[error("{} is a file; expected a folder", path.display())]
     NotAFolder {
         /// The path.
         path: PathBuf,

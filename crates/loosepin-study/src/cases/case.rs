@@ -129,7 +129,7 @@ pub(super) enum QuantityKind {
     ContactStiffness,
     /// Normal force of a contact at rest, N.
     StaticForce,
-    /// Coefficient of restitution that a free impact delivers.
+    /// Coefficient of restitution that a free impact gives.
     DeliveredRestitution,
     /// An output of the run.
     Output,

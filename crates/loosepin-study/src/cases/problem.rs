@@ -53,7 +53,7 @@ pub enum CaseProblem {
         quantity: &'static str,
     },
     /// A list of another length than that of the values.
-    #[error("{entry} has {found} entries; one for each of the {due} values is due")]
+    #[error("{entry} has {found} entries; expected one for each of the {due} values")]
     ListLength {
         /// The entry.
         entry: String,
@@ -89,7 +89,7 @@ pub enum CaseProblem {
         due: usize,
     },
     /// A reference file that no run can be compared with.
-    #[error("{file}: {rows} rows that end at {end_s} s; at least two are due, at equal times from zero")]
+    #[error("{file}: {rows} rows that end at {end_s} s; expected at least two, at equal times from zero")]
     BadTimes {
         /// The file.
         file: String,

@@ -69,13 +69,13 @@ pub enum AccuracyProblem {
         due: Dimension,
     },
     /// No question is left to which it could apply.
-    #[error("{what}: no bound is asked for that more runs bring nearer")]
+    #[error("{what}: more runs improve none of the bounds asked for")]
     NothingAsked {
         /// What the accuracy is of.
         what: String,
     },
     /// A second value of the same dimension in a list.
-    #[error("{what}: another accuracy of the same bounds stands before it")]
+    #[error("{what}: the same bounds already have an accuracy")]
     Twice {
         /// What the accuracy is of.
         what: String,
@@ -132,9 +132,9 @@ impl Problem for AccuracyProblem {
             Self::NotAsked { asked, .. } => {
                 Some(format!("asked is {}; others go into the statistics of an [[ask]]", listed(asked, "and")))
             }
-            Self::WrongDimension { .. } => Some(
-                "an accuracy is measured as the bounds are; of probabilities it is a number such as 0.01".to_owned(),
-            ),
+            Self::WrongDimension { .. } => {
+                Some("an accuracy has the unit of the bounds; for probabilities it is a number such as 0.01".to_owned())
+            }
             Self::MissingUnit { due, .. } => due.example().map(|example| format!("for example {example}")),
             Self::NothingAsked { .. } => {
                 Some("accuracies are of mean, standard_deviation, quantile and counted probabilities".to_owned())

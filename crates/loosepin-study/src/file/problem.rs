@@ -31,7 +31,7 @@ pub enum StudyProblem {
         form: &'static str,
     },
     /// A probability as text.
-    #[error("{entry} is \"{found}\"; a number between 0 and 1 is due")]
+    #[error("{entry} is \"{found}\"; expected a number between 0 and 1")]
     Percent {
         /// The entry.
         entry: String,
@@ -69,7 +69,7 @@ pub enum StudyProblem {
         entry: String,
     },
     /// A distribution of a parameter beside what leaves statistics without a single value at it.
-    #[error("'{path}' has a distribution, which does not go with {beside}")]
+    #[error("'{path}' has a distribution, which cannot be used with {beside}")]
     SecondOrderBeside {
         /// The parameter in words.
         path: String,
@@ -107,7 +107,7 @@ pub enum StudyProblem {
         dimension: Dimension,
     },
     /// An interval whose lower end lies above its upper end.
-    #[error("{entry} begins at {lower} and ends at {upper}; the lower end stands first")]
+    #[error("{entry} begins at {lower} and ends at {upper}; the lower end must be first")]
     IntervalTurnedRound {
         /// The entry.
         entry: String,
@@ -163,13 +163,13 @@ pub enum StudyProblem {
         entry: String,
     },
     /// A support without quantiles or a mean.
-    #[error("{entry} goes with quantiles or a mean")]
+    #[error("{entry} needs quantiles or a mean")]
     SupportAlone {
         /// The entry.
         entry: String,
     },
     /// A list with nothing to choose.
-    #[error("{entry} has 1 entry; at least 2 are due")]
+    #[error("{entry} has 1 entry; give at least 2")]
     SingleMember {
         /// The list.
         entry: String,
@@ -197,7 +197,7 @@ pub enum StudyProblem {
         path: String,
     },
     /// A law between two ends.
-    #[error("'{path}' is a law; between two of them there is nothing")]
+    #[error("'{path}' is a law; it cannot have an interval")]
     IntervalOfLaws {
         /// The path.
         path: String,
@@ -322,7 +322,7 @@ pub enum StudyProblem {
         to: String,
     },
     /// The same question again.
-    #[error("{entry}: {what} is asked before, of the same output at the same place")]
+    #[error("{entry}: {what} is already asked, of the same output at the same place")]
     AskedTwice {
         /// The entry.
         entry: String,
@@ -330,7 +330,7 @@ pub enum StudyProblem {
         what: String,
     },
     /// An angle that stands in a list twice.
-    #[error("{entry}: {pose} is in this list before")]
+    #[error("{entry}: {pose} is already in this list")]
     PoseTwice {
         /// The entry.
         entry: String,
@@ -338,19 +338,19 @@ pub enum StudyProblem {
         pose: String,
     },
     /// Percentiles over nothing.
-    #[error("{entry}: no parameter of a distribution has a distribution, so that none is told")]
+    #[error("{entry}: no parameter of a distribution has a distribution, so there are no percentiles")]
     PercentilesOfNothing {
         /// The entry.
         entry: String,
     },
     /// Direct runs that confirm no surrogate.
-    #[error("{entry} is \"confirming\"; there is no surrogate that direct runs could confirm")]
+    #[error("{entry} is \"confirming\"; the study has no surrogate to confirm")]
     NothingToConfirm {
         /// The entry.
         entry: String,
     },
     /// A question that the surrogate alone does not answer.
-    #[error("{entry}: {of} are had from direct runs alone")]
+    #[error("{entry}: {of} need direct runs")]
     NeedsDirectRuns {
         /// The entry.
         entry: String,
@@ -393,7 +393,7 @@ pub enum StudyProblem {
         path: String,
     },
     /// A key that does not go with fits, or only with them.
-    #[error("{entry} {}", if *.has_fits { "does not go with fits: they have no price of their own" } else { "goes with fits alone" })]
+    #[error("{entry} {}", if *.has_fits { "cannot be used with fits: they have no cost" } else { "needs fits" })]
     BesideFits {
         /// The entry.
         entry: String,
@@ -411,7 +411,7 @@ pub enum StudyProblem {
         up_to: String,
     },
     /// Prices in which what is looser costs no less.
-    #[error("{entry}: every value must stand there once, with a price, and the looser of two must cost less")]
+    #[error("{entry}: give each value once, with its cost; a looser value must cost less")]
     Costs {
         /// The entry.
         entry: String,
@@ -420,7 +420,7 @@ pub enum StudyProblem {
     #[error("[allow] without a requirement: anything would be allowed")]
     NothingRequired,
     /// An empty list.
-    #[error("{entry} is empty; at least one is due")]
+    #[error("{entry} is empty; give at least one")]
     Empty {
         /// The entry.
         entry: String,
@@ -439,7 +439,7 @@ pub enum StudyProblem {
     #[error("the study has no uncertain input")]
     NothingUncertain,
     /// No question and no requirement.
-    #[error("the study asks nothing")]
+    #[error("the study asks no question")]
     NothingAsked,
 }
 
@@ -448,7 +448,7 @@ fn without_hint(error: &DistributionError, dimension: Dimension) -> String {
     let text = |value_si: f64| format_value(value_si, dimension);
     match *error {
         DistributionError::NothingKept { mean, standard_deviation, lower, upper, .. } => format!(
-            "next to nothing of a normal distribution with mean {} and standard deviation {} lies between {} and {}",
+            "a normal distribution with mean {} and standard deviation {} has almost no probability between {} and {}",
             text(mean),
             text(standard_deviation),
             text(lower),
@@ -460,7 +460,7 @@ fn without_hint(error: &DistributionError, dimension: Dimension) -> String {
                 (true, false) => format!("above {}", text(lower)),
                 _ => format!("below {}", text(upper)),
             };
-            format!("next to nothing of the {family} distribution lies {ends}")
+            format!("the {family} distribution has almost no probability {ends}")
         }
         _ => error.to_string(),
     }
@@ -539,7 +539,7 @@ impl Problem for StudyProblem {
             Self::NoSupport { .. } => Some("write support = [least, greatest] beside it".to_owned()),
             Self::SupportAlone { .. } => Some("for two ends and nothing else write interval = [...]".to_owned()),
             Self::FarFromModel { .. } => Some(
-                "mend the one that is wrong, unless it is meant: deviations are from the ideal motion of the model"
+                "correct the wrong value, or ignore this if it is intended: deviations are from the ideal motion of the model"
                     .to_owned(),
             ),
             Self::DegreesTwice { .. } => Some("leave it out".to_owned()),
@@ -581,7 +581,7 @@ impl Problem for StudyProblem {
                 Some("name the input under [epistemic] or [random] first".to_owned())
             }
             Self::NothingRequired => Some("add [[require]]".to_owned()),
-            Self::Costs { .. } => Some("leave out what nobody would buy".to_owned()),
+            Self::Costs { .. } => Some("leave out offers that are no cheaper".to_owned()),
             Self::BandOfPoint { .. } => {
                 Some("write at = \"cycle\", or ask for two quantiles of a single number".to_owned())
             }

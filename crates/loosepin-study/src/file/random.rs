@@ -157,7 +157,7 @@ impl StudyReader {
         }
         let (entry, sum) = (shares.path.describe(), probabilities.iter().sum::<f64>());
         if probabilities.len() != values.len() {
-            let due = format!("one for each of the {} values is due", values.len());
+            let due = format!("expected one for each of the {} values", values.len());
             let found = format!("{} entries", probabilities.len());
             self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
             is_right = false;

@@ -26,7 +26,7 @@ pub enum RandomProblem {
         entry: String,
     },
     /// A column that measures something else.
-    #[error("{entry}: the column '{column}' is {found}; {due} is due")]
+    #[error("{entry}: the column '{column}' is {found}; expected {due}")]
     SampleDimension {
         /// The entry.
         entry: String,
@@ -147,7 +147,7 @@ pub enum RandomProblem {
         found: usize,
     },
     /// Two fits with the same clearances.
-    #[error("{fit} has the same clearances as {other}, which stands there too")]
+    #[error("{fit} has the same clearances as {other}, which is in the list too")]
     SameFit {
         /// The fit.
         fit: String,
@@ -303,7 +303,7 @@ impl Problem for RandomProblem {
                 Some("normal and gumbel have values of either sign".to_owned())
             }
             Self::OtherDiameter { bearing, .. } => {
-                Some(format!("write diameter = \"{bearing}\", or mend bearing_radius"))
+                Some(format!("write diameter = \"{bearing}\", or correct bearing_radius"))
             }
             Self::SameFit { .. } => Some("keep one of the two".to_owned()),
             Self::NoFit { .. } => Some("leave fitted out to take the sample as it is".to_owned()),
@@ -326,9 +326,7 @@ impl Problem for RandomProblem {
                 "holes H fit shafts d to g with play at all sizes; a joint without play is another mechanism"
                     .to_owned(),
             ),
-            Self::Epistemic { .. } => {
-                Some("nothing is known of how a value that is fixed but unknown goes with others".to_owned())
-            }
+            Self::Epistemic { .. } => Some("a value that is fixed but unknown has no correlation".to_owned()),
             Self::NotRandom { known, .. } if known.is_empty() => Some("there are no random inputs".to_owned()),
             Self::NotRandom { known, .. } => Some(format!("there is {}", listed(known, "and"))),
             Self::PairTwice { .. } => Some("keep one of the two".to_owned()),

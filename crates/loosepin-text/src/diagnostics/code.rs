@@ -85,33 +85,31 @@ from the folder of the study file. Check the spelling, the folder you are in, an
 this the encoding."
 
     FileTooLarge "E0103" "a file is larger than any model"
-"Files above one mebibyte are refused before they are read, since no model or study is that large. Most often a file of \
-results was given by mistake."
+"Files above one mebibyte are refused: no model or study is that large. Most often a file of results was given by mistake."
 
     TomlSyntax "E0104" "a file is not TOML"
-"Model and study files are written in TOML (toml.io). Text stands in double quotes, a table begins with its name in \
-brackets, a key stands once. As long as the file is not TOML nothing else in it is checked."
+"Model and study files are TOML (toml.io). Text is in double quotes, a table begins with its name in brackets, and each key \
+is defined once. The file is checked further only when it is TOML."
 
     UnknownKey "E0201" "a key is not known here"
-"Every table has a fixed set of keys, and a key that is not in it would have no effect. `loosepin schema model` and \
-`loosepin schema study` list them. Often the key is misspelt, or stands under the wrong table: in TOML a key belongs to \
-the last table header above it."
+"Each table has a fixed set of keys; another key has no effect. `loosepin schema model` and `loosepin schema study` list the \
+keys. Often the key is misspelt, or it is under the wrong table: in TOML a key belongs to the last table header above it."
 
     MissingKey "E0202" "a key is missing"
-"A value that has no sensible default must be written, for example the mass of a body. Gravity is one of them: whether it \
-acts is a decision, not a default."
+"A value without a sensible default must be written, for example the mass of a body. Gravity has no default either: you \
+decide whether it acts."
 
     WrongType "E0203" "a value has the wrong type"
-"TOML tells text (\"0.5 mm\"), numbers (0.9), tables ({ x = 1 }) and lists ([1, 2]) apart, and so do we. Values with units \
-are text. An angle, a length or a mass written as a bare number is E0303."
+"TOML has text (\"0.5 mm\"), numbers (0.9), tables ({ x = 1 }) and lists ([1, 2]). Values with units are text. An angle, a \
+length or a mass without a unit is E0303."
 
     UnknownChoice "E0204" "a value is not one of those possible"
-"Some keys choose from a list: `kind = \"revolute\"`, `law = \"lankarani-nikravesh\"`, `along = \"x\"`. The complaint names \
-what may stand there."
+"Some keys take one value of a list: `kind = \"revolute\"`, `law = \"lankarani-nikravesh\"`, `along = \"x\"`. The message names \
+the possible values."
 
-    ConflictingKeys "E0205" "keys exclude one another, or need one another"
-"Some keys are alternatives (contact stiffness either from materials or given; an output measures one thing), others \
-belong together (a radial clearance needs the bearing radius and a contact). The complaint names them."
+    ConflictingKeys "E0205" "keys cannot be used together, or need each other"
+"Some keys are alternatives: a contact stiffness comes from materials or is given. Other keys need each other: a radial \
+clearance needs the bearing radius and a contact. The message names the keys."
 
     BadName "E0206" "a name cannot be used"
 "Names of bodies, points, joints and outputs begin with a letter or `_` and consist of letters, digits, `_` and `-`, so \
@@ -119,15 +117,15 @@ that paths such as `joint.gudgeon.radial_clearance` are unambiguous. Names of pa
 the name of a unit or a function, since they stand in arithmetic beside them."
 
     NotYetSupported "E0207" "planned, and not yet in this version"
-"The key or value is part of the file format but this version cannot compute with it. It is refused rather than ignored, \
-since ignoring it would change the result in silence."
+"The key or value is part of the file format, but this version cannot compute with it. To ignore it would change the result \
+without notice, so it is refused."
 
     BadCount "E0208" "a count is not possible"
-"Counts (samples, turns, seeds) are whole numbers within the limits that the complaint names."
+"Counts (samples, turns, seeds) are whole numbers within the limits that the message names."
 
     ToFillIn "E0209" "a value is still to be filled in"
-"A model that was made from a drawing has \"?\" where a number is due that no drawing tells: masses, inertias, speeds. Write the \
-number with its unit in its place."
+"A model made from a drawing has \"?\" for all numbers that a drawing does not hold: masses, inertias, speeds. Replace it by \
+the number with its unit."
 
     ExpressionSyntax "E0301" "a value cannot be read"
 "A value is a number with its unit, \"0.5 mm\" or \"1e-4 kg m^2\", or arithmetic over such values and parameters, \
@@ -141,20 +139,20 @@ angles rad, mrad, deg, °, rev; and rpm, Hz, kHz, N, mN, kN, MN, lbf, Pa, kPa, M
 %. Products and powers are written `kg m^2`, `m/s^2`, `N/m^1.5`. Capital letters matter."
 
     MissingUnit "E0303" "a unit is missing"
-"A bare number where a unit is due is refused, zero included: no unit is assumed, since a clearance of 0.5 could mean \
-millimetres to one reader and metres to another. Write the value as text with its unit: \"0.5 mm\"."
+"The value needs a unit, also if it is zero. No unit is assumed: a clearance of 0.5 could be in millimetres or in metres. Write \
+the value as text with its unit: \"0.5 mm\"."
 
-    WrongDimension "E0304" "a value measures the wrong thing"
-"The unit was read but it measures something else than is due here: a time where a length is due, say. Angles count as a \
-dimension of their own; an angular velocity times a radius therefore carries `rad` until it is divided by `1 rad`. The \
-unit of a contact stiffness depends on the exponent n of its law: N/m^n."
+    WrongDimension "E0304" "a value has the wrong dimension"
+"The unit is known, but it has the wrong dimension, for example a time instead of a length. Angles have their own dimension: an \
+angular velocity times a radius has the unit rad m/s until it is divided by `1 rad`. The unit of a contact stiffness depends \
+on the exponent n of its law: N/m^n."
 
     UnknownParameter "E0305" "a name in an expression is not known"
-"Expressions may use the names under [parameter] and nothing else; values elsewhere in the file cannot be referred to. \
-Give a quantity that several places share a name under [parameter]."
+"Expressions can use only the names under [parameter], not values elsewhere in the file. Give a quantity that is used in several \
+places a name under [parameter]."
 
     ParameterCycle "E0306" "parameters are defined by one another"
-"Each parameter must be computable from others that do not need it. The complaint names the circle."
+"A parameter cannot depend on itself, neither directly nor through others. The message names the circle."
 
     ExpressionTooLong "E0307" "an expression is too long or nested too deeply"
 "Expressions are limited to 1000 characters and 24 levels of parentheses, signs, powers and functions. Give parts of a \
@@ -166,7 +164,7 @@ is too large."
 
     MixedDimensions "E0309" "an operation does not fit its dimensions"
 "Only values of one dimension can be added, subtracted or compared; sines need angles, exponents need numbers. \"50 mm + 3\" \
-is refused, since nobody knows which unit the 3 was meant in."
+is refused: the unit of 3 is not known."
 
     FunctionNotPossible "E0310" "an expression over time does what the equations of motion cannot"
 "Expressions that change with time or with a joint are part of the equations of motion, which run on many samples at once. \
@@ -174,7 +172,7 @@ They know + - * /, powers with whole or half exponents, sqrt, abs, min, max, sin
 the part that does not change: give it a name under [parameter]."
 
     UnknownReference "E0401" "a name refers to nothing"
-"Points are written `body.point`, joints, contacts, drives and outputs by their names. The complaint lists what there is."
+"Points are written `body.point`, joints, contacts, drives and outputs by their names. The message lists what there is."
 
     SameBody "E0402" "a joint connects a body to itself"
 "Both points of the joint lie on one body, so that it constrains nothing."
@@ -193,19 +191,19 @@ one of them."
 values that the model has can be set."
 
     NotSettable "E0406" "a value given by an expression cannot be set"
-"The value follows from others by the expression in the model file; setting it would cut that connection in silence. Set \
-one of the values that it depends on, or write a number in the model file."
+"An expression in the model file gives this value. Set one of the values in the expression, or write a number in the model \
+file."
 
     SettingSyntax "E0407" "a setting is not written path=value"
 "A setting on the command line is a path of the model, an equals sign, and a value with its unit: \
 `--set joint.gudgeon.radial_clearance=0.3mm`. Quote it for the shell if the value contains spaces."
 
-    Unused "E0408" "something in the file is used by nothing"
-"A warning: the parameter or contact is defined and nothing refers to it, so that changing it, or making it uncertain, has \
-no effect. Often an expression names another one by mistake."
+    Unused "E0408" "something in the file is not used"
+"A warning: nothing refers to this parameter or contact, so its value has no effect. Often an expression names another one by \
+mistake."
 
     SetTwice "E0409" "a value is set twice"
-"Two settings on the command line give values to one quantity. Neither wins in silence; remove one of them."
+"Two settings on the command line give values to one quantity. Remove one of them."
 
     CouplingNotPossible "E0410" "a coupling does not fit its joints"
 "Gears and belts couple two revolute joints, a rack a revolute and a prismatic one, and both wheels hang on one body: the frame, \
@@ -216,90 +214,89 @@ or the carrier of a planetary gear. Angles and positions are counted from that b
 below, the first column increasing. Lines that begin with # are comments."
 
     BreaksRule "E0501" "a value is outside its range"
-"Physics or the law limits what the value can be: masses and inertias are above 0, clearances not below it, restitution in \
-(0, 1], Poisson's ratio in [0, 0.5]. Values outside are refused, never cut or repaired."
+"Each value has a range: masses and inertias above 0, clearances at least 0, restitution in (0, 1], Poisson's ratio in \
+[0, 0.5]. Values outside are refused and never changed."
 
     OutOfOrder "E0502" "two values are in the wrong order"
-"One value must be below another: the radial clearance below the bearing radius (the pin has the rest), the lower speed of \
-the friction law below the upper one."
+"One value must be below another: the radial clearance below the bearing radius, the lower speed of the friction law below the \
+upper one."
 
-    IntervalTurnedRound "E0601" "an interval is turned round"
-"The first number of an interval is its lower end, the second its upper end. They are not exchanged in silence, since the \
-slip is as likely to be in a digit as in the order."
+    IntervalTurnedRound "E0601" "an interval has its ends in the wrong order"
+"The first number of an interval is its lower end, the second its upper end. They are not exchanged automatically: the error may \
+be in a digit, not in the order."
 
     IntervalWithoutWidth "E0602" "an interval has no width"
-"Both ends are equal, so that nothing is uncertain. Write the value in the model file, or widen the interval."
+"Both ends are equal, so the value is not uncertain. Write it in the model file, or widen the interval."
 
     ClearanceTouchesZero "E0603" "a clearance interval reaches zero"
-"A joint without clearance is another mechanism: it has one equation more and no contact. An interval that reaches zero \
-would mix both. Run the ideal joint on its own (radial_clearance = \"0 mm\") and start the interval above zero."
+"A joint without clearance is another mechanism: it has one more equation and no contact. One study cannot mix both. Start the \
+interval above zero, and run the ideal joint (radial_clearance = \"0 mm\") as a second study."
 
     BadDistribution "E0604" "a distribution is not possible"
-"The numbers of a distribution must describe one: standard deviations above 0, the lower end below the upper, the mode \
-between them, shapes from 0.001 to 1e6, the mean of a lognormal distribution above 0."
+"The parameters of a distribution have ranges: standard deviations above 0, the lower end below the upper end, the mode between \
+them, shapes from 0.001 to 1e6, the mean of a lognormal distribution above 0."
 
     InputTwice "E0605" "a quantity is uncertain twice"
-"A quantity is either random or epistemic. One that is both, or given twice under different spellings, is refused."
+"A quantity is either random or epistemic. It cannot be both, and it cannot be given twice under different spellings."
 
     ImpossibleShare "E0606" "a distribution puts too much on impossible values"
-"More than one per cent of what would be drawn is physically impossible (a mass below zero, a clearance above the bearing \
-radius, a restitution above 1), so that many runs would fail. Choose a distribution that stays within the range: a \
-truncated normal, lognormal or beta distribution."
+"More than one per cent of the samples would be impossible (a mass below zero, a clearance above the bearing radius, a restitution \
+above 1), and these runs would fail. Choose a distribution within the range: truncated normal, lognormal or beta."
 
     BadProbability "E0607" "a probability is not possible"
-"Probabilities lie between 0 and 1; quantiles and required probabilities strictly so, or up to 1 for a requirement."
+"Probabilities lie between 0 and 1. Quantiles exclude both ends; a requirement excludes 0 and allows 1."
 
-    AskNotPossible "E0608" "an output cannot be asked for so"
-"The statistic, deviation or place does not fit the output: a path has two columns (ask for its coordinates as outputs), a \
-pose is given by the angle of the drive that the cycle counts."
+    AskNotPossible "E0608" "a question is not possible"
+"The statistic, deviation or place does not fit the output. A path has two columns: ask for its coordinates as outputs. A pose is \
+given by the angle of the drive that the cycle counts."
 
-    NothingUncertain "E0609" "a study has nothing uncertain"
+    NothingUncertain "E0609" "a study has no uncertain input"
 "A study needs at least one random or epistemic input. For a single run use `loosepin simulate`."
 
-    NothingAsked "E0610" "a study asks nothing"
-"A study needs at least one [[ask]] or [[require]], otherwise there is nothing to compute bounds of."
+    NothingAsked "E0610" "a study asks no question"
+"A study needs at least one [[ask]] or [[require]]: a statistic or a requirement to compute bounds of."
 
     SamplingNotPossible "E0611" "the numbers of runs do not fit together"
-"The runs at each point are split into equal replicates, whose spread tells the sampling error: `inner` must be a multiple \
-of `replicates`, best `replicates` times a power of two."
+"The runs at each point are split into equal replicates; their spread gives the sampling error. `inner` must be a multiple of \
+`replicates`, best `replicates` times a power of two."
 
-    BadList "E0612" "a list of what is possible is no choice"
-"An epistemic input that is one of a list, any_of = [...], needs at least two members, and each of them once. Where only one is \
-possible, write it in the model file."
+    BadList "E0612" "a list of possible values is not valid"
+"The list of an epistemic input, any_of = [...], needs at least two members, each of them once. A single value belongs in the \
+model file."
 
-    LawNotPossible "E0613" "a law needs what the model does not give"
-"A law of contact can be one of a list, or be set, where the model is complete for it: every law but kelvin-voigt needs \
-restitution, a line-contact law materials and the bearing_length of each of its joints. Linear laws take a stiffness in N/m in \
-place of materials, so that no list can hold them beside others."
+    LawNotPossible "E0613" "a law needs values that the model does not have"
+"A contact law can be set, or be in a list, if the model has all its values. All laws except kelvin-voigt need the restitution. A \
+line-contact law needs materials and the bearing_length of each of its joints. Linear laws need a stiffness in N/m instead of \
+materials, so a list cannot mix them with other laws."
 
     BadEvidence "E0614" "intervals with masses, degrees or quantiles do not fit together"
-"Masses of evidence are above 0 and sum to 1. Cuts of a fuzzy number lie within one another, the higher degree within the lower; its \
-corners do not decrease. Quantiles increase with their probabilities, and they and a mean lie within the support."
+"Masses of evidence are above 0 and sum to 1. The cuts of a fuzzy number are nested: the cut of a higher degree lies within that of \
+a lower one. Its corners do not decrease. Quantiles increase with their probabilities. Quantiles and the mean lie within the \
+support."
 
-    BadPeriod "E0615" "a period is none"
-"After one period a quantity is where it began, so that any of its values is as near to both ends as to its neighbours. An \
-angle does so after a whole turn, or after a whole fraction of one where the mechanism looks the same then. An angle that lies \
-between two ends is an interval."
+    BadPeriod "E0615" "a period is not possible"
+"After one period a quantity has its first value again. The period of an angle is a whole turn, or a whole fraction of it if the \
+mechanism is symmetric. An angle between two limits is an interval, not periodic."
 
     FarFromModel "E0616" "a study and its model do not agree on a length or an angle"
-"The study says where a length or an angle lies, and the model has a value that is not among these (further out than six standard \
-deviations of a normal distribution). Deviations are from the ideal motion of the model, so that they hold the difference of the two. \
-That may be meant; more often one of the two has a slip in it."
+"The model has a length or an angle outside the range of the study (for a normal distribution: more than six standard deviations \
+from the mean). Deviations are from the ideal motion of the model, so they include this difference. It may be intended; more often \
+one of the two values is wrong."
 
     BadCorrelation "E0620" "a correlation is not possible"
 "A correlation joins two different random inputs of the study, each pair once, by a rank correlation (Spearman) or the linear \
 correlation of the values (Pearson), between -1 and 1. Two distributions of different shapes cannot have every linear \
-correlation; the message tells the range. All correlations together must be those of some quantities: their matrix must be \
-positive definite. What is epistemic has no distribution and no correlation."
+correlation; the message gives the range. The matrix of all correlations must be \
+positive definite. An epistemic input has no distribution and no correlation."
 
     BadSample "E0621" "a sample gives no distribution"
 "A sample is a column of a CSV file whose header has a unit, for example pin [mm]. It needs two different values, and five \
-to fit a family to it; lognormal, weibull, gamma and exponential are fitted to positive values only. A warning tells where \
-the fitted distribution is further from the sample than 95 % of samples of that family would be."
+to fit a family to it; lognormal, weibull, gamma and exponential are fitted to positive values only. A warning appears if \
+the fit is worse than 95 % of fits to samples of that family."
 
     BadTolerance "E0622" "a tolerance is not possible"
 "A tolerance is written as on a drawing, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\". The part is normal about the middle \
-of the limits, which lie 3 Cpk standard deviations away. Cpk is Cp less what the mean is off centre, so never greater."
+of the limits, which are 3 Cpk standard deviations away. Cpk includes an offset of the mean, so it is at most Cp."
 
     FitNotPossible "E0623" "a fit is not possible here"
 "A fit by ISO 286 such as H7/g6 with a diameter up to 500 mm gives the radial clearance of a joint: half the difference of the \
@@ -307,20 +304,19 @@ diameters of hole and shaft. Known are the holes D E F G H JS K M N P and the sh
 joint with play needs a clearance above 0 for all sizes within the limits, which holes H have with shafts d to g."
 
     TooFewDrives "E0701" "the drives do not determine the motion"
-"The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The complaint names bodies \
-that can still move while all drives stand still. Add a drive or a joint; often a joint names the wrong point, so that a \
-loop which was meant to be closed is open."
+"The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The message names bodies \
+that can still move while all drives stand still. Add a drive or a joint. Often a joint names the wrong point, and a loop is open."
 
     TooManyDrives "E0702" "drives work against each other"
-"There are more drives than degrees of freedom, counted with every clearance at zero, so that they could not all be obeyed. \
-Remove a drive, or a joint that takes a freedom away."
+"There are more drives than degrees of freedom, counted with every clearance at zero. Remove a drive, or a joint that removes a \
+degree of freedom."
 
     DrivenLoop "E0703" "every joint of a loop is driven"
 "Prescribing the coordinates of all joints of a loop leaves nothing that could close it. Remove one of the drives."
 
     CannotClose "E0704" "the links cannot close a loop"
 "With every clearance at zero no position was found in which all joints hold together: the links are too short or too long \
-for each other, at the start or somewhere on the way. The complaint names the joint that stays open furthest, and how far. \
+for each other, at the start or somewhere on the way. The message names the joint that stays open furthest, and how far. \
 Lengths, the positions of fixed points and the start angle are the usual causes. A mechanism that rocks between two dead \
 centres cannot be driven through a full turn."
 
@@ -350,21 +346,21 @@ exceed half its diagonal can turn over in its guide, and then its play has no en
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 
     StepTooSmall "E0802" "a run needs steps that are too small"
-"The steps of the integration fell below what numbers can resolve, at the time that the complaint names. Most often a \
+"The steps of the integration fell below what numbers can resolve, at the time that the message names. Most often a \
 contact is far too stiff for the mass behind it, or a body has almost no mass. A looser --tolerance may help where it is \
 very tight."
 
     RunNotFinite "E0803" "a run left the finite numbers"
-"A position or a velocity became infinite or undefined, at the time that the complaint names. Most often values of very \
+"A position or a velocity became infinite or undefined, at the time that the message names. Most often values of very \
 different size meet, such as a mass of 1e-30 kg and a stiffness of 1e12 N/m^1.5."
 
     RunTooLong "E0804" "a run takes too many evaluations"
-"The run was given up after the number of evaluations that the complaint names, so that it ends at all. Ask for fewer turns \
+"The run was given up after the number of evaluations that the message names, so that it ends at all. Ask for fewer turns \
 or a looser --tolerance; a contact with very many tiny bounces also ends here."
 
     AllRunsFailed "E0805" "every run of a study failed"
-"No run of the study came to its end, so that there is nothing to compute bounds from. The complaint gives the reason of the \
-first one; `loosepin simulate` with the values of the study shows it alone."
+"No run of the study was finished, so there are no bounds. The message gives the reason of the first run; `loosepin simulate` with \
+the values of the study repeats it."
 
     NoThreads "E0806" "threads cannot be started"
 "The system did not give the program the threads that it asked for. Ask for fewer with --threads."
@@ -372,7 +368,7 @@ first one; `loosepin simulate` with the values of the study shows it alone."
     Interrupted "E0807" "a study was interrupted"
 "Ctrl-C, or a signal, ended the study before its last run. What was finished is kept."
 
-    PinLeavesBearing "E0808" "a pin is pressed out of its hole"
+    PinLeavesBearing "E0808" "a pin leaves its hole"
 "The penetration of a contact grew so deep that the centre of the pin left the hole, or the axis of the slider its guide. No \
 contact law holds there: the parts are far too soft, or the drive far too fast, for the masses that they carry. Look at the \
 stiffness or Young's modulus, the speed and the masses."
@@ -391,9 +387,9 @@ Outside it means nothing, so such a clearance is refused. In a study, a run with
 there is hardly a film at all; and the film of finite length is computed for films down to 0.002 of the clearance. In a study, a \
 run outside of that fails by this reason."
 
-    NothingIsFree "E0812" "a motion has no neighbours"
-"A Lyapunov exponent tells how fast neighbouring motions part. Where ideal joints leave no motion beside the one that the \
-drives prescribe, there are no neighbours: the mechanism follows its drives exactly."
+    NothingIsFree "E0812" "a motion has no Lyapunov exponent"
+"A Lyapunov exponent measures the growth of a small difference of the motion. A mechanism with ideal joints follows its drives \
+exactly, so there can be no difference."
 
     Jams "E0813" "friction in a joint has no solution"
 "Friction in an ideal joint is as large as what the joint carries, and what it carries depends on the friction. With much \
@@ -404,11 +400,10 @@ then."
 "The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
 the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
 
-    TooManyFailed "E0815" "more runs of a study failed than may"
-"Bounds take a failed run as anything it could have been, so that many of them leave bounds that say little, and most often something \
-is wrong with the model or with what is said to be uncertain. The study ends after the round in which they became more than \
-most_failed under [sampling], a tenth if left out. What was run is kept: in runs.parquet, and in the store, with which --resume \
---most-failed 0.3 goes on. The command in the complaint repeats one such run."
+    TooManyFailed "E0815" "too many runs of a study failed"
+"Bounds allow for every outcome of a failed run, so many failed runs make them wide. Most often the model or the uncertain inputs are \
+wrong. The study ends if more runs fail than most_failed under [sampling] allows (default: a tenth). The finished runs are kept in \
+runs.parquet and in the store: --resume --most-failed 0.3 continues with them. The command in the message repeats one failed run."
 
     RunsNotMade "E0816" "runs were not made elsewhere"
 "A study may leave its runs to other processes, as Study.run(client=...) of the Python package does. They did not come back; the \
@@ -416,21 +411,20 @@ complaint has the words of whoever was to make them. What came back before is in
 same call with resume=True goes on from there."
 
     FolderHoldsOther "E0901" "a folder holds something else"
-"Results are written into a folder of their own. The folder given holds results of other inputs, or files that are no results \
-at all, and nothing is overwritten in silence. Give another folder, leave --out away (then a new folder is made beside the \
-old ones), or say --force: results of ours are replaced, other files are left where they are unless they bear the same name."
+"The folder holds results of other inputs, or other files. They are not overwritten. Give another folder, or leave out --out: then \
+a new folder is created. --force replaces results of loosepin; other files stay, unless they have the same name."
 
     NoResults "E0902" "a folder holds no results"
 "`loosepin report` writes pages again from stored results. A folder of results has a file loosepin.json that says what it \
 holds; this one has none, or the run that filled it did not finish."
 
     FolderNotUsable "E0903" "a folder or file cannot be written or read"
-"The file system refused, for the reason that the complaint gives: rights, a full disk, or a file where a folder is due."
+"The file system reports an error; the message gives the reason: rights, a full disk, or a file instead of a folder."
 
     FileExists "E0904" "a file is there already"
 "`loosepin new` writes model.toml and study.toml and does not overwrite files of yours. Give another folder, or move them."
 
-    WrongKindOfFile "E0905" "a study stands where a model is due, or the other way round"
+    WrongKindOfFile "E0905" "a study was given instead of a model, or a model instead of a study"
 "Some commands take a model (a mechanism with its nominal values), some a study (what is uncertain in it, and what is asked). \
 A file with a key `model` at its top is a study."
 
@@ -456,7 +450,7 @@ for you to say: --resume takes them over, --force drops them."
 
     ShardsDoNotFit "E0911" "folders are not the shards of one study"
 "`loosepin merge` joins the folders that shards of one study have written, RESULTS.shard-1-of-7 to RESULTS.shard-7-of-7: all of them, \
-each once, of the same study, the same number of shards and the same version. The complaint names the folder that does not fit, or the \
+each once, of the same study, the same number of shards and the same version. The message names the folder that does not fit, or the \
 shards that are missing."
 
     RoundOpen "E0912" "a round of a study waits for its shards"
@@ -464,8 +458,8 @@ shards that are missing."
 `loosepin merge` joins the parts and opens the next round, or writes the results after the last one."
 
     NoSurrogateAnswer "E0920" "saved surrogates give no answer"
-"A surrogates.json answers for its own inputs, all of them, and within the ranges that were learned: beyond them nothing is known, and \
-nothing is extrapolated. A file of another version, or that is not whole, is refused."
+"A surrogates.json needs values for all its inputs, within the training ranges; there is no extrapolation. A file of another version, \
+or an incomplete file, is refused."
 
     SurrogateNotExported "E0921" "a surrogate cannot be written for other programs"
 "`loosepin export` writes neural networks as ONNX. Polynomials and Gaussian processes are not made of layers; all of their coefficients \
@@ -486,7 +480,7 @@ the byte of a binary file."
 
     DrawingNotAMechanism "E1102" "a drawing is not a sketch of a mechanism"
 "Lines and polylines are links, circles are joints. Every circle is met by a link, every link meets a circle, and what stands in \
-the ground is on a layer called ground. The complaint gives the place in the coordinates of the drawing."
+the ground is on a layer called ground. The message gives the place in the coordinates of the drawing."
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ pub enum DocumentProblem {
         written: String,
     },
     /// A key or table that stands twice.
-    #[error("'{key}' stands here a second time")]
+    #[error("'{key}' is defined twice")]
     DuplicateKey {
         /// The key.
         key: String,
@@ -113,7 +113,7 @@ pub enum DocumentProblem {
         keys: Vec<&'static str>,
     },
     /// More than one of several keys of which one must be there.
-    #[error("{}{} exclude one another; exactly one of {} is due", prefix(.table), quoted(.given), quoted(.keys))]
+    #[error("{}{} cannot be used together; give exactly one of {}", prefix(.table), quoted(.given), quoted(.keys))]
     MoreThanOneOf {
         /// The table.
         table: String,
@@ -123,7 +123,7 @@ pub enum DocumentProblem {
         keys: Vec<&'static str>,
     },
     /// Text where a table is due, and so on.
-    #[error("{entry} is {found}; {due} is due")]
+    #[error("{entry} is {found}; expected {due}")]
     WrongType {
         /// The entry.
         entry: String,
@@ -139,7 +139,7 @@ pub enum DocumentProblem {
         entry: String,
     },
     /// A list of the wrong length.
-    #[error("{entry} has {found} entries; {due} are due")]
+    #[error("{entry} has {found} entries; expected {due}")]
     WrongLength {
         /// The entry.
         entry: String,
@@ -280,7 +280,7 @@ impl Problem for DocumentProblem {
             Self::Syntax { line, .. } => {
                 number_with_comma(line).map(|written| format!("decimal numbers have a point: {written}"))
             }
-            Self::DuplicateKey { .. } => Some("a key, and the header of a table, stands once".to_owned()),
+            Self::DuplicateKey { .. } => Some("define each key and each table once".to_owned()),
             Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),
             Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownKey { known, .. } => Some(format!("its keys are {}", known.join(", "))),

@@ -54,7 +54,7 @@ pub enum ExpressionProblem {
         text: String,
     },
     /// Something else was due here.
-    #[error("found {found}; {expected} is due here")]
+    #[error("found {found}; expected {expected}")]
     Unexpected {
         /// What stands there.
         found: String,
@@ -90,7 +90,7 @@ pub enum ExpressionProblem {
         nearest: Option<String>,
     },
     /// A name where only a number with a unit may stand.
-    #[error("'{name}' is a name; a number with its unit is due here")]
+    #[error("'{name}' is a name; expected a number with its unit")]
     NameNotAllowed {
         /// The name.
         name: String,
@@ -170,7 +170,7 @@ impl Problem for ExpressionProblem {
                 Some("decimal numbers have a point, for example \"0.5 mm\"".to_owned())
             }
             Self::UnknownUnit { symbol, .. } if TURNS_A_MINUTE.contains(&symbol.as_str()) => {
-                Some("turns a minute are written rpm".to_owned())
+                Some("write turns per minute as rpm".to_owned())
             }
             Self::UnknownUnit { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownUnit { .. } => Some(

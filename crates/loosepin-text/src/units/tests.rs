@@ -43,7 +43,7 @@ fn analytic_values_with_units_are_read() {
         ("2 m^-1", 2.0, D::LENGTH.power(-1.0)),
     ] {
         if text == "2 1/s" {
-            assert_eq!(refused(text), "2..3: found the number 1; an operator or the end is due here");
+            assert_eq!(refused(text), "2..3: found the number 1; expected an operator or the end");
             continue;
         }
         let measured = value(text);
@@ -83,7 +83,7 @@ fn analytic_arithmetic_has_its_usual_order() {
         ("2(3)", f64::NAN),
     ] {
         if expected.is_nan() {
-            assert_eq!(refused(text), "1..2: found '('; an operator or the end is due here");
+            assert_eq!(refused(text), "1..2: found '('; expected an operator or the end");
             continue;
         }
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -117,11 +117,8 @@ fn places_of_errors_are_exact() {
         "5..6: + needs two values of one dimension; the first is a length, the second a mass"
     );
     assert_eq!(refused("1 mmm"), "2..5: 'mmm' is not a known unit");
-    assert_eq!(
-        refused("1 mm^x"),
-        "5..6: found 'x'; the exponent of a unit, for example 2, -1, 1.5 or (3/2) is due here"
-    );
-    assert_eq!(refused("(1 + 2"), "6..6: found the end of the value; ')' is due here");
+    assert_eq!(refused("1 mm^x"), "5..6: found 'x'; expected the exponent of a unit, for example 2, -1, 1.5 or (3/2)");
+    assert_eq!(refused("(1 + 2"), "6..6: found the end of the value; expected ')'");
     assert_eq!(refused("µ = 3"), "3..4: '=' does not belong in a value");
     assert_eq!(refused("1 / 0"), "0..5: the value is infinity; must be finite");
 }

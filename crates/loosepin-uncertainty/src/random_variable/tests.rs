@@ -362,7 +362,7 @@ fn each_broken_rule_of_the_further_families_is_told_with_its_numbers() {
     assert_eq!(text(Distribution::Exponential { mean: 0.5, lower: 0.5 }), "mean 0.5; must be above the lower end 0.5");
     assert_eq!(text(discrete(&[0.5, 2.0], &[0.5])), "2 values, 1 probabilities; each value needs one");
     assert_eq!(text(discrete(&[0.5, 2.0], &[0.5, 0.4])), "the probabilities sum up to 0.9; must be 1 within 1e-9");
-    assert_eq!(text(discrete(&[2.0, 2.0], &[0.5, 0.5])), "the value 2 stands there twice");
+    assert_eq!(text(discrete(&[2.0, 2.0], &[0.5, 0.5])), "the value 2 is there twice");
     let sample = |values: &[f64]| Distribution::Empirical { values: values.into() };
     assert_eq!(text(sample(&[0.5, 0.5])), "a sample of 2 without two different values; it says nothing of scatter");
     assert_eq!(text(sample(&[f64::NAN, 0.5])), "value NaN; must be finite");

@@ -96,7 +96,7 @@ fn contents() -> Vec<String> {
 fn every_page_is_in_the_table_of_contents_once() {
     let contents = contents();
     let unique: BTreeSet<&String> = contents.iter().collect();
-    assert_eq!(unique.len(), contents.len(), "a page stands there twice");
+    assert_eq!(unique.len(), contents.len(), "a page is there twice");
     for page in files_of_docs().iter().filter(|path| path.ends_with(".md") && *path != "docs/SUMMARY.md") {
         assert!(contents.contains(page), "{page} is not in docs/SUMMARY.md");
     }

@@ -200,8 +200,8 @@ fn what_nothing_uses_is_warned_about() {
     assert_eq!(
         warnings,
         [
-            "unused.toml:30:10: warning[E0408]: contact 'brass' is used by nothing\nhint: changing it has no effect on the results",
-            "unused.toml:4:1: warning[E0408]: parameter 'spare' is used by nothing\nhint: changing it has no effect on the results",
+            "unused.toml:30:10: warning[E0408]: contact 'brass' is not used\nhint: changing it has no effect on the results",
+            "unused.toml:4:1: warning[E0408]: parameter 'spare' is not used\nhint: changing it has no effect on the results",
         ]
     );
 }

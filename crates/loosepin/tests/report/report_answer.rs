@@ -39,13 +39,16 @@ fn quantile_bound_m(value: f64, error: f64) -> StudyResult {
 
 #[test]
 fn analytic_headline_rounds_the_bound_outwards() {
-    let headline = "With the gudgeon radial clearance anywhere between 0.1 and 0.5 mm and the steel pin restitution \
-                    anywhere between 0.7 and 0.9, the slider (x of slider.pin) stays within";
+    let headline = "The slider (x of slider.pin) stays within";
     assert_says(&quantile_bound_m(5.3421e-4, 4e-6), &format!("{headline} ±0.535 mm of its ideal motion"));
     assert_says(&quantile_bound_m(5.3421e-4, 4e-5), &format!("{headline} ±0.54 mm of its ideal motion"));
     assert_says(&quantile_bound_m(5.34e-4, 4e-6), &format!("{headline} ±0.534 mm of its ideal motion"));
-    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "in at least 97.5 % of mechanisms.");
-    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "Numerical error of this answer: at most 0.004 mm");
+    assert_says(
+        &quantile_bound_m(5.3421e-4, 4e-6),
+        "in at least 97.5 % of mechanisms. This holds for every gudgeon radial clearance from 0.1 to 0.5 mm and every steel pin \
+         restitution from 0.7 to 0.9.",
+    );
+    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "Numerical error: at most 0.004 mm, included in the answer.");
 }
 
 #[test]
@@ -53,7 +56,10 @@ fn a_bound_that_does_not_exist_makes_no_headline() {
     // Failed runs leave no bound of a quantile above their share: the curve answers instead.
     let mut result = worn_pin();
     result.bounds[0].upper.widened_si = f64::INFINITY;
-    assert_says(&result, "of its ideal motion in at least 95 % of mechanisms, at each angle of crank taken by itself.");
+    assert_says(
+        &result,
+        "At each angle of crank, the slider (x of slider.pin) stays within ±0.59 mm of its ideal motion in at least 95 % of mechanisms.",
+    );
     let page = study_page(&result);
     assert!(page.contains("∞"), "the table shows that there is no upper bound");
 }
@@ -66,19 +72,19 @@ fn without_quantile_and_curve_a_statistic_answers() {
     result.bounds.truncate(1);
     assert_says(
         &result,
-        "the mean of slider (x of slider.pin) (deviation, largest in the cycle, in either direction) lies between",
+        "The mean of slider (x of slider.pin) (deviation, largest absolute value in the cycle) lies between",
     );
     result.bounds.clear();
-    assert_says(&result, "no more was asked for than whether the requirements are met.");
+    assert_says(&result, "The study asks only whether the requirements are met.");
     result.requirements.clear();
-    assert_says(&result, "nothing was asked for.");
+    assert_says(&result, "The study asks for no statistic.");
 }
 
 #[test]
 fn without_intervals_only_scatter_is_named() {
     let mut result = worn_pin();
     result.inputs.retain(|input| input.kind == InputKind::Random);
-    assert_says(&result, "With the stated scatter, the slider");
+    assert_says(&result, "of mechanisms. This holds for the stated scatter.");
 }
 
 #[test]
@@ -90,7 +96,7 @@ fn a_choice_of_laws_is_listed() {
         unit: SiUnit::NONE,
         words: "any of lankarani-nikravesh, flores, johnson".to_owned(),
     }];
-    assert_says(&result, "With the steel pin law any of lankarani-nikravesh, flores and johnson, the slider");
+    assert_says(&result, "This holds for each steel pin law of the list (lankarani-nikravesh, flores and johnson).");
 }
 
 #[test]
@@ -98,7 +104,7 @@ fn inputs_that_would_read_the_same_keep_their_paths() {
     let mut result = worn_pin();
     result.inputs[2].path = "joint.pin.play".to_owned();
     result.inputs[3].path = "body.pin.play".to_owned();
-    assert_says(&result, "With the joint.pin.play anywhere between 0.1 and 0.5 mm and the body.pin.play anywhere");
+    assert_says(&result, "This holds for every joint.pin.play from 0.1 to 0.5 mm and every body.pin.play from");
 }
 
 #[test]
@@ -107,14 +113,15 @@ fn verdicts_stand_first_and_with_their_numbers() {
     result.requirements.truncate(1);
     assert_says(
         &result,
-        "The requirement that the deviation of slider stays within ±0.7 mm over the whole cycle in at least 99.73 % of \
-         mechanisms is met: the true share is 99.96 % to 100 %.",
+        "Met: the deviation of slider stays within ±0.7 mm over the whole cycle in 99.96 % to 100 % of mechanisms; required: at least \
+         99.73 %.",
     );
     result.requirements[0].verdict = Verdict::Undecided;
     result.requirements[0].probability = [0.99712, 0.99741];
     assert_says(
         &result,
-        "is undecided, because the numerical error reaches over it (larger 'inner' and 'outer' make it smaller): the true share is 99.71 % to 99.75 %.",
+        "Undecided: the deviation of slider stays within ±0.7 mm over the whole cycle in 99.71 % to 99.75 % of mechanisms; required: at \
+         least 99.73 %. The required share lies within the numerical error: increase 'inner' and 'outer'.",
     );
     assert!(study_page(&result).contains("Requirement undecided"));
     // None of 256 lies outside: a share of 6 in 256 may still do so.
@@ -123,11 +130,12 @@ fn verdicts_stand_first_and_with_their_numbers() {
         Some(CountedMechanisms { mechanisms: 256, outside: 0, sampling_error: 6.0 / 256.0 });
     assert_says(
         &result,
-        "(of 256 mechanisms none lies outside, and so few show no larger share: 'inner' should be 4096 or more): the true share is 97.6 % to 100 %.",
+        "in 97.6 % to 100 % of mechanisms; required: at least 99.73 %. All 256 mechanisms passed, but 256 can prove only 97.6 %: increase \
+         'inner' to 4096 or more.",
     );
     result.requirements[0].lower_si = f64::NEG_INFINITY;
     result.requirements[0].of = Deviation::Value;
-    assert_says(&result, "The requirement that the value of slider stays below 0.7 mm over the whole cycle");
+    assert_says(&result, "Undecided: the value of slider stays below 0.7 mm over the whole cycle");
 }
 
 #[test]
@@ -135,22 +143,22 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     let mut result = worn_pin();
     result.bounds.truncate(3);
     result.bounds[1].guarantee = Guarantee::Inner;
-    assert_says(
-        &result,
-        "1 of 3 bounds is not confirmed, by the search or for want of samples beyond them (larger 'inner'), and may be wider.",
-    );
+    assert_says(&result, "1 of 3 bounds may be too narrow: increase 'inner'.");
     let mut answer = result.clone();
     answer.bounds[0].guarantee = Guarantee::Inner;
-    assert_says(&answer, "added on the outside. It and 1 of the 2 other bounds are not confirmed, by the search");
+    assert_says(
+        &answer,
+        "included in the answer. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.",
+    );
     answer.bounds[1].guarantee = answer.bounds[2].guarantee;
-    assert_says(&answer, "added on the outside. It is not confirmed, by the search");
+    assert_says(&answer, "included in the answer. This answer may be too narrow: increase 'inner'.");
     assert_says(
         &result,
-        "3 of them failed: they are counted as not known in probabilities and quantiles; means and deviations are those of \
-         the finished runs and have no bound.",
+        "17536 runs, 3 failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \
+         the finished runs only and have no bound.",
     );
     result.counts.failed = 0;
-    assert_says(&result, "From 17536 runs; none failed.");
+    assert_says(&result, "17536 runs, none failed.");
 }
 
 /// Y = X + u, X standard normal, u in [-1, 1], central 95 % band (method: exact case), in millimetres.
@@ -187,17 +195,20 @@ fn analytic_treatments_of_a_normal_plus_an_interval() {
     let result = sum_of_normal_and_interval();
     assert_says(
         &result,
-        "Its band breaks the promise of 95 %: where the truth is unkind, only 89.5 % lie inside, for it is only 0.76 times \
-         as wide as the band that does.",
+        "Probability only takes every unknown value as random. At the worst unknown values, only 89.5 % of mechanisms lie inside the \
+         band; 95 % are promised. The band is 24 % narrower than the mixed band.",
     );
     assert_says(
         &result,
-        "Its band keeps the promise: at least 99.86 % of mechanisms lie inside, whatever is true, at 1.35 times the width \
-         that is needed.",
+        "At all unknown values tested, at least 99.86 % of mechanisms lie inside the band; 95 % are promised. The band is 35 % wider \
+         than the mixed band.",
     );
-    assert_says(&result, "Its band keeps the promise: at least 97.4 % of mechanisms lie inside, whatever is true.");
-    assert_says(&result, "Everything as probability -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
-    assert_says(&result, "Each as what it is -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");
+    assert_says(
+        &result,
+        "At all unknown values tested, at least 97.4 % of mechanisms lie inside the band; 95 % are promised.",
+    );
+    assert_says(&result, "Probability only -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
+    assert_says(&result, "Mixed -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");
 }
 
 #[test]
@@ -206,10 +217,10 @@ fn a_promise_within_its_numerical_error_is_not_called_broken() {
     let band = &mut result.treatments[0].bands[2];
     band.coverage_minimum = 0.948;
     band.coverage_error = 0.003;
-    assert_says(&result, "Each as what it is -2.96 mm to 2.96 mm 5.92 mm 94.8 % to 99.69 % kept");
+    assert_says(&result, "Mixed -2.96 mm to 2.96 mm 5.92 mm 94.8 % to 99.69 % kept");
     assert_says(
         &result,
-        "Its band keeps the promise of 95 % within numerical error: where the truth is unkind, 94.8 % ± 0.3 % lie inside.",
+        "At the worst unknown values, 94.8 % ± 0.3 % of mechanisms lie inside the band. This agrees with the promised 95 %.",
     );
 }
 
@@ -223,11 +234,10 @@ fn a_promise_broken_by_a_surrogate_is_told_with_its_error_as_in_the_table() {
     let band = &mut result.treatments[0].bands[2];
     (band.coverage_minimum, band.coverage_maximum, band.coverage_error) = (0.0625, 1.0, 0.25);
     band.ends = Some([end(-3.06e-3), end(3.06e-3)]);
-    // The column of the surrogate's error wraps the one before it.
-    assert_says(&result, "Each as what it is -2.96 mm to 0.1 mm 5.92 mm 0 % to 100 % broken 2.96 mm");
+    assert_says(&result, "Mixed -2.96 mm to 0.1 mm 5.92 mm 0 % to 100 % broken 2.96 mm");
     assert_says(
         &result,
-        "Its band breaks the promise of 95 %: where the truth is unkind, only 0 % to 6.3 % lie inside.",
+        "At the worst unknown values, only 0 % to 6.3 % of mechanisms lie inside the band; 95 % are promised.",
     );
 }
 
@@ -249,20 +259,18 @@ fn a_mechanism_without_play_says_so() {
     // The rod moves the slider by Δl/cos b, the crank by Δr (cos t + tan b sin t), sin b = -(r/l) sin t; of whole degrees most at
     // 225°: 0.03644020 mm.
     let text = one_line(&motion_text(&record));
-    let scatter = "No joint has play. Scatter of the parts moves the slider with a standard deviation of at most 0.03645 mm (at 225°).";
+    let scatter =
+        "No joint has play. Part scatter moves the slider with a standard deviation of at most 0.03645 mm (at 225°).";
     assert!(text.contains(scatter), "{text}");
-    assert!(!text.contains("ideally"), "{text}");
+    assert!(!text.contains("the motion is ideal"), "{text}");
     let page = motion_page(&record);
-    assert!(
-        page.contains("What scatter of the parts does") && page.contains("parameter.rod_length"),
-        "it has its section"
-    );
+    assert!(page.contains("Effect of part scatter") && page.contains("parameter.rod_length"), "it has its section");
     record.outputs[0].dimensional_standard_deviation_si.clear();
     record.outputs[0].dimensional_contributors.clear();
     let text = one_line(&motion_text(&record));
-    assert!(text.contains("No joint has play: the mechanism moves ideally."), "{text}");
+    assert!(text.contains("No joint has play and no part scatters: the motion is ideal."), "{text}");
     assert!(!text.contains("not known"), "{text}");
-    assert!(!motion_page(&record).contains("What scatter of the parts does"));
+    assert!(!motion_page(&record).contains("Effect of part scatter"));
 }
 
 /// The curve of the study from `lowest_m` to `highest_m`, half as far in the middle of the ranges, and nothing else to answer with.
@@ -289,14 +297,17 @@ fn analytic_what_lies_on_one_side_is_not_within_plus_or_minus() {
     assert_says(&even, "stays within ±0.52 mm of its ideal motion");
     assert_says(
         &even,
-        "would stay within ±0.27 mm at each angle; not knowing them, with the numerical error, widens this to ±0.52 mm.",
+        "stay within ±0.27 mm at each angle. With all unknown values and the numerical error, they stay within ±0.52 mm.",
     );
     let value = curve_between(Deviation::Value, 0.1552, 0.1698);
-    assert_says(&value, "lies between 155 mm and 170 mm: 95 % of mechanisms at any angle.");
+    assert_says(
+        &value,
+        "At each angle of crank, the slider (x of slider.pin) lies between 155 mm and 170 mm in at least 95 % of mechanisms.",
+    );
     let text = one_line(&study_text(&value));
-    assert!(!text.contains("If the unknown values were in the middle"), "{text}");
+    assert!(!text.contains("in the middle of their ranges"), "{text}");
     let even_value = curve_between(Deviation::Value, -0.1698, 0.1693);
-    assert_says(&even_value, "lies between -170 mm and 170 mm: 95 % of mechanisms at any angle.");
+    assert_says(&even_value, "lies between -170 mm and 170 mm in at least 95 % of mechanisms.");
 }
 
 #[test]
@@ -306,8 +317,8 @@ fn identity_runs_are_told_by_what_they_were_for() {
     result.counts.by_purpose.extend(parts.map(|(purpose, runs)| PurposeRuns { purpose, runs }));
     result.counts.runs += 640 + 5120;
     let page = one_line(&study_page(&result));
-    let account = "23 296 = 64 values of the interval inputs × 256 random samples (8 independent replicates of 32) + 1024 with everything \
-                   as probability + 128 with everything as interval + 640 for what contributes + 5120 for small probabilities";
+    let account = "23 296 = 64 values of the interval inputs × 256 random samples (8 independent replicates of 32) + 1024 of the \
+                   probability-only treatment + 128 of the interval-only treatment + 640 for sensitivities + 5120 for small probabilities";
     assert!(page.contains(account), "{page}");
     assert!(!page.contains("for the two other treatments"));
 }
@@ -320,11 +331,11 @@ fn without_intervals_nothing_is_said_to_hold_over_them() {
     result.counts.by_purpose.truncate(1);
     result.counts.runs = 256;
     let text = one_line(&study_text(&result));
-    assert!(text.contains("Bounds, widened by their numerical error"), "{text}");
+    assert!(text.contains("Bounds, numerical error included"), "{text}");
     assert!(!text.contains("interval inputs"), "{text}");
     let page = one_line(&study_page(&result));
     assert!(page.contains("256 = 256 random samples (8 independent replicates of 32)"), "{page}");
-    assert!(page.contains("Each share includes its numerical error."), "{page}");
+    assert!(page.contains("Shares of mechanisms, numerical error included."), "{page}");
     assert!(page.contains("Each statistic lies between its two bounds. "), "{page}");
 }
 
@@ -354,7 +365,10 @@ fn the_share_below_a_limit_is_the_same_in_the_picture_as_in_the_table() {
     let pbox = &mut result.boxes[0];
     (pbox.value_si, pbox.lower, pbox.upper) = (vec![3e-4, 3.9e-4, 4.1e-4], vec![0.0, 0.5, 0.75], vec![0.0, 0.875, 1.0]);
     let page = one_line(&study_page(&result));
-    assert!(page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms, without the sampling error."), "{page}");
+    assert!(
+        page.contains("Below 0.4 mm: between 50 % and 100 % of mechanisms, sampling error not included."),
+        "{page}"
+    );
 }
 
 #[test]
@@ -363,12 +377,9 @@ fn where_only_curves_were_asked_for_no_empty_table_is_shown() {
     result.bounds.retain(|bound| matches!(bound.at, ResponsePoint::Curve { .. }));
     let count = result.bounds.len();
     let page = one_line(&study_page(&result));
-    assert!(
-        page.contains(&format!("The bounds are those of curves, angle by angle: {count} rows in bounds.csv.")),
-        "{page}"
-    );
+    assert!(page.contains(&format!("All bounds are points of curves: {count} rows in bounds.csv.")), "{page}");
     assert!(!page.contains("Lower bound, attained at"));
-    assert_says(&result, "The bounds are those of curves, angle by angle");
+    assert_says(&result, "All bounds are points of curves");
 }
 
 #[test]
@@ -387,19 +398,19 @@ fn a_search_for_offers_says_why_it_ended() {
     allocation.stop = AllocationStop::AllExcluded;
     assert_says(
         &result,
-        "No offer named: none of 9 combinations meets the requirements, each being run and refused, or looser than such a one \
-         (1 direct study).",
+        "No offer found: none of 9 combinations meets the requirements. Each was run, or is looser than one that was run (1 direct \
+         study).",
     );
     let allocation = result.allocation.as_mut().expect("the fixture has one");
     (allocation.combinations, allocation.excluded, allocation.studies) = (81, 30, 27);
     allocation.stop = AllocationStop::TriedEnough;
     assert_says(
         &result,
-        "No offer named: the search ended after 27 direct studies. Of 81 combinations, 30 are excluded, being run and refused, or \
-         looser than such a one; nothing is known of the 51 others that cost more.",
+        "No offer found: the search ended after 27 direct studies. Of 81 combinations, 30 are excluded: run without success, or looser \
+         than such a one. The 51 others that cost more were not tried.",
     );
     let allocation = result.allocation.as_mut().expect("the fixture has one");
     (allocation.combinations, allocation.excluded, allocation.studies) = (160_000, 0, 0);
     allocation.stop = AllocationStop::TooManyCombinations;
-    assert_says(&result, "No offer named: 160000 combinations are more than are searched.");
+    assert_says(&result, "No offer found: 160000 combinations are too many to search.");
 }

@@ -45,8 +45,8 @@ fn text_of_the_check() {
     let words = |record: &SimulationRecord| simulation_text(record).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         words(&record).contains(
-            "No output departs further than clearances and penetrations allow; the slider departs furthest, by 95.8 % of what \
-             they allow."
+            "No output deviates more than clearances and penetrations allow. The slider comes nearest, with 95.8 % of the allowed \
+             deviation."
         ),
         "{}",
         words(&record)
@@ -55,8 +55,8 @@ fn text_of_the_check() {
     (check.is_exceeded, check.deviation_si, check.samples_without_worst_case) = (true, -5.5e-4, 3);
     assert!(
         words(&record).contains(
-            "The slider departs by -0.5500 mm, beyond the -0.5329 mm that clearances and penetrations allow: this run is \
-             wrong. 3 samples could not be checked, with a dead point within the clearances."
+            "This run is wrong: the slider deviates by -0.5500 mm, but clearances and penetrations allow only -0.5329 mm. 3 samples \
+             could not be checked: a dead point lies within the clearances."
         ),
         "{}",
         words(&record)

@@ -91,7 +91,7 @@ fn identity_a_small_play_repeats_itself_and_a_large_play_does_not() {
     let record = swept(&model, &[], &wild, 2);
     assert!(record.points.iter().all(|point| point.period_turns.is_none()), "{:?}", record.points);
     let text = sweep_text(&record);
-    assert!(text.contains("repeats itself for none of the 2 values of joint.gudgeon.radial_clearance"), "{text}");
+    assert!(text.contains("repeats at none of the 2 values of joint.gudgeon.radial_clearance"), "{text}");
 }
 
 #[test]
@@ -107,6 +107,6 @@ fn a_run_that_fails_is_a_row_with_its_reason() {
         "{}",
         sweep_csv(&record)
     );
-    assert!(sweep_text(&record).contains("1 run failed; the first one: "), "{}", sweep_text(&record));
+    assert!(sweep_text(&record).contains("1 run failed. The first reason: "), "{}", sweep_text(&record));
     assert!(sweep_page(&record).contains("Bifurcation diagram"));
 }

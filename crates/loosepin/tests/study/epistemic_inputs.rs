@@ -109,7 +109,7 @@ fn analytic_evidence_beside_a_probability_box_from_file_to_page() {
     let rod = result.inputs.iter().find(|input| input.path == "parameter.rod_length").expect("an input");
     assert!(matches!(&rod.kind, InputKind::Evidence { elements, is_scattering: false } if elements.len() == 2));
     let page = study_page(&result);
-    assert!(page.contains("Masses of evidence add") && page.contains("with mass 0.3"));
+    assert!(page.contains("A bound from evidence adds the masses") && page.contains("with mass 0.3"));
 }
 
 #[test]
@@ -179,7 +179,7 @@ fn analytic_a_parameter_with_a_distribution_from_file_to_page() {
     let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");
     assert_eq!(csv.lines().filter(|line| line.contains(",0.9,sampled")).count(), result.bounds.len());
     let page = study_page(&result);
-    assert!(page.contains("How well each statistic is known") && page.contains("percentile"));
+    assert!(page.contains("Percentiles of the statistics") && page.contains("percentile"));
     assert!(study_text(&result).contains("percentile"), "{}", study_text(&result));
     let stored = serde_json::to_string(&result).expect("JSON");
     assert_eq!(serde_json::from_str::<StudyResult>(&stored).expect("a result"), result);
@@ -201,7 +201,7 @@ fn analytic_a_fuzzy_number_from_file_to_page() {
     assert!(csv.lines().next().is_some_and(|header| header.ends_with(",guarantee,alpha")));
     assert_eq!(csv.lines().filter(|line| line.ends_with(",0.75")).count(), result.bounds.len());
     let page = study_page(&result);
-    assert!(page.contains("By degree of possibility") && page.contains("Degree 0.75"));
+    assert!(page.contains("Bounds by degree of possibility") && page.contains("Degree 0.75"));
     let stored = serde_json::to_string(&result).expect("JSON");
     assert_eq!(serde_json::from_str::<StudyResult>(&stored).expect("a result"), result);
 }

@@ -164,12 +164,12 @@ fn contact_lines(
         (Some(restitution), _) => {
             law.push_str(&format!(", restitution {}", format_number(values[restitution])));
             if let Some(delivered) = numbers.and_then(|numbers| numbers.delivered_restitution) {
-                law.push_str(&format!(" (a free impact delivers {delivered:.4})"));
+                law.push_str(&format!(" (a free impact gives {delivered:.4})"));
             }
         }
         (None, Some(damping)) => {
             let damping = format_value(values[damping], Dimension::DAMPING);
-            law.push_str(&format!(", damping {damping} (what a free impact delivers depends on the masses)"));
+            law.push_str(&format!(", damping {damping} (the restitution of a free impact depends on the masses)"));
         }
         (None, None) => {}
     }
@@ -194,7 +194,9 @@ fn contact_lines(
     if let Some(limit_m_s) =
         numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
     {
-        lines.push(format!("the law is meant for impacts up to {limit_m_s:.2} m/s; a run tells the share beyond"));
+        lines.push(format!(
+            "the law is valid for impacts up to {limit_m_s:.2} m/s; a run gives the share of faster ones"
+        ));
     }
     lines
 }
@@ -366,7 +368,7 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
         |turns: f64, what: &str| format!("{} {}{what}", format_number(turns), if turns == 1.0 { one } else { many });
     let _ = writeln!(
         text,
-        "\nA run: {} to settle, {} of {} each, {}",
+        "\nA run: {} of start-up, {} of {} each, {}",
         turns(cycle.transient_turns, ""),
         turns(cycle.recorded_turns, " recorded"),
         format_value(tried.turn_s, Dimension::TIME),

@@ -27,7 +27,7 @@ pub fn middle_values(study: &Study) -> Result<Values, Failure> {
     study.model.quantities.evaluate(&middle).map_err(|error| complain(error).into())
 }
 
-/// What is uncertain, what is asked, and how long it takes.
+/// Uncertain inputs, questions, and an estimate of the time.
 ///
 /// # Errors
 /// The study cannot be planned, or its nominal run fails.
@@ -49,7 +49,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
     let turns = study.cycle.transient_turns;
     let _ = writeln!(
         text,
-        "\nA run: {} to settle, {} recorded, of {} each, positions to {:e} m",
+        "\nA run: {} of start-up, {} recorded, of {} each, positions to {:e} m",
         if turns == 1.0 { "1 turn".to_owned() } else { format!("{} turns", format_number(turns)) },
         format_number(study.cycle.recorded_turns),
         format_value(tried.turn_s, Dimension::TIME),

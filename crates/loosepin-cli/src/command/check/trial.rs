@@ -18,7 +18,7 @@ const TRIAL_TURNS: f64 = 1.0 / 360.0;
 /// Evaluations after which the trial has shown enough: a slow mechanism settles into resting contact long before.
 const TRIAL_EVALUATIONS: u64 = 100_000;
 
-/// What the trial showed.
+/// Result of the trial.
 #[derive(Debug)]
 pub struct Trial {
     /// Positions of all points of each body at the start, m, and the angle of the body, rad; the ground first.

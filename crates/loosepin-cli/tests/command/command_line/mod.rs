@@ -10,7 +10,7 @@ pub struct Desk {
     folder: tempfile::TempDir,
 }
 
-/// What a command said and how it ended.
+/// Output and exit status of a command.
 pub struct Said {
     /// Standard output.
     pub output: String,

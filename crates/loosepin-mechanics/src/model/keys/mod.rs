@@ -577,7 +577,7 @@ pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
         ),
         optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
-        required("cycle", Kind::Table(&CYCLE_KEYS), "", "what is run and recorded, under [cycle]"),
+        required("cycle", Kind::Table(&CYCLE_KEYS), "", "the turns to run and to record, under [cycle]"),
         optional("output", Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "", "the outputs, in their order"),
     ],
 );

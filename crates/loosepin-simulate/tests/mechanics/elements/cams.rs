@@ -168,7 +168,7 @@ fn what_is_wrong_with_a_table_is_told_at_its_place() {
     );
     assert_eq!(
         of(&format!("{header}10,2\n80,3,1\n")),
-        "profile.csv:3:1: error[E0411]: a row has 3 columns; two are due\nhint: for example: time [s], angle [deg]"
+        "profile.csv:3:1: error[E0411]: a row has 3 columns; expected two\nhint: for example: time [s], angle [deg]"
     );
     assert_eq!(
         of(&format!("{header}10,2\n80,3\n70,4\n")),

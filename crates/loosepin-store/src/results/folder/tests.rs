@@ -116,7 +116,7 @@ fn folders_that_hold_no_results_are_refused() {
     fs::write(&file, "x").expect("writable");
     assert_eq!(
         claim(&file, "a", true).take().expect_err("a file").to_string(),
-        format!("{} is a file; a folder is due", file.display())
+        format!("{} is a file; expected a folder", file.display())
     );
     assert!(matches!(ResultsFolder::open(&root.path().join("none")), Err(ResultsError::NoSuchFolder { .. })));
     assert!(matches!(ResultsFolder::open(root.path()), Err(ResultsError::NoMarker { .. })));

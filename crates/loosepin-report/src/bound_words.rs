@@ -1,0 +1,42 @@
+//! One bound in figures: its ends, rounded outwards, and the parts of its numerical error.
+
+use super::number::{NumberWriter, Rounding};
+use loosepin_result::study::{BoundEnd, BoundRecord};
+
+/// The widened end, rounded outwards.
+pub(super) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Rounding, writer: &NumberWriter) -> String {
+    if bound.statistic.is_probability() {
+        writer.percent(end.widened_si, rounding)
+    } else {
+        writer.down_to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
+    }
+}
+
+/// The larger error of both ends.
+pub(super) fn bound_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, writer)
+}
+
+fn part(error_si: f64, bound: &BoundRecord, writer: &NumberWriter) -> String {
+    if bound.statistic.is_probability() {
+        writer.percent(error_si, Rounding::Up)
+    } else {
+        writer.error(error_si, &bound.unit)
+    }
+}
+
+/// Which parts of the error are not zero, at the end where it is larger.
+pub(super) fn error_parts(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error = if bound.upper.error.total_si() >= bound.lower.error.total_si() {
+        bound.upper.error
+    } else {
+        bound.lower.error
+    };
+    let parts = [("sampling", error.sampling_si), ("search", error.optimisation_si), ("surrogate", error.surrogate_si)];
+    let words: Vec<String> = parts
+        .into_iter()
+        .filter(|(_, value_si)| *value_si != 0.0)
+        .map(|(name, value_si)| format!("{name} {}", part(value_si, bound, writer)))
+        .collect();
+    words.join(", ")
+}

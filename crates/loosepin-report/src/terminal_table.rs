@@ -1,0 +1,45 @@
+//! Tables and paragraphs of a terminal: plain text, aligned, at most 100 columns.
+
+use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
+
+/// Columns that a terminal is taken to have.
+pub const TERMINAL_COLUMNS: u16 = 100;
+
+/// A table with a rule under its head, numbers to the right, wrapped to the width of the terminal.
+pub(super) fn table(head: &[&str], numbers: &[usize]) -> Table {
+    let mut table = Table::new();
+    // Only the rule under the head and the gap between columns.
+    table
+        .load_style(TableStyle::new().header_separator(LineStyle::none().fill('-').junction('-')))
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(TERMINAL_COLUMNS)
+        .set_header(head.iter().copied());
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 1));
+        if numbers.contains(&index) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table
+}
+
+/// Adds a table that has rows.
+pub(super) fn push_table(text: &mut String, table: &Table) {
+    if table.row_count() > 0 {
+        text.push_str(&format!("\n{}\n", trimmed(table)));
+    }
+}
+
+/// The lines of a table without blanks at their ends.
+pub(super) fn trimmed(table: &Table) -> String {
+    let lines: Vec<String> = table.lines().map(|line| line.trim_end().to_owned()).collect();
+    lines.join("\n")
+}
+
+/// A sentence on lines of the width of the terminal; further lines stand below the text of a bullet.
+pub(super) fn wrapped(sentence: &str, bullet: &str) -> String {
+    let indent = " ".repeat(bullet.len());
+    let options =
+        textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent(bullet).subsequent_indent(&indent);
+    textwrap::fill(sentence, options)
+}
