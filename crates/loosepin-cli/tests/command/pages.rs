@@ -45,7 +45,7 @@ fn repository() -> PathBuf {
 /// The README and the pages of the documentation, by their paths in the repository.
 fn pages() -> Vec<String> {
     let mut found = vec!["README.md".to_owned(), "cases/README.md".to_owned()];
-    for folder in ["docs", "docs/theory"] {
+    for folder in ["docs", "docs/files", "docs/theory"] {
         let entries = fs::read_dir(repository().join(folder)).expect("the pages");
         let names = entries.map(|entry| entry.expect("a page").file_name().into_string().expect("a name"));
         found.extend(names.filter(|name| name.ends_with(".md")).map(|name| format!("{folder}/{name}")));

@@ -1,6 +1,6 @@
 //! Folders of results: where they are, whose they are, and what must not be overwritten.
 //!
-//! A folder of results has a small file [`MARKER_FILE`] that says what it holds and from which inputs. `docs/files.md`
+//! A folder of results has a small file [`MARKER_FILE`] that says what it holds and from which inputs. `docs/files/results.md`
 //! describes the files beside it.
 
 mod error;

@@ -1,4 +1,4 @@
-//! The files that a study leaves behind. `docs/files.md` describes them; everything but `timing.json` repeats byte for
+//! The files that a study leaves behind. `docs/files/study-results.md` describes them; everything but `timing.json` repeats byte for
 //! byte.
 
 mod arrow_schema;

@@ -39,13 +39,26 @@ fn table(keys: &Keys) -> Map<String, Value> {
 fn property(key: &Key) -> Value {
     let mut schema = kind(&key.kind);
     if let Value::Object(object) = &mut schema {
-        object.insert("description".to_owned(), json!(key.doc));
+        let description = match range(&key.kind).filter(|range| !key.doc.contains(range)) {
+            Some(range) => format!("{} ({range})", key.doc),
+            None => key.doc.to_owned(),
+        };
         if !key.example.is_empty() {
-            object
-                .insert("markdownDescription".to_owned(), json!(format!("{}, for example `{}`", key.doc, key.example)));
+            let with_example = format!("{description}, for example `{}`", key.example);
+            object.insert("markdownDescription".to_owned(), json!(with_example));
         }
+        object.insert("description".to_owned(), json!(description));
     }
     schema
+}
+
+/// The range of a number, in words; none where it may be any.
+fn range(kind: &Kind) -> Option<&'static str> {
+    match kind {
+        Kind::Quantity { rule: Rule::Finite, .. } | Kind::Number { rule: Rule::Finite } => None,
+        Kind::Quantity { rule, .. } | Kind::Number { rule } => Some(rule.words()),
+        _ => None,
+    }
 }
 
 fn kind(due: &Kind) -> Value {

@@ -2,5 +2,7 @@
 
 mod case_folders;
 mod cases;
+mod file_pages;
+mod key_tables;
 mod readme;
 mod site;

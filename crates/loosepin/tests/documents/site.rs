@@ -33,7 +33,7 @@ fn files_of_docs() -> Vec<String> {
     found
 }
 
-/// `docs/theory/../files.md` is `docs/files.md`.
+/// `docs/theory/../files/ask.md` is `docs/files/ask.md`.
 fn tidy(path: &Path) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in path.components() {

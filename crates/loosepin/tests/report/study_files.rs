@@ -1,4 +1,4 @@
-//! What a study writes reads back to the same values, repeats byte for byte, and has the columns that docs/files.md
+//! What a study writes reads back to the same values, repeats byte for byte, and has the columns that docs/files/study-results.md
 //! names.
 
 use std::collections::BTreeMap;
