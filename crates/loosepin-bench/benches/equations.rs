@@ -1,5 +1,5 @@
 //! What an evaluation of the equations consists of and how long it takes as machine code, part by part; and the integrator's
-//! own arithmetic in a step. Counts are those of the programs; times are of calls for 16 lanes, as a batch makes them, and the
+//! own arithmetic in a step. Counts are those of the programs; times are of calls for 32 lanes, as a batch makes them, and the
 //! shortest of many rounds counts, since others on the machine can only lengthen one.
 //!
 //! `cargo bench --bench equations` for the reference case of `docs/performance.md`; case names as arguments choose others.
@@ -9,8 +9,8 @@ use loosepin_bench::batch::Case;
 use loosepin_bench::equations::{blocks, parts};
 use std::time::Instant;
 
-/// Lanes of a batch: two vectors of eight.
-const LANES: usize = 16;
+/// Lanes of a batch: four vectors of eight.
+const LANES: usize = 32;
 /// Calls of a kernel in a round.
 const CALLS: usize = 2_000;
 /// Rounds, of which the shortest counts; kernels take turns.

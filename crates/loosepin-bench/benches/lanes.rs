@@ -16,7 +16,7 @@ const ROUNDS: usize = 5;
 const RUNS: usize = 768;
 const SCALAR_RUNS: usize = 48;
 /// Lanes of a batch.
-const LANES: usize = 16;
+const LANES: usize = 32;
 
 struct Way {
     name: String,

@@ -70,11 +70,6 @@ impl<'a> Core<'a> {
         Self { mechanism, memory: Memory::new(lanes, lengths), way, is_dense: false, pass }
     }
 
-    /// How many lanes there are.
-    pub fn lanes(&self) -> usize {
-        self.memory.lanes()
-    }
-
     /// Puts a run that begins at `state` (layout of [`super::motion::Layout`]) into a lane. It needs a restart.
     pub fn load(
         &mut self,
@@ -188,14 +183,17 @@ impl<'a> Core<'a> {
     }
     /// How much longer the next step of a lane may be, by the error of the last attempt.
     pub fn growth(&self, lane: usize) -> f64 {
-        self.pass.stepper.growth(self.error(lane))
+        self.memory.get(Block::Lane, LaneLayout::GROWTH, lane)
     }
 
     /// Three numbers in a row of a lane at the start and at the end of the step: a value and its derivatives.
     #[inline]
     pub fn jets(&self, lane: usize, place: usize) -> [GapJet; 2] {
         // A program leaves out what is multiplied by zero, which may turn the sign of a zero: adding zero makes it positive.
-        let jet = |block| GapJet { jet: [0, 1, 2].map(|k| self.memory.get(block, place + k, lane) + 0.0) };
+        let jet = |block| {
+            let [value, first, second] = self.memory.three(block, place, lane);
+            GapJet { jet: [value + 0.0, first + 0.0, second + 0.0] }
+        };
         [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
@@ -324,8 +322,8 @@ impl<'a> Core<'a> {
 
     /// Says which lanes the next routine is for.
     fn choose(&mut self, lanes: u32) {
-        for lane in 0..self.lanes() {
-            self.memory.set(Block::Lane, LaneLayout::CHOSEN, lane, f64::from(lanes >> lane & 1));
+        for (lane, chosen) in self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::CHOSEN).iter_mut().enumerate() {
+            *chosen = f64::from(lanes >> lane & 1);
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use loosepin_tape::native::Level;
 
-/// Lanes of a batch: two vectors of eight, which keep the units of a processor busier than one.
-const LANES: usize = 16;
+/// Lanes of a batch: four vectors of eight, so that what one waits for is hidden behind the others, and so that few calls of the
+/// programs are made.
+const LANES: usize = 32;
 
 /// How the runs of a batch are computed. A run has the same bits in all of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -40,6 +40,8 @@ impl LaneLayout {
     pub const CHOSEN: usize = 1;
     /// Error of the last attempt over what is allowed.
     pub const ERROR: usize = 2;
+    /// How much longer the next step may be by that error.
+    pub const GROWTH: usize = 9;
     /// 1 where an event may lie in the last attempt.
     pub const EVENTFUL: usize = 3;
     /// 1 where a penetration or a contact force of the last attempt may be a record of its run.
@@ -69,7 +71,7 @@ impl LaneLayout {
 
     /// Where the numbers of a contact begin.
     pub fn contact(contact: usize) -> usize {
-        Self::LARGEST_EXCHANGE + 1 + Self::PER_CONTACT * contact
+        Self::GROWTH + 1 + Self::PER_CONTACT * contact
     }
 
     /// Where the tolerances of the unknowns are.
@@ -107,68 +109,85 @@ impl<'m, T> Named<'m, T> {
     }
 }
 
-/// Numbers of a cache line, on which every block begins.
+/// Numbers of a cache line.
 const LINE: usize = 8;
+
+/// Numbers that begin on a cache line.
+struct Aligned {
+    numbers: Vec<f64>,
+    first: usize,
+    length: usize,
+}
+
+impl Aligned {
+    fn zeros(length: usize) -> Self {
+        let numbers = vec![0.0; length + LINE];
+        let first = numbers.as_ptr().align_offset(LINE * size_of::<f64>()).min(LINE);
+        Self { numbers, first, length }
+    }
+
+    #[inline(always)]
+    fn all(&mut self) -> &mut [f64] {
+        &mut self.numbers[self.first..self.first + self.length]
+    }
+}
 
 /// The blocks of all lanes: number i of lane l is at `i * lanes + l` of its block.
 pub struct Memory {
     lanes: usize,
-    numbers: Vec<f64>,
-    /// Where each block begins, and where it ends.
-    places: [std::ops::Range<usize>; BLOCKS],
+    blocks: [Aligned; BLOCKS],
 }
 
 impl Memory {
     /// Zeros for so many numbers in each block.
     pub fn new(lanes: usize, lengths: [usize; BLOCKS]) -> Self {
-        let whole = lengths.iter().map(|length| (length * lanes).next_multiple_of(LINE)).sum::<usize>();
-        let numbers = vec![0.0; whole + LINE];
-        let mut next = numbers.as_ptr().align_offset(LINE * size_of::<f64>()).min(LINE);
-        let places = lengths.map(|length| {
-            let first = next;
-            next += (length * lanes).next_multiple_of(LINE);
-            first..first + length * lanes
-        });
-        Self { lanes, numbers, places }
-    }
-
-    /// How many lanes there are.
-    pub fn lanes(&self) -> usize {
-        self.lanes
+        Self { lanes, blocks: lengths.map(|length| Aligned::zeros(length * lanes)) }
     }
 
     /// Number `index` of a block in a lane.
     #[inline]
     pub fn get(&self, block: Block, index: usize, lane: usize) -> f64 {
-        self.numbers[self.places[block as usize].start + index * self.lanes + lane]
+        let block = &self.blocks[block as usize];
+        block.numbers[block.first + index * self.lanes + lane]
+    }
+
+    /// Three numbers in a row of a block in a lane, from number `index` on.
+    #[inline]
+    pub fn three(&self, block: Block, index: usize, lane: usize) -> [f64; 3] {
+        let (block, lanes) = (&self.blocks[block as usize], self.lanes);
+        let numbers = &block.numbers[block.first + index * lanes + lane..][..2 * lanes + 1];
+        [numbers[0], numbers[lanes], numbers[2 * lanes]]
     }
 
     /// Replaces number `index` of a block in a lane.
     #[inline]
     pub fn set(&mut self, block: Block, index: usize, lane: usize, value: f64) {
-        self.numbers[self.places[block as usize].start + index * self.lanes + lane] = value;
+        let block = &mut self.blocks[block as usize];
+        block.numbers[block.first + index * self.lanes + lane] = value;
     }
 
     /// One number of a block in all lanes.
     #[inline]
     pub fn of_all_lanes(&self, block: Block, index: usize) -> &[f64] {
-        let first = self.places[block as usize].start + index * self.lanes;
-        &self.numbers[first..first + self.lanes]
+        let block = &self.blocks[block as usize];
+        let first = block.first + index * self.lanes;
+        &block.numbers[first..first + self.lanes]
+    }
+
+    /// Replaces one number of a block in all lanes.
+    #[inline]
+    pub fn of_all_lanes_mut(&mut self, block: Block, index: usize) -> &mut [f64] {
+        let block = &mut self.blocks[block as usize];
+        let first = block.first + index * self.lanes;
+        &mut block.numbers[first..first + self.lanes]
     }
 
     /// All blocks.
-    #[inline]
+    #[inline(always)]
     pub fn blocks(&mut self) -> Blocks<'_, f64> {
-        let mut rest = &mut self.numbers[..];
-        let mut passed = 0;
-        std::array::from_fn(|block| {
-            let place = &self.places[block];
-            let (before, behind) = std::mem::take(&mut rest).split_at_mut(place.end - passed);
-            rest = behind;
-            let first = place.start - passed;
-            passed = place.end;
-            &mut before[first..]
-        })
+        // Written out: it is done before every program, and a map over an array is not inlined.
+        let [a, b, c, d, e, f, g, h] = &mut self.blocks;
+        [a.all(), b.all(), c.all(), d.all(), e.all(), f.all(), g.all(), h.all()]
     }
 }
 

@@ -55,6 +55,7 @@ impl Pass {
         self.set_root_tolerances(rows, lane);
         let error = self.stepper.attempt(rows, lane[LaneLayout::STEP], &lane[self.lane.tolerances()], system);
         lane[LaneLayout::ERROR] = error;
+        lane[LaneLayout::GROWTH] = self.stepper.growth(error);
     }
 
     /// Makes what was evaluated last, slope and reads, those of the start of the step, where the lane is chosen.

@@ -56,6 +56,19 @@ impl PassPrograms {
     }
 }
 
+impl PassPrograms {
+    /// All programs, those of a step first.
+    pub fn all(&self) -> Vec<&Program> {
+        let mut all: Vec<&Program> = self.points.iter().collect();
+        all.extend([&self.slope, &self.end, &self.judgement, &self.accept]);
+        all.extend(&self.hold_loops);
+        all.extend([&self.take_evaluation, &self.account]);
+        all.extend(&self.dense_points);
+        all.push(&self.dense);
+        all
+    }
+}
+
 /// All numbers that the programs may read: those of the sample, then the points of the bodies.
 pub fn numbers(sample: &Sample<f64>, arms: &Arms) -> Vec<f64> {
     let mut numbers = sample.numbers();
@@ -139,7 +152,7 @@ impl Tracing<'_> {
             let mut points = Points::default();
             self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
             self.pass.look_at_gaps(&sample, &mut blocks);
-            let places = [LaneLayout::ERROR, LaneLayout::EVENTFUL, LaneLayout::NOTABLE];
+            let places = [LaneLayout::ERROR, LaneLayout::GROWTH, LaneLayout::EVENTFUL, LaneLayout::NOTABLE];
             (points.0, places.map(|place| (slot(Block::Lane, place), blocks.lane[place].value())))
         });
         (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &judgement))

@@ -15,12 +15,8 @@ struct Routine {
 }
 
 impl Routine {
-    fn new(program: Program, level: Option<Level>, lanes: usize) -> Self {
-        let kernel = level.and_then(|level| Kernel::compile(&program, level, lanes).ok());
-        Self { program, kernel }
-    }
-
     /// Runs on `blocks` of `lanes` lanes, which have the lengths that the program was written for.
+    #[inline]
     fn run(&self, lanes: usize, mut blocks: [&mut [f64]; BLOCKS], scratch: &mut Vec<f64>) {
         let outcome = match &self.kernel {
             Some(kernel) => kernel.run(&mut blocks),
@@ -47,20 +43,31 @@ struct Routines {
 
 impl Routines {
     fn new(programs: PassPrograms, level: Option<Level>, lanes: usize) -> Self {
-        let routine = |program| Routine::new(program, level, lanes);
-        let routines = |programs: Vec<Program>| programs.into_iter().map(routine).collect();
+        let kernels = level.map_or_else(Vec::new, |level| kernels(&programs, level, lanes));
+        let mut kernels = kernels.into_iter();
+        let mut routine = |program| Routine { program, kernel: kernels.next().flatten() };
+        // In the order of `PassPrograms::all`.
         Self {
+            points: programs.points.into_iter().map(&mut routine).collect(),
             slope: routine(programs.slope),
             end: routine(programs.end),
-            points: routines(programs.points),
             judgement: routine(programs.judgement),
-            dense_points: routines(programs.dense_points),
-            dense: routine(programs.dense),
-            take_evaluation: routine(programs.take_evaluation),
             accept: routine(programs.accept),
-            hold_loops: programs.hold_loops.map(routine),
+            hold_loops: programs.hold_loops.map(&mut routine),
+            take_evaluation: routine(programs.take_evaluation),
             account: routine(programs.account),
+            dense_points: programs.dense_points.into_iter().map(&mut routine).collect(),
+            dense: routine(programs.dense),
         }
+    }
+}
+
+/// Machine code for all programs, or for those of which it can be had.
+fn kernels(programs: &PassPrograms, level: Level, lanes: usize) -> Vec<Option<Kernel>> {
+    let programs = programs.all();
+    match Kernel::compile_together(&programs, level, lanes) {
+        Ok(kernels) => kernels.into_iter().map(Some).collect(),
+        Err(_) => programs.into_iter().map(|program| Kernel::compile(program, level, lanes).ok()).collect(),
     }
 }
 

@@ -132,12 +132,14 @@ impl Stepper {
         sum
     }
 
-    /// 0.9 · error^(-1/order): how much longer the next step may be. The eighth root by square roots, which are correctly rounded
-    /// on every processor.
-    pub fn growth(&self, error: f64) -> f64 {
+    /// 0.9 · error^(-1/order): how much longer the next step may be. The eighth root by square roots, which cost less.
+    pub fn growth<T: Real>(&self, error: T) -> T {
+        /// An error of zero lets the step grow as much as this one.
+        const SMALLEST: f64 = 1e-300;
+        let share = T::from_f64(0.9);
         match self.tableau.order {
-            8 => 0.9 / error.sqrt().sqrt().sqrt(),
-            order => 0.9 * libm::pow(error, -1.0 / f64::from(order)),
+            8 => share / error.sqrt().sqrt().sqrt(),
+            order => share * error.max(T::from_f64(SMALLEST)).powf(-1.0 / f64::from(order)),
         }
     }
 

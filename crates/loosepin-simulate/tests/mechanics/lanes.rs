@@ -11,7 +11,7 @@ use loosepin_tape::native::OperationCounts;
 use std::path::Path;
 
 /// More runs than the widest group has lanes, so that lanes are filled again.
-const RUNS: usize = 19;
+const RUNS: usize = 37;
 
 struct Case {
     mechanism: Mechanism,

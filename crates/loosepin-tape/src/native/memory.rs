@@ -6,6 +6,7 @@
 #![allow(unsafe_code, reason = "calling machine code written at run time cannot be checked by the compiler")]
 
 use memmap2::{Mmap, MmapMut};
+use std::sync::Arc;
 
 use super::assemble::Code;
 use super::error::NativeError;
@@ -19,9 +20,13 @@ use super::{LARGEST_BLOCKS, Level};
 /// Kernels may be shared between threads; the memory is given back when the kernel is dropped.
 #[derive(Debug)]
 pub struct Kernel {
-    memory: Mmap,
+    memory: Arc<Mmap>,
+    /// Where its code begins.
+    start: usize,
     lanes: usize,
     values_per_block: Vec<usize>,
+    /// Numbers that each block must have.
+    needed: [usize; LARGEST_BLOCKS],
     size: KernelSize,
 }
 
@@ -39,6 +44,27 @@ impl Kernel {
         Self::new(&code, size, program.values_per_block().to_vec(), level, lanes)
     }
 
+    /// Compiles programs that run in turn, one behind the other in memory: each on pages of its own, they would drive each other
+    /// out of the processor's cache.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::compile`], of any program.
+    pub fn compile_together(programs: &[&Program], level: Level, lanes: usize) -> Result<Vec<Self>, NativeError> {
+        /// Bytes of a line of the cache.
+        const LINE_BYTES: usize = 64;
+        let (mut bytes, mut parts) = (Vec::new(), Vec::new());
+        for program in programs {
+            let (code, size) = translate(program, level, lanes)?;
+            parts.push((bytes.len(), size, program.values_per_block().to_vec()));
+            bytes.extend_from_slice(code.bytes());
+            bytes.resize(bytes.len().next_multiple_of(LINE_BYTES), 0);
+        }
+        let memory = executable(&bytes, level)?;
+        let part = |(start, size, values)| Self::at(Arc::clone(&memory), start, size, values, lanes);
+        Ok(parts.into_iter().map(part).collect())
+    }
+
     /// A kernel of `code`, which was translated for `level` and `lanes` and uses no more than `values_per_block`.
     pub(super) fn new(
         code: &Code,
@@ -47,15 +73,16 @@ impl Kernel {
         level: Level,
         lanes: usize,
     ) -> Result<Self, NativeError> {
-        if !level.is_supported() {
-            return Err(NativeError::NotSupported { level });
+        Ok(Self::at(executable(code.bytes(), level)?, 0, size, values_per_block, lanes))
+    }
+
+    /// The kernel whose code begins at `start` of `memory`.
+    fn at(memory: Arc<Mmap>, start: usize, size: KernelSize, values_per_block: Vec<usize>, lanes: usize) -> Self {
+        let mut needed = [0; LARGEST_BLOCKS];
+        for (needed, values) in needed.iter_mut().zip(&values_per_block) {
+            *needed = values * lanes;
         }
-        let bytes = code.bytes();
-        let refused = |source| NativeError::ExecutableMemoryRefused { bytes: bytes.len(), source };
-        let mut memory = MmapMut::map_anon(bytes.len()).map_err(refused)?;
-        memory.copy_from_slice(bytes);
-        let memory = memory.make_exec().map_err(refused)?;
-        Ok(Self { memory, lanes, values_per_block, size })
+        Self { memory, start, lanes, values_per_block, needed, size }
     }
 
     /// The number of lanes of each value.
@@ -78,18 +105,19 @@ impl Kernel {
     /// # Errors
     ///
     /// [`NativeError::TooFewBlocks`] and [`NativeError::BlockTooShort`].
+    #[inline]
     pub fn run(&self, blocks: &mut [&mut [f64]]) -> Result<(), NativeError> {
         if blocks.len() < self.values_per_block.len() {
             return Err(NativeError::TooFewBlocks { given: blocks.len(), needed: self.values_per_block.len() });
         }
-        let mut addresses = [std::ptr::null_mut(); LARGEST_BLOCKS];
-        for (block, ((numbers, values), address)) in
-            blocks.iter_mut().zip(&self.values_per_block).zip(&mut addresses).enumerate()
-        {
-            check_length(block, numbers, *values, self.lanes)?;
-            *address = numbers.as_mut_ptr();
-        }
         let count = self.values_per_block.len();
+        let mut addresses = [std::ptr::null_mut(); LARGEST_BLOCKS];
+        for (block, numbers) in blocks.iter_mut().enumerate().take(count) {
+            if numbers.len() < self.needed[block] {
+                return check_length(block, numbers, self.values_per_block[block], self.lanes);
+            }
+            addresses[block] = numbers.as_mut_ptr();
+        }
         // SAFETY: there is an address for each block of the program, and each points to as many numbers as its highest slot
         // needs (checked above); exclusive references do not overlap and live until the call has returned.
         unsafe { self.call(&addresses[..count]) };
@@ -106,9 +134,9 @@ impl Kernel {
     #[inline]
     pub unsafe fn call(&self, blocks: &[*mut f64]) {
         debug_assert!(blocks.len() >= self.values_per_block.len());
-        let start = self.memory.as_ptr();
-        // SAFETY: the memory holds what `assemble` wrote for exactly this signature and is executable while `self` lives;
-        // `new` has checked that the processor has the instructions; the caller answers for the blocks.
+        let start = self.memory[self.start..].as_ptr();
+        // SAFETY: there the memory holds what `assemble` wrote for exactly this signature and is executable while `self` lives;
+        // `executable` has checked that the processor has the instructions; the caller answers for the blocks.
         #[cfg(target_arch = "x86_64")]
         unsafe {
             type Entry = unsafe extern "sysv64" fn(*const *mut f64);
@@ -118,4 +146,15 @@ impl Kernel {
         #[cfg(not(target_arch = "x86_64"))]
         unreachable!("no kernel can be made for {start:?} here")
     }
+}
+
+/// Memory that holds `bytes` and can be run.
+fn executable(bytes: &[u8], level: Level) -> Result<Arc<Mmap>, NativeError> {
+    if !level.is_supported() {
+        return Err(NativeError::NotSupported { level });
+    }
+    let refused = |source| NativeError::ExecutableMemoryRefused { bytes: bytes.len(), source };
+    let mut memory = MmapMut::map_anon(bytes.len()).map_err(refused)?;
+    memory.copy_from_slice(bytes);
+    Ok(Arc::new(memory.make_exec().map_err(refused)?))
 }
