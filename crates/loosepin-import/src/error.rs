@@ -13,7 +13,7 @@ pub enum ImportError {
     /// The drawing cannot be read.
     #[error("the drawing cannot be read as DXF: {reason}")]
     NoDrawing {
-        /// What the reader said.
+        /// Message of the reader.
         reason: String,
     },
     /// A drawing without units, and none given.
@@ -34,27 +34,27 @@ pub enum ImportError {
     /// A coordinate that is no number, or not in the plane.
     #[error("{what} at {place} {why}")]
     NotPlanar {
-        /// What it is.
+        /// The entity in words.
         what: &'static str,
         /// Where.
         place: String,
-        /// What is wrong.
+        /// The error.
         why: &'static str,
     },
     /// No line, or no circle.
     #[error("the drawing has no {what}")]
     Nothing {
-        /// What is missing.
+        /// The missing entity in words.
         what: &'static str,
     },
     /// A line without length, or a circle without radius.
     #[error("the {what} at {place} has no {size}")]
     NoSize {
-        /// What it is.
+        /// The entity in words.
         what: &'static str,
         /// Where.
         place: String,
-        /// What it lacks.
+        /// The missing size in words.
         size: &'static str,
     },
     /// Two circles with the same centre.
@@ -89,7 +89,7 @@ pub enum ImportError {
     Write {
         /// The file or folder.
         path: PathBuf,
-        /// What the file system said.
+        /// Message of the file system.
         source: io::Error,
     },
 }

@@ -11,7 +11,7 @@
 //! | lines and polylines on the layer `ground` | parts of the ground |
 //! | anything else | nothing; it is counted |
 //!
-//! What no drawing tells (masses, inertias, gravity, speed) stands in the model as `"?"`, which is refused until it is filled
+//! Numbers that no drawing has (masses, inertias, gravity, speed) stands in the model as `"?"`, which is refused until it is filled
 //! in. Play is not drawn: the radius of a circle is that of the pin, and every joint begins as an ideal one.
 
 pub mod templates;
@@ -35,7 +35,7 @@ pub use options::ImportOptions;
 pub struct Imported {
     /// Text of `model.toml`.
     pub model: String,
-    /// What was found, in words, one sentence each.
+    /// Findings in words, one sentence each.
     pub notes: Vec<String>,
 }
 

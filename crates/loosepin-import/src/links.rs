@@ -10,7 +10,7 @@ use super::sketch::{Point, Shape, Sketch, distance};
 pub(super) struct Links {
     /// The links that move.
     pub links: Vec<Link>,
-    /// What each circle is, in the order of the drawing.
+    /// Meaning of each circle, in the order of the drawing.
     pub meetings: Vec<Meeting>,
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Link {
     pub circles: Vec<usize>,
 }
 
-/// What meets in a circle.
+/// Links that meet in a circle.
 #[derive(Debug)]
 pub(super) struct Meeting {
     /// Whether the circle stands in the ground.

@@ -199,7 +199,7 @@ fn quoted(text: &str) -> String {
     format!("\"{escaped}\"")
 }
 
-/// What was found, in words.
+/// Findings in words.
 pub(super) fn notes(sketch: &Sketch, links: &Links) -> Vec<String> {
     let counted = |count: usize, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
     let joints = joints(links).len();

@@ -5,7 +5,7 @@ use super::dxf::{Drawing, Entity, Shape as Drawn, Vertex};
 use super::error::ImportError;
 use loosepin_text::units::{Dimension, format_number, parse_unit};
 
-/// What is on this layer does not move.
+/// Layer of the parts that do not move.
 const GROUND_LAYER: &str = "ground";
 
 /// A point of the drawing, in its unit.
@@ -27,7 +27,7 @@ pub(super) struct Circle {
     pub on_ground: bool,
 }
 
-/// What matters of a drawing.
+/// Lines and circles of a drawing.
 #[derive(Debug)]
 pub(super) struct Sketch {
     /// Symbol of the unit.

@@ -52,12 +52,12 @@ pub static TEMPLATES: &[Template] = templates! {
 };
 
 impl Template {
-    /// What mechanism it is, in one line.
+    /// The mechanism in one line.
     pub fn description(&self) -> &'static str {
         self.about.lines().next().unwrap_or_default()
     }
 
-    /// What it is and what to look at, one paragraph without line breaks.
+    /// The mechanism and its results in one paragraph without line breaks.
     pub fn paragraph(&self) -> String {
         self.about.lines().skip(1).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
     }
@@ -82,7 +82,7 @@ pub enum TemplateError {
     Write {
         /// The file or folder.
         path: PathBuf,
-        /// What the file system said.
+        /// Message of the file system.
         source: io::Error,
     },
 }

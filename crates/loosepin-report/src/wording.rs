@@ -96,9 +96,7 @@ pub(super) fn promise_word(band: &TreatmentBand, promised: f64) -> &'static str 
 pub(super) fn reading_words(reading: Reading) -> &'static str {
     match reading {
         Reading::FixedButUnknown => "fixed but unknown: one value, the same for all mechanisms (reading A)",
-        Reading::UnknownDistribution => {
-            "with an unknown distribution, independent of the random inputs (reading A2)"
-        }
+        Reading::UnknownDistribution => "with an unknown distribution, independent of the random inputs (reading A2)",
         Reading::RandomSet => "any value in each mechanism, even dependent on the random inputs (reading B)",
     }
 }

@@ -36,12 +36,12 @@ pub enum StoreError {
         /// Whose were to be found.
         expected: String,
     },
-    /// What it holds is not what was written.
+    /// Its content is not what was written.
     #[error("{} is damaged: {reason}", path.display())]
     Damaged {
         /// The store.
         path: PathBuf,
-        /// What does not fit.
+        /// The error.
         reason: String,
     },
     /// The file system refused.
@@ -49,13 +49,13 @@ pub enum StoreError {
     NotUsable {
         /// The store.
         path: PathBuf,
-        /// What the file system said.
+        /// Message of the file system.
         reason: String,
     },
 }
 
 impl StoreError {
-    /// What SQLite says of the store at `path`.
+    /// The error of SQLite for the store at `path`.
     pub(super) fn of(path: &Path, error: &rusqlite::Error) -> Self {
         let path = path.to_owned();
         let extended = error.sqlite_error().map(|error| error.extended_code);

@@ -33,7 +33,7 @@ const TABLES: [(&str, &str); 2] = [
     ),
 ];
 
-/// What SQLite advises for files that somebody else may have written: nothing in the file may call functions, and every cell of a
+/// Settings that SQLite advises for files that somebody else may have written: nothing in the file may call functions, and every cell of a
 /// page is looked at before it is used.
 fn harden(connection: &Connection) -> rusqlite::Result<()> {
     connection.pragma_update(None, "trusted_schema", false)?;

@@ -15,7 +15,7 @@ pub const PUBLISHED_FILE: &str = "merged.sqlite";
 /// Removes the files of a store that is not open, and the copy beside it; nothing where there is none.
 ///
 /// # Errors
-/// What the file system refuses.
+/// An error of the file system.
 pub fn remove_store(path: &Path) -> Result<(), StoreError> {
     let companions = STORE_COMPANIONS.iter().map(|name| path.with_file_name(name));
     for file in companions.chain([path.with_file_name(PUBLISHED_FILE), path.to_owned()]) {

@@ -1,6 +1,6 @@
 //! The owner of the runs in a store.
 
-/// What the runs of a store were made by and from.
+/// Program and inputs of the runs of a store.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StoreIdentity {
     /// Version of the program: other versions may give other bits.

@@ -7,9 +7,9 @@ pub struct InputsKey(pub [u8; 16]);
 /// A finished run.
 #[derive(Debug, Clone)]
 pub struct KeptRun {
-    /// What it was run with.
+    /// Its inputs.
     pub inputs: InputsKey,
-    /// What came out, or the number of the reason why nothing did.
+    /// Its results, or the number of the reason why it failed.
     pub outcome: Result<Vec<f64>, u16>,
 }
 

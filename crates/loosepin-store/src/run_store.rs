@@ -190,7 +190,7 @@ impl RunStore {
     /// Closes the store and removes its files: its runs are no longer needed.
     ///
     /// # Errors
-    /// What the file system refuses.
+    /// An error of the file system.
     pub fn remove(mut self) -> Result<(), StoreError> {
         self.close();
         remove_store(&self.path)

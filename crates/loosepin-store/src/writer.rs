@@ -16,7 +16,7 @@ pub const LONGEST_UNSAVED: Duration = Duration::from_millis(500);
 /// Numbers that may wait: 64 MiB of them.
 const MOST_WAITING_NUMBERS: usize = 8 << 20;
 
-/// What is asked of the thread.
+/// Request to the thread.
 pub(super) enum Request {
     /// To keep a run.
     Keep {

@@ -1,4 +1,4 @@
-//! What stands between files and numbers: text with units to SI and back ([`units`]), TOML files walked by hand
+//! From files to numbers: text with units to SI and back ([`units`]), TOML files walked by hand
 //! ([`document`]), complaints with their place, code and hint ([`diagnostics`]).
 
 pub mod diagnostics;

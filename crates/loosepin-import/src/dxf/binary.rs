@@ -3,7 +3,7 @@
 use super::error::{DxfError, DxfProblem, Place};
 use super::group::{Group, Value, ValueType};
 
-/// What a binary file begins with.
+/// First bytes of a binary file.
 pub(super) const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
 /// The groups of a binary file. Numbers are little-endian.

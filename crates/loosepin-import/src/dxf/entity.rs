@@ -26,7 +26,7 @@ pub(crate) struct Entity {
     extrusion: Vertex,
 }
 
-/// What an entity is.
+/// Kind and numbers of an entity.
 #[derive(Debug)]
 pub(crate) enum Shape {
     /// LINE, and 3DLINE of R10.

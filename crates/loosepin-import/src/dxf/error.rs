@@ -1,4 +1,4 @@
-//! What is wrong in a DXF file, and where.
+//! Errors of a DXF file, with their place.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use thiserror::Error;
 /// Characters of the file that a message shows, at most.
 const SHOWN_CHARS: usize = 24;
 
-/// What is wrong in a DXF file, and where.
+/// An error in a DXF file, with its place.
 #[derive(Debug, Error)]
 #[error("{place}: {problem}")]
 pub(crate) struct DxfError {
@@ -39,7 +39,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// What is wrong.
+/// The error.
 #[derive(Debug, Error)]
 pub(super) enum DxfProblem {
     #[error("'{}' is not a group code; a group code is a whole number", shown(text))]

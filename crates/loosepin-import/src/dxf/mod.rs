@@ -19,7 +19,7 @@ pub(super) use error::DxfError;
 use error::DxfProblem;
 use groups::Groups;
 
-/// What a sketch needs of a DXF file.
+/// The entities of a DXF file that a sketch needs.
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
     /// $INSUNITS: the number of the unit; 0 where it is not set.

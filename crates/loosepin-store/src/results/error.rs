@@ -21,9 +21,9 @@ pub enum ResultsError {
     HoldsOtherResults {
         /// The folder.
         folder: PathBuf,
-        /// What it holds.
+        /// Kind of the result in it.
         held: ResultKind,
-        /// What was to be written.
+        /// Kind of the result to be written.
         wanted: ResultKind,
         /// The name of what it holds.
         name: String,
@@ -63,7 +63,7 @@ pub enum ResultsError {
     ForeignMarker {
         /// The marker.
         path: PathBuf,
-        /// What does not fit, with line and column.
+        /// The error, with line and column.
         source: serde_json::Error,
     },
     /// A run that did not come to its end.
@@ -71,7 +71,7 @@ pub enum ResultsError {
     Unfinished {
         /// The folder.
         folder: PathBuf,
-        /// What was run.
+        /// Kind of the result.
         kind: ResultKind,
         /// Its name.
         name: String,
@@ -81,13 +81,13 @@ pub enum ResultsError {
     ForeignFile {
         /// The file.
         path: PathBuf,
-        /// What does not fit.
+        /// The error.
         reason: String,
     },
     /// The marker has no form in JSON.
     #[error("{MARKER_FILE} cannot be laid out: {source}")]
     Layout {
-        /// What does not fit.
+        /// The error.
         source: serde_json::Error,
     },
     /// The file system refused.
@@ -95,7 +95,7 @@ pub enum ResultsError {
     Write {
         /// The file or folder.
         path: PathBuf,
-        /// What the file system said.
+        /// Message of the file system.
         source: io::Error,
     },
     /// The file system refused.
@@ -103,12 +103,12 @@ pub enum ResultsError {
     Read {
         /// The file or folder.
         path: PathBuf,
-        /// What the file system said.
+        /// Message of the file system.
         source: io::Error,
     },
 }
 
-/// What the file system said, in plain words where it is one of the usual things.
+/// Message of the file system, in plain words where it is a usual one.
 fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),

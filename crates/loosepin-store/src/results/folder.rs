@@ -13,7 +13,7 @@ use loosepin_text::diagnostics::Complaints;
 /// Longest part of a folder name that is made from a name in a file, characters.
 const LONGEST_NAME_CHARS: usize = 60;
 
-/// What is added to the name of a file until it is whole.
+/// Suffix of the name of a file until it is whole.
 const PARTIAL: &str = ".partial";
 
 /// Where results are to go.
@@ -28,11 +28,11 @@ pub enum Place {
 /// A result that asks for a folder.
 #[derive(Debug, Clone)]
 pub struct Claim {
-    /// What is to be written.
+    /// Kind of result.
     pub kind: ResultKind,
     /// Name of the model or study.
     pub name: String,
-    /// What it is computed from.
+    /// Hash of its inputs.
     pub inputs: InputsHash,
     /// Where it is to go.
     pub place: Place,
@@ -71,7 +71,7 @@ impl Claim {
         held.kind == self.kind && held.inputs_blake3 == self.inputs.to_string()
     }
 
-    /// What the folder `path` holds that may be replaced, `lock_files` aside.
+    /// Content of the folder `path` that may be replaced, `lock_files` aside.
     fn held(&self, path: &Path, lock_files: &[&str]) -> Result<Option<Marker>, ResultsError> {
         match read_marker(path) {
             Ok(held) if self.is_same(&held) || self.with_force => Ok(Some(held)),
@@ -104,7 +104,7 @@ impl Claim {
         found.take(self, made)
     }
 
-    /// The same under a lock, for a result that takes long to make. `lock` is called with the folder before anything in it is
+    /// The folder under a lock, for a result that takes long to make. `lock` is called with the folder before anything in it is
     /// changed: where it refuses, since another process is at work there, the folder is left as it was. A finished result is
     /// found without one. `lock_files` are the files that the lock itself may make; alone in a folder they say nothing.
     ///
@@ -130,7 +130,7 @@ impl Claim {
         }
     }
 
-    /// What is in the folder now. Nothing is changed.
+    /// Content of the folder now. Nothing is changed.
     fn find(&self, lock_files: &[&str]) -> Result<Found, ResultsError> {
         let path = self.path();
         if !path.exists() {
@@ -145,7 +145,7 @@ impl Claim {
     }
 }
 
-/// What stands where a result is to go, and may be replaced.
+/// Content of a folder that a result may replace.
 struct Found {
     path: PathBuf,
     held: Option<Marker>,
@@ -232,7 +232,7 @@ impl ResultsFolder {
     /// Writes a file of the result, whole or not at all.
     ///
     /// # Errors
-    /// What the file system refuses.
+    /// An error of the file system.
     pub fn write(&mut self, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
         write_whole(&self.path.join(file_name), contents)?;
         self.add_file(file_name);
@@ -249,7 +249,7 @@ impl ResultsFolder {
     /// The text of a file of the result.
     ///
     /// # Errors
-    /// What the file system refuses.
+    /// An error of the file system.
     pub fn read(&self, file_name: &str) -> Result<String, ResultsError> {
         let path = self.path.join(file_name);
         fs::read_to_string(&path).map_err(|source| ResultsError::Read { path, source })
@@ -263,7 +263,7 @@ impl ResultsFolder {
     /// Says that all files are there.
     ///
     /// # Errors
-    /// What the file system refuses.
+    /// An error of the file system.
     pub fn finish(&mut self) -> Result<(), ResultsError> {
         self.marker.is_finished = true;
         self.write_marker()?;
@@ -274,7 +274,7 @@ impl ResultsFolder {
     /// Keeps what was written so far of a result that did not finish: the next run replaces it.
     ///
     /// # Errors
-    /// What the file system refuses.
+    /// An error of the file system.
     pub fn leave_unfinished(&mut self) -> Result<(), ResultsError> {
         self.marker.is_finished = false;
         self.write_marker()
@@ -284,7 +284,7 @@ impl ResultsFolder {
     /// that it was to replace comes back.
     ///
     /// # Errors
-    /// What the file system refuses.
+    /// An error of the file system.
     pub fn abandon(self) -> Result<(), ResultsError> {
         remove_files(&self.path, &self.marker.files)?;
         if !self.marker.replaced.is_empty() {
@@ -337,7 +337,7 @@ impl ResultsFolder {
 /// device, then renamed.
 ///
 /// # Errors
-/// What the file system refuses.
+/// An error of the file system.
 pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), ResultsError> {
     let mut partial_name = path.as_os_str().to_owned();
     partial_name.push(PARTIAL);

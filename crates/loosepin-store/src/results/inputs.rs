@@ -1,4 +1,4 @@
-//! What a result was computed from, as one number.
+//! The inputs of a result as one hash.
 
 use std::fmt;
 

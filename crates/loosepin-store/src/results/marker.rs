@@ -29,7 +29,7 @@ impl Marker {
     /// The text of the file.
     ///
     /// # Errors
-    /// What has no form in JSON.
+    /// An error of JSON.
     pub(super) fn to_text(&self) -> Result<String, ResultsError> {
         let mut text = serde_json::to_string_pretty(self).map_err(|source| ResultsError::Layout { source })?;
         text.push('\n');

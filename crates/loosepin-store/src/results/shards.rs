@@ -12,7 +12,7 @@ use loosepin_text::diagnostics::{Code, Problem};
 /// Name of the file that says what a folder of a shard belongs to.
 pub const SHARD_FILE: &str = "shard.json";
 
-/// What a shard was started with.
+/// Start of a shard: its study, version and number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ShardRecord {
     /// Its number, from 1.
@@ -36,7 +36,7 @@ pub struct ShardRecord {
 /// The folders of all shards of a study, in the order of their numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ShardFolders {
-    /// What all of them were started with; the number is that of the first.
+    /// The record of their start; the number is that of the first.
     pub record: ShardRecord,
     /// The folder of each shard.
     pub folders: Vec<PathBuf>,
@@ -50,7 +50,7 @@ pub enum ShardsError {
     NotAShard {
         /// The folder.
         folder: PathBuf,
-        /// What is wrong with it.
+        /// The error.
         source: Box<ResultsError>,
     },
     /// A shard of something else.
@@ -64,7 +64,7 @@ pub enum ShardsError {
         found: String,
         /// The folder it is held against.
         first: PathBuf,
-        /// What that one has.
+        /// That of the first folder.
         expected: String,
     },
     /// A shard twice.
@@ -189,7 +189,7 @@ impl ShardFolders {
     }
 }
 
-/// What the shard in `folder` was started with.
+/// The record of the start of the shard in `folder`.
 fn read_record(folder: &Path) -> Result<ShardRecord, ResultsError> {
     let path = folder.join(SHARD_FILE);
     let text = match std::fs::read_to_string(&path) {

@@ -37,7 +37,7 @@ impl Display for Severity {
 pub struct Label {
     /// The place.
     pub place: Place,
-    /// What is there.
+    /// Text beside the place.
     pub text: String,
 }
 
@@ -48,7 +48,7 @@ pub struct Complaint {
     pub code: Code,
     /// How grave it is.
     pub severity: Severity,
-    /// What is wrong, and the rule.
+    /// The error, and the rule.
     pub message: String,
     /// The way out.
     pub hint: Option<String>,
@@ -76,7 +76,7 @@ impl Complaint {
         Complaint { severity: Severity::Warning, ..Complaint::error(problem, place) }
     }
 
-    /// The same with a second place.
+    /// The complaint with a second place.
     pub fn with_label(mut self, place: Place, text: impl Into<String>) -> Complaint {
         self.labels.push(Label { place, text: text.into() });
         self

@@ -33,7 +33,7 @@ impl Source {
         Arc::new(Source { name: name.into(), text: text.into(), files: None })
     }
 
-    /// The same with the files that it may name, by their paths: no other is opened.
+    /// A source with the files that it may name, by their paths: no other is opened.
     pub fn with_files(name: impl Into<String>, text: impl Into<String>, files: Arc<[Arc<Source>]>) -> Arc<Source> {
         Arc::new(Source { name: name.into(), text: text.into(), files: Some(files) })
     }

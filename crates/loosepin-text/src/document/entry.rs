@@ -31,11 +31,11 @@ pub struct Entry<'t> {
     /// Place of the value.
     pub span: Span,
     pub(super) value: &'t DeValue<'t>,
-    /// What the table of keys says, for keys that stand in one.
+    /// Its row in the table of keys, where there is one.
     pub(super) key: Option<&'static Key>,
 }
 
-/// What stands where a quantity is due.
+/// The text or number of a quantity.
 #[derive(Debug, Clone, Copy)]
 pub enum Written<'t> {
     /// Text.
@@ -89,7 +89,7 @@ impl<'t> Entry<'t> {
         quantity_of(self.key?)
     }
 
-    /// The same entry with the place of its key, for complaints about a name that is a key.
+    /// A copy with the place of its key, for complaints about a name that is a key.
     pub fn at_key(&self) -> Entry<'t> {
         Entry { span: self.key_span, ..self.clone() }
     }
@@ -134,7 +134,7 @@ impl<'t> Entry<'t> {
         self.value.as_array().is_some_and(|list| list.is_empty())
     }
 
-    /// What stands here, for messages: `the number 3`, `a table`.
+    /// Its value in words, for messages: `the number 3`, `a table`.
     pub fn found(&self) -> String {
         match self.value {
             DeValue::String(text) => format!("the text \"{}\"", shortened(text)),

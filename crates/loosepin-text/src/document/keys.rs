@@ -2,14 +2,14 @@
 
 use crate::units::{Dimension, Rule};
 
-/// What may stand behind a key.
+/// Kind of value of a key.
 #[derive(Debug, Clone, Copy)]
 pub enum Kind {
     /// Text that is not empty.
     Text,
     /// Text with a unit, or an expression over parameters; a bare number where the dimension is that of a number.
     Quantity {
-        /// What it measures.
+        /// Its dimension.
         dimension: Dimension,
         /// The range it must lie in.
         rule: Rule,
@@ -78,20 +78,20 @@ pub enum Kind {
 pub struct Key {
     /// The key.
     pub name: &'static str,
-    /// What may stand behind it.
+    /// Kind of its value.
     pub kind: Kind,
     /// Whether it must be there.
     pub is_required: bool,
     /// An example, as written in the file; empty for tables.
     pub example: &'static str,
-    /// What it means, for hints and editors.
+    /// Meaning, for hints and editors.
     pub doc: &'static str,
 }
 
 /// The keys of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct Keys {
-    /// What the table describes, for editors.
+    /// Meaning of the table, for editors.
     pub doc: &'static str,
     /// Its keys.
     pub keys: &'static [Key],
@@ -109,12 +109,12 @@ impl Keys {
         Keys { doc, keys, exactly_one: &[], planned: &[], removed: &[] }
     }
 
-    /// The same, where exactly one key of each group must be there.
+    /// These keys, where exactly one of each group must be there.
     pub const fn with_exactly_one(self, exactly_one: &'static [&'static [&'static str]]) -> Keys {
         Keys { exactly_one, ..self }
     }
 
-    /// The same, with keys that a later version will know.
+    /// These keys, with others that a later version will know.
     pub const fn with_planned(self, planned: &'static [(&'static str, &'static str)]) -> Keys {
         Keys { planned, ..self }
     }

@@ -1,4 +1,4 @@
-//! What can be wrong with the entries of a file, whatever they mean.
+//! Errors of the entries of a file, whatever they mean.
 
 use thiserror::Error;
 
@@ -8,7 +8,7 @@ use crate::units::{Dimension, Rule, listed, quoted};
 /// The largest file that is read.
 pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
 
-/// What can be wrong with a file or an entry of it. `entry` and `table` are paths in words.
+/// An error in a file or an entry of it. `entry` and `table` are paths in words.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DocumentProblem {
     /// A file that cannot be opened or read.
@@ -16,9 +16,9 @@ pub enum DocumentProblem {
     NotReadable {
         /// The file.
         file: String,
-        /// What the operating system says.
+        /// Message of the operating system.
         reason: String,
-        /// What may be meant.
+        /// The probable meaning.
         hint: Option<String>,
     },
     /// A byte that is not UTF-8.
@@ -35,7 +35,7 @@ pub enum DocumentProblem {
     /// Not TOML.
     #[error("not TOML here: {reason}")]
     Syntax {
-        /// What the TOML parser says.
+        /// Message of the TOML parser.
         reason: String,
         /// The line.
         line: String,
@@ -45,7 +45,7 @@ pub enum DocumentProblem {
     DecimalComma {
         /// The entry.
         entry: String,
-        /// The same with a point.
+        /// The number with a point.
         written: String,
     },
     /// A key or table that stands twice.
@@ -71,7 +71,7 @@ pub enum DocumentProblem {
     NotYetSupported {
         /// The entry.
         entry: String,
-        /// What can be done instead.
+        /// The way out.
         instead: String,
     },
     /// A key of an earlier version.
@@ -91,7 +91,7 @@ pub enum DocumentProblem {
         key: &'static str,
         /// How it is written.
         example: &'static str,
-        /// What it means.
+        /// Its meaning.
         doc: &'static str,
     },
     /// The key that decides which others there are is missing.
@@ -101,7 +101,7 @@ pub enum DocumentProblem {
         table: String,
         /// The key.
         key: &'static str,
-        /// What may stand there.
+        /// The possible values.
         choices: Vec<&'static str>,
     },
     /// None of several keys of which one must be there.
@@ -127,9 +127,9 @@ pub enum DocumentProblem {
     WrongType {
         /// The entry.
         entry: String,
-        /// What stands there.
+        /// The value found.
         found: String,
-        /// What should.
+        /// The value that is due.
         due: &'static str,
     },
     /// A mark where a value is due.
@@ -153,17 +153,17 @@ pub enum DocumentProblem {
     UnknownChoice {
         /// The entry.
         entry: String,
-        /// What stands there.
+        /// The value found.
         found: String,
-        /// What may.
+        /// The possible values.
         choices: Vec<&'static str>,
-        /// What was probably meant.
+        /// The nearest of them.
         nearest: Option<String>,
     },
     /// A name with characters that names do not have.
     #[error("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -")]
     BadName {
-        /// What is called so.
+        /// The kind of thing that has this name.
         what: &'static str,
         /// The name.
         name: String,
@@ -173,7 +173,7 @@ pub enum DocumentProblem {
     BadCount {
         /// The entry.
         entry: String,
-        /// What stands there.
+        /// The value found.
         found: String,
         /// The least.
         least: u64,
@@ -185,9 +185,9 @@ pub enum DocumentProblem {
     MissingUnit {
         /// The entry.
         entry: String,
-        /// What stands there.
+        /// The value found.
         found: String,
-        /// What is due.
+        /// The dimension that is due.
         due: Dimension,
     },
     /// A value of another dimension.
@@ -195,9 +195,9 @@ pub enum DocumentProblem {
     WrongDimension {
         /// The entry.
         entry: String,
-        /// What it measures.
+        /// Its dimension.
         found: Dimension,
-        /// What is due.
+        /// The dimension that is due.
         due: Dimension,
     },
     /// A number that is infinite or no number.
@@ -205,7 +205,7 @@ pub enum DocumentProblem {
     NotFinite {
         /// The entry.
         entry: String,
-        /// What stands there.
+        /// The value found.
         found: String,
     },
     /// A number outside its range.
@@ -313,5 +313,5 @@ impl Problem for DocumentProblem {
     }
 }
 
-/// What is due where a quantity stands.
+/// The value that is due for a quantity, in words.
 pub(super) const TEXT_WITH_UNIT: &str = "text with a unit";

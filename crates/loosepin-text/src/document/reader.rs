@@ -15,7 +15,7 @@ use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_value, parse_quantity};
 
-/// What stands in a file where a value is still to be filled in.
+/// Mark in a file where a value is still to be filled in.
 const TO_FILL_IN: &str = "?";
 
 /// Reads a file as UTF-8 text.
@@ -125,7 +125,7 @@ fn line_of(source: &Source, place: &Place) -> String {
 pub struct Reader {
     /// The file.
     pub source: Arc<Source>,
-    /// What was found wrong.
+    /// Complaints so far.
     pub complaints: Complaints,
 }
 
@@ -409,7 +409,7 @@ impl Reader {
         None
     }
 
-    /// What stands where a quantity is due.
+    /// The text or number of a quantity; complains of anything else.
     pub fn written<'t>(&mut self, entry: &Entry<'t>) -> Option<Written<'t>> {
         match entry.value {
             DeValue::String(text) if text.trim() == TO_FILL_IN => {

@@ -83,7 +83,7 @@ impl fmt::Display for SiUnit {
 /// How one SI unit is shown to people: shown number = SI number times `per_si`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DisplayUnit {
-    /// What is written behind the number; empty for a pure number.
+    /// Text behind the number; empty for a pure number.
     pub symbol: String,
     /// Factor from SI to the shown unit, for example 1000 from m to mm.
     pub per_si: f64,

@@ -1,4 +1,4 @@
-//! What can be wrong with the text of a value.
+//! Errors in the text of a value.
 
 use std::ops::Range;
 
@@ -11,13 +11,13 @@ use crate::diagnostics::{Code, Problem};
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{problem}")]
 pub struct ExpressionError {
-    /// What is wrong.
+    /// The error.
     pub problem: ExpressionProblem,
     /// Byte range within the text.
     pub span: Range<usize>,
 }
 
-/// What can be wrong with the text of a value.
+/// An error in the text of a value.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ExpressionProblem {
     /// The text is empty.
@@ -56,9 +56,9 @@ pub enum ExpressionProblem {
     /// Something else was due here.
     #[error("found {found}; expected {expected}")]
     Unexpected {
-        /// What stands there.
+        /// The text found.
         found: String,
-        /// What should.
+        /// The text that is due.
         expected: &'static str,
     },
     /// A symbol after a number that is not a unit.
@@ -120,9 +120,9 @@ pub enum ExpressionProblem {
     WrongArgument {
         /// The function or operator.
         function: &'static str,
-        /// What it needs.
+        /// The dimension that it needs.
         due: Dimension,
-        /// What stands there.
+        /// The dimension found.
         found: Dimension,
     },
     /// A power of a value with a unit whose exponent depends on parameters.
@@ -139,7 +139,7 @@ pub enum ExpressionProblem {
     },
 }
 
-/// What stands for turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.
+/// Abbreviations of turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.
 const TURNS_A_MINUTE: [&str; 9] = ["U", "Umdr", "tr", "ob", "giri", "rev", "revs", "turn", "turns"];
 
 impl Problem for ExpressionProblem {

@@ -10,7 +10,7 @@ use serde::de::{Error, Visitor};
 use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// What can be written in this form: `f64`, and lists, arrays and options of what can.
+/// Values that can be written in this form: `f64`, and lists, arrays and options of such values.
 pub trait Extended: Sized {
     /// Writes the value.
     ///

@@ -9,7 +9,7 @@ use super::parser::{Measured, parse_unit};
 pub struct ReadableUnit {
     /// The unit as written, for example `mm`; empty for a pure number.
     pub text: String,
-    /// What one such unit is in SI.
+    /// One such unit in SI.
     pub si_per_unit: f64,
 }
 

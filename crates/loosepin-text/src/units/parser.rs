@@ -18,7 +18,7 @@ const _: () = assert!(4 * (DEEPEST_NESTING + 1) < STACK_SIZE);
 pub struct Measured {
     /// The value, SI.
     pub value_si: f64,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
 }
 

@@ -121,7 +121,7 @@ pub fn find_unit(symbol: &str) -> Option<&'static Unit> {
 mod tests {
     use super::*;
 
-    /// What one unit is in SI, as a decimal from its definition, and the exponents of m, kg, s and rad. The decimals of
+    /// One unit in SI, as a decimal from its definition, and the exponents of m, kg, s and rad. The decimals of
     /// π are those of tables; the pound-force is 0.453 592 37 · 9.806 65 N, the psi 4.448 221 615 260 5 / 0.0254² Pa.
     #[rustfmt::skip]
     const DEFINITIONS: &[(&str, &str, [f64; 4])] = &[
