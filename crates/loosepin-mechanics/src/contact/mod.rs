@@ -1,6 +1,6 @@
 //! Contact and friction laws of a joint with play: what acts where pin and hole touch.
 //!
-//! The law of the source paper ([SC16], see `docs/notation.md`), line by line:
+//! The law of the source paper (\[SC16\], see `docs/notation.md`), line by line:
 //!
 //! | Equation | File |
 //! |---|---|

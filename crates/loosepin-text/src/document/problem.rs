@@ -79,7 +79,7 @@ pub enum DocumentProblem {
     RemovedKey {
         /// The entry.
         entry: String,
-        /// What to do instead.
+        /// The way out.
         instead: String,
     },
     /// A key that must be there.
