@@ -59,7 +59,7 @@ pub fn markdown(table: &Map<String, Value>) -> String {
         let description = about["description"].as_str().expect("a description");
         let example = about["markdownDescription"].as_str().and_then(|text| text.strip_prefix(description));
         let example = example.and_then(|text| text.strip_prefix(", for example ")).unwrap_or_default();
-        let meaning = [description, &values(about)].concat();
+        let meaning = [description, &values(about, description)].concat();
         lines.push(format!("| `{key}` | {required} | {} | {} |", in_cell(&meaning), in_cell(example)));
     }
     for group in table.get("allOf").and_then(Value::as_array).into_iter().flatten() {
@@ -72,19 +72,17 @@ pub fn markdown(table: &Map<String, Value>) -> String {
     lines.join("\n")
 }
 
-/// What may stand behind a key, where the schema says more than its description: words, or a range.
-fn values(about: &Value) -> String {
-    let words: Vec<&str> = match about.get("enum").or_else(|| about["anyOf"][0].get("enum")) {
-        Some(words) if texts(words).count() > 1 => texts(words).collect(),
-        _ => Vec::new(),
-    };
-    if !words.is_empty() {
+/// What may stand behind a key, where its description does not say it: words, or a range.
+fn values(about: &Value, description: &str) -> String {
+    let words: Vec<&str> =
+        about.get("enum").or_else(|| about["anyOf"][0].get("enum")).map_or(Vec::new(), |words| texts(words).collect());
+    if words.len() > 1 && words.iter().any(|word| !description.contains(word)) {
         return format!(": `{}`", words.join("`, `"));
     }
-    if let (Some(least), Some(most)) = (about["minimum"].as_u64(), about["maximum"].as_u64()) {
-        return format!(" ({least} to {most})");
+    match (about["minimum"].as_u64(), about["maximum"].as_u64()) {
+        (Some(least), Some(most)) => format!(" ({least} to {most})"),
+        _ => String::new(),
     }
-    String::new()
 }
 
 fn texts(list: &Value) -> impl Iterator<Item = &str> {
@@ -93,4 +91,36 @@ fn texts(list: &Value) -> impl Iterator<Item = &str> {
 
 fn in_cell(text: &str) -> String {
     text.replace('|', "\\|")
+}
+
+#[test]
+fn a_table_shows_what_its_schema_says() {
+    let slot = serde_json::json!({
+        "type": "object",
+        "additionalProperties": false,
+        "required": ["kind"],
+        "properties": {
+            "kind": { "enum": ["slot"], "description": "the kind" },
+            "end": { "enum": ["round", "flat"], "description": "its ends" },
+            "count": { "minimum": 1, "maximum": 9, "description": "how many", "markdownDescription": "how many, for example `2`" },
+            "size": { "description": "|size| (> 0)" },
+        },
+        "allOf": [{ "oneOf": [{ "required": ["count"] }, { "required": ["size"] }] }],
+    });
+    let kinds = serde_json::json!({ "additionalProperties": { "oneOf": [slot.clone()] } });
+    let schema = serde_json::json!({ "properties": { "joint": kinds } });
+    let found = find(&schema, "joint kind=slot").expect("the table");
+    assert_eq!(Some(found), slot.as_object());
+    assert!(find(&schema, "joint kind=hinge").is_none() && find(&schema, "joints").is_none());
+    assert_eq!(
+        markdown(found),
+        "| Key | Required | Meaning | Example |\n\
+         |---|---|---|---|\n\
+         | `kind` | yes | the kind |  |\n\
+         | `end` |  | its ends: `round`, `flat` |  |\n\
+         | `count` |  | how many (1 to 9) | `2` |\n\
+         | `size` |  | \\|size\\| (> 0) |  |\n\
+         \n\
+         Exactly one of `count` and `size`."
+    );
 }
