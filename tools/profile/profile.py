@@ -19,7 +19,7 @@ from functools import cache
 from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-BINARY = REPOSITORY / "target/release/slider_crank_batch"
+BINARY = REPOSITORY / "target/profiling/slider_crank_batch"
 FUNCTION = re.compile(r"\s*(?:pub(?:\([a-z ]+\))? )?(?:const )?(?:unsafe )?fn ([a-z_0-9]+)")
 MAPPING = re.compile(r"PERF_RECORD_MMAP2 .*: \[0x([0-9a-f]+)\(0x([0-9a-f]+)\) @ (?:0x)?([0-9a-f]+) .*\]: (\S+) (.*)$")
 SAMPLE = re.compile(r"^\s*([0-9a-f]{6,16}) (.*) \(([^()]*)\)$")
@@ -118,7 +118,7 @@ def output(*command: str | Path, text: str | None = None) -> str:
 
 def record(runs: int, frequency: int, data: Path) -> None:
     """Builds the program and takes samples of it."""
-    subprocess.run(["cargo", "build", "--release", "--locked", "-p", "loosepin-bench"], cwd=REPOSITORY, check=True)
+    subprocess.run(["cargo", "build", "--profile", "profiling", "--locked", "-p", "loosepin-bench"], cwd=REPOSITORY, check=True)
     command = ["perf", "record", "-q", "-e", "cpu-clock:u", "-F", str(frequency), "-o", str(data), "--"]
     printed = output(*command, BINARY, "--runs", str(runs))
     print(printed.strip(), file=sys.stderr)
