@@ -42,7 +42,7 @@ enum Stage {
     /// All steps are made, or refused.
     Compare,
     /// Runs at the extremes of treatments are made, the first of them at this place of the table.
-    Hold(SurrogatePlan, SurrogateBounds, usize),
+    Hold(Box<(SurrogatePlan, SurrogateBounds)>, usize),
 }
 
 impl SurrogateQuestion {
@@ -97,10 +97,11 @@ impl Question for SurrogateQuestion {
                     let (plan, bounds) = self.found.take().expect("a step is refused only after one that was made");
                     let bounds = bounds.with_treatments(&plan)?;
                     let round = bounds.extreme_round(runs.rounds());
-                    self.stage = Stage::Hold(plan, bounds, runs.len());
+                    self.stage = Stage::Hold(Box::new((plan, bounds)), runs.len());
                     return Ok(Next::Beside(round));
                 }
-                Stage::Hold(plan, bounds, first) => {
+                Stage::Hold(held, first) => {
+                    let (plan, bounds) = *held;
                     let bounds = bounds.held_against_extremes(&plan, runs, first)?;
                     let ended = self
                         .is_alone
