@@ -21,7 +21,7 @@ pub(super) fn contributors_text(result: &StudyResult, writer: &NumberWriter) -> 
         for input in &one.random {
             rows.add_row([
                 listed(&input.paths.iter().map(name).collect::<Vec<String>>()),
-                "tighter tolerance".to_owned(),
+                "tolerance".to_owned(),
                 band_share([input.band_share; 2], writer),
                 share_range(&input.first, writer),
                 share_range(&input.total, writer),

@@ -234,7 +234,7 @@ fn a_promise_broken_by_a_surrogate_is_told_with_its_error_as_in_the_table() {
     let band = &mut result.treatments[0].bands[2];
     (band.coverage_minimum, band.coverage_maximum, band.coverage_error) = (0.0625, 1.0, 0.25);
     band.ends = Some([end(-3.06e-3), end(3.06e-3)]);
-    assert_says(&result, "Mixed -2.96 mm to 0.1 mm 5.92 mm 0 % to 100 % broken 2.96 mm");
+    assert_says(&result, "Mixed -2.96 mm to 2.96 mm 0.1 mm 5.92 mm 0 % to 100 % broken");
     assert_says(
         &result,
         "At the worst unknown values, only 0 % to 6.3 % of mechanisms lie inside the band; 95 % are promised.",
