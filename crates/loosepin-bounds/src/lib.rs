@@ -41,6 +41,7 @@ pub use by_surrogate::{
     SurrogateSection, SurrogateSettings,
 };
 pub use data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee, Treatment, Witness};
+pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES};
 pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::statistic::Statistic;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};

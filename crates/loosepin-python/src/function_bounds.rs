@@ -17,13 +17,6 @@ use crate::error::raise_problem;
 use crate::inputs::Inputs;
 use crate::waiting::wait_for;
 
-/// Share of the central band that the three treatments are compared by.
-const BAND: f64 = 0.95;
-/// Each random input is cut at this many standard deviations where it is taken as an interval.
-const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
-/// Percentiles of statistics that are themselves random.
-const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
-
 /// Bounds that cannot be had of a function.
 #[derive(Debug)]
 struct FunctionProblem(EvaluateError);
@@ -83,9 +76,9 @@ pub fn evaluate<'py>(
         columns: columns.len(),
         requests: self::requests(&requests)?,
         compared_columns: (0..columns.len()).collect(),
-        band_probability: BAND,
-        cut_standard_deviations: CUT_STANDARD_DEVIATIONS,
-        percentiles: PERCENTILES.to_vec(),
+        band_probability: bounds::BAND_PROBABILITY,
+        cut_standard_deviations: bounds::CUT_STANDARD_DEVIATIONS,
+        percentiles: bounds::PERCENTILES.to_vec(),
         sampling: Sampling {
             outer: runs.outer,
             inner: runs.inner,

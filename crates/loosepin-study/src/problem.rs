@@ -3,26 +3,19 @@
 use super::columns::BAND;
 use super::file::Study;
 use super::response::StudyResponse;
-use loosepin_bounds::{Problem, Sampling};
+use loosepin_bounds::{CUT_STANDARD_DEVIATIONS, Problem, Sampling};
 
-/// Runs of the probability-only treatment beside the double loop.
-const MIXTURE_RUNS: usize = 1024;
-/// Runs of the interval-only treatment for each combination of the members of lists, at least.
-const EXTREME_RUNS: usize = 128;
 /// Runs of the interval-only treatment for each uncertain input, where those are many.
 const EXTREME_RUNS_PER_INPUT: usize = 8;
-/// Each random input is cut at this many standard deviations where it is taken as an interval.
-const CUT_STANDARD_DEVIATIONS: f64 = 3.0;
-/// Confidence of every sampling error.
-const CONFIDENCE: f64 = 0.99;
 
 /// The problem that the double loop of `study` solves.
 pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
     let plan = &response.shared.plan;
+    let usual = Sampling::default();
     let replicates = study.sampling.replicates;
     let choices = study.epistemic.iter().map(|input| input.variable.choices());
     let combinations = choices.fold(1_usize, usize::saturating_mul);
-    let extreme = EXTREME_RUNS.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len()));
+    let extreme = usual.extreme.max(EXTREME_RUNS_PER_INPUT * (study.random.len() + study.epistemic.len()));
     Problem {
         random: study.random.iter().map(|input| input.variable.clone()).collect(),
         copula: study.correlation.as_ref().map(|correlation| correlation.copula.clone()),
@@ -40,10 +33,10 @@ pub(super) fn problem(study: &Study, response: &StudyResponse) -> Problem {
             outer: study.sampling.outer,
             inner: study.sampling.inner,
             replicates,
-            mixture: MIXTURE_RUNS.div_ceil(replicates) * replicates,
+            mixture: usual.mixture.div_ceil(replicates) * replicates,
             extreme: extreme.saturating_mul(combinations),
             seed: study.seed,
-            confidence: CONFIDENCE,
+            confidence: usual.confidence,
         },
     }
 }

@@ -1,6 +1,7 @@
 //! Questions, runs and answers: what all other floors speak of.
 
 pub(crate) mod bound;
+pub(crate) mod defaults;
 pub(crate) mod direction;
 pub(crate) mod points;
 pub(crate) mod problem;

@@ -35,12 +35,6 @@ pub struct Sampling {
     pub confidence: f64,
 }
 
-impl Default for Sampling {
-    fn default() -> Self {
-        Self { outer: 64, inner: 256, replicates: 8, mixture: 1024, extreme: 128, seed: 1, confidence: 0.99 }
-    }
-}
-
 /// A response's inputs, and what is asked of it.
 #[derive(Debug, Clone)]
 pub struct Problem {

@@ -1,6 +1,6 @@
 //! How near the bounds came to what was asked.
 
-use super::material::Material;
+use super::material::{Material, unknown_ends};
 use crate::columns::PlannedAsk;
 use crate::file::{Budget, Where};
 use crate::goals::{Ended, targets};
@@ -68,7 +68,9 @@ fn outcome(
         let widening_si = (end.widened_si - end.value_si).abs();
         if widening_si.is_nan() { f64::INFINITY } else { widening_si }
     };
-    let ends = planned.columns.iter().filter_map(|&column| Some((column, material.ends(column, statistic)?)));
+    // What has no bound is as far from the target as can be.
+    let known = |column: usize| material.ends(column, statistic).unwrap_or_else(|| unknown_ends(statistic));
+    let ends = planned.columns.iter().map(|&column| (column, known(column)));
     let ends = ends.flat_map(|(column, ends)| ends.map(|end| (column, end)));
     let (column, end) = ends.max_by(|(_, a), (_, b)| widening(a).total_cmp(&widening(b)))?;
     let reached_si = widening(&end);

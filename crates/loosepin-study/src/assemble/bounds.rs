@@ -1,6 +1,6 @@
 //! Bounds as they are stored: those asked for, at every degree of possibility, as percentiles, and bands for whole curves.
 
-use super::material::Material;
+use super::material::{Material, unknown_ends};
 use crate::file::Where;
 use crate::simultaneous::CurveBand;
 use loosepin_bounds::{BoundPair, Bounds, Percentile};
@@ -44,8 +44,12 @@ pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
         let in_curve = planned.ask.location == Where::Cycle;
         for &column in &planned.columns {
             for &asked in &planned.ask.statistics {
-                let Some(pair) = material.pair(column, asked) else { continue };
-                let Some([mut lower, mut upper]) = material.ends(column, asked) else { continue };
+                // Distribution functions have their own place; what else has no bound may be anything.
+                if asked == Statistic::Cdf {
+                    continue;
+                }
+                let promised = material.pair(column, asked).map_or(Guarantee::Inner, BoundPair::guarantee);
+                let [mut lower, mut upper] = material.ends(column, asked).unwrap_or_else(|| unknown_ends(asked));
                 let rare = material.rare.iter().find(|rare| rare.column == column && rare.statistic == asked);
                 if let Some(rare) = rare {
                     [lower, upper] = rare.bounds.each_ref().map(|bound| material.end(bound));
@@ -61,11 +65,7 @@ pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                     unit,
                     lower,
                     upper,
-                    guarantee: if rare.is_some_and(|rare| !rare.is_confirmed) {
-                        Guarantee::Inner
-                    } else {
-                        pair.guarantee()
-                    },
+                    guarantee: if rare.is_some_and(|rare| !rare.is_confirmed) { Guarantee::Inner } else { promised },
                 });
             }
         }

@@ -123,6 +123,13 @@ impl Material<'_> {
     }
 }
 
+/// Both ends of a statistic of which nothing is known.
+pub fn unknown_ends(statistic: Statistic) -> [BoundEnd; 2] {
+    let range = if statistic.is_probability() { [0.0, 1.0] } else { [f64::NEG_INFINITY, f64::INFINITY] };
+    let error = NumericalError { sampling_si: f64::INFINITY, ..NumericalError::default() };
+    range.map(|widened_si| BoundEnd { value_si: f64::NAN, widened_si, witness: Witness::new(), error })
+}
+
 /// Moves the widened end of a bound back to `limit` where it lies beyond.
 fn narrow(end: &mut BoundEnd, limit_si: f64) {
     let outward = if end.widened_si >= end.value_si { 1.0 } else { -1.0 };

@@ -15,7 +15,7 @@ use loosepin_text::units::SiUnit;
 /// What was learned, with the bounds where they stand beside direct ones.
 pub fn surrogate_record(material: &Material<'_>, plan: &SurrogatePlan, found: &SurrogateBounds) -> SurrogateRecord {
     let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
-    let pairs = if is_alone { Vec::new() } else { found.to_bounds(plan, 0).pairs };
+    let pairs = found.to_bounds(plan, 0).pairs;
     let of_surrogate = Material { pairs: &pairs, rare: &[], ..*material };
     SurrogateRecord {
         training_runs: found.training_runs as u64,
@@ -24,7 +24,7 @@ pub fn surrogate_record(material: &Material<'_>, plan: &SurrogatePlan, found: &S
         failed: found.failed_runs as u64,
         direct_runs: if is_alone { 0 } else { material.bounds.runs as u64 },
         outputs: found.groups.iter().map(|group| output(material, plan, group)).collect(),
-        bounds: asked_bounds(&of_surrogate),
+        bounds: if is_alone { Vec::new() } else { asked_bounds(&of_surrogate) },
         treatments: if is_alone { Vec::new() } else { learned_treatments(material, plan, found) },
     }
 }

@@ -134,13 +134,6 @@ pub struct Sampling {
     pub most_failed: f64,
 }
 
-/// What holds where the file does not say.
-impl Default for Sampling {
-    fn default() -> Self {
-        Self { outer: 64, inner: 256, replicates: 4, tolerance_m: 1e-8, most_failed: 0.1 }
-    }
-}
-
 /// A surrogate, and the runs that it is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StudySurrogate {

@@ -6,6 +6,7 @@ mod ask;
 mod asked_before;
 mod check;
 mod correlation;
+mod defaults;
 mod description;
 mod evidence;
 mod fit;
@@ -41,18 +42,13 @@ pub use target::{AccuracyTarget, Budget};
 use words::READINGS;
 pub(super) use words::statistic_name;
 
-use loosepin_bounds::Reading;
+use loosepin_bounds::{PERCENTILES, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use loosepin_text::document::{Reader, Table, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
-
-/// Percentiles of statistics that are themselves random, where the file does not say.
-const PERCENTILES: [f64; 3] = [0.05, 0.5, 0.95];
-/// The seed, where the file does not say.
-const SEED: u64 = 1;
 
 /// The JSON Schema of a study file, for editors.
 pub fn study_schema() -> serde_json::Value {
@@ -166,7 +162,7 @@ fn read(
         poses: Vec::new(),
         questions: Vec::new(),
     };
-    let seed = file.reader.count(&root, "seed").unwrap_or(SEED);
+    let seed = file.reader.count(&root, "seed").unwrap_or(loosepin_bounds::Sampling::default().seed);
     let cycle = file.cycle(&root);
     let (sampling, written_accuracies, written_budget) = file.sampling(&root);
     if let Some(entry) = root.get("random") {

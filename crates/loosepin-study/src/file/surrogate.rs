@@ -5,14 +5,7 @@ use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::words::{DIRECT_RUNS, SURROGATES};
-use loosepin_surrogate::Choice;
 use loosepin_text::document::Table;
-
-/// Training runs for each uncertain input, and at least, where the file does not say.
-const TRAINING_PER_INPUT: usize = 25;
-const LEAST_TRAINING: usize = 100;
-/// Direct runs at a witness in each replicate, where the file does not say.
-const CONFIRMING_PER_REPLICATE: usize = 16;
 
 impl StudyReader {
     /// Reads what stands behind `surrogate`: a kind, or a table.
@@ -24,12 +17,7 @@ impl StudyReader {
     ) -> Option<StudySurrogate> {
         let entry = root.get("surrogate")?;
         let inputs = self.random.len() + self.epistemic.len();
-        let mut surrogate = StudySurrogate {
-            choice: Choice::Auto,
-            training_runs: (TRAINING_PER_INPUT * inputs).max(LEAST_TRAINING),
-            confirming_runs: (CONFIRMING_PER_REPLICATE * replicates).min(inner),
-            is_alone: false,
-        };
+        let mut surrogate = StudySurrogate::usual(inputs, replicates, inner);
         if entry.is_text() {
             surrogate.choice = self.reader.choice(&entry, &SURROGATES)??;
             return Some(surrogate);
