@@ -96,7 +96,7 @@ impl Tree {
                     let end = (k + 1..tokens.len()).find(|&j| is_mark(&tokens[j], ';')).unwrap_or(tokens.len());
                     if !is_test {
                         for (path, name) in use_paths(&tokens[k + 1..end]) {
-                            if let Some(target) = self.from_root(at, &path) {
+                            if let Some(target) = self.rooted(at, &path) {
                                 self.module(at).imports.push(Import { name, target, is_public });
                             }
                         }
@@ -149,7 +149,7 @@ impl Tree {
                 TokenTree::Ident(word) if word == "use" => {
                     let end = (k + 1..tokens.len()).find(|&j| is_mark(&tokens[j], ';')).unwrap_or(tokens.len());
                     for (path, _) in use_paths(&tokens[k + 1..end]) {
-                        if let Some(target) = self.from_root(at, &path) {
+                        if let Some(target) = self.rooted(at, &path) {
                             self.module(at).mentions.push(target);
                         }
                     }
@@ -172,15 +172,15 @@ impl Tree {
             last += 3;
         }
         if path.len() > 1
-            && let Some(target) = self.from_root(at, &path)
+            && let Some(target) = self.rooted(at, &path)
         {
             self.module(at).mentions.push(target);
         }
         last
     }
 
-    /// `path` as it is written in the module at `at`, from the crate root; None for another crate's, or a type's.
-    fn from_root(&self, at: &Path, path: &[String]) -> Option<Path> {
+    /// `path`, written in the module at `at`, from the crate root; None for another crate's, or a type's.
+    fn rooted(&self, at: &Path, path: &[String]) -> Option<Path> {
         let mut base = match path[0].as_str() {
             "crate" => Vec::new(),
             "self" | "super" => at.clone(),
@@ -203,21 +203,14 @@ impl Tree {
 
     /// The file that defines what `path` names.
     fn file_of(&self, path: &[String], depth: usize) -> Option<&str> {
-        let length = (0..=path.len()).rev().find(|&length| self.modules.contains_key(&path[..length].to_vec()))?;
-        let module = &self.modules[&path[..length].to_vec()];
+        let length = (0..=path.len()).rev().find(|&length| self.modules.contains_key(&path[..length]))?;
+        let module = &self.modules[&path[..length]];
         let Some(name) = path.get(length) else { return Some(&module.file) };
         // A name that came by `use`; re-exports that lead to each other end somewhere.
-        if depth < 8 {
-            for import in &module.imports {
-                let leads_on = match &import.name {
-                    Some(brought) => brought == name,
-                    None => self.modules.get(&import.target).is_some_and(|_| import.is_public),
-                };
-                if leads_on && import.name.is_some() {
-                    let target = [import.target.clone(), path[length + 1..].to_vec()].concat();
-                    return self.file_of(&target, depth + 1);
-                }
-            }
+        let import = module.imports.iter().find(|import| import.name.as_ref() == Some(name));
+        if let Some(import) = import.filter(|_| depth < 8) {
+            let target = [import.target.clone(), path[length + 1..].to_vec()].concat();
+            return self.file_of(&target, depth + 1);
         }
         Some(&module.file)
     }
@@ -225,7 +218,7 @@ impl Tree {
     fn edges(&self) -> BTreeMap<String, BTreeSet<String>> {
         let mut edges: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for (path, module) in &self.modules {
-            if (1..=path.len()).any(|length| self.modules.get(&path[..length].to_vec()).is_some_and(|m| m.is_test)) {
+            if (1..=path.len()).any(|length| self.modules.get(&path[..length]).is_some_and(|module| module.is_test)) {
                 continue;
             }
             let to = edges.entry(module.file.clone()).or_default();

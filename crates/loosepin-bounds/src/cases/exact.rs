@@ -16,10 +16,10 @@ pub(crate) fn problem(random: &[Distribution], epistemic: &[(f64, f64)], statist
 
 /// Pairs of what was found and what is expected; fails where one of them is longer.
 #[track_caller]
-pub(crate) fn paired<'f, F, E>(
-    found: &'f [F],
+pub(crate) fn paired<F, E>(
+    found: &[F],
     expected: impl IntoIterator<Item = E, IntoIter: ExactSizeIterator>,
-) -> impl Iterator<Item = (&'f F, E)> {
+) -> impl Iterator<Item = (&F, E)> {
     let expected = expected.into_iter();
     assert_eq!(found.len(), expected.len(), "found and expected");
     found.iter().zip(expected)

@@ -3,7 +3,7 @@
 mod allowed_fits;
 mod contact_law_lists;
 mod epistemic_inputs;
+mod exact_bounds;
 mod kept_runs;
-mod known_bounds;
 mod study_accuracy;
 mod surrogates;
