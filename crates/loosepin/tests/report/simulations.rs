@@ -71,8 +71,8 @@ fn text_of_a_servo_that_keeps_swinging() {
     let said = simulation_text(&record).replace('\n', " ");
     assert!(
         said.contains(
-            "Control servo: load does not come to rest although its reference does: it keeps swinging by 0.20"
-        ) && said.contains("either way, once in 0.3918 s (a limit cycle, over 14 swings)."),
+            "Control servo: load does not come to rest although its reference does. It oscillates with amplitude 0.20"
+        ) && said.contains("and period 0.3918 s (a limit cycle, 14 oscillations)."),
         "{said}"
     );
     let page = simulation_page(&record);

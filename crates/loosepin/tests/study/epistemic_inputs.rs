@@ -154,7 +154,7 @@ fn analytic_a_curve_of_one_random_length_moves_as_a_whole() {
     assert!(rows.iter().zip(&band.band.upper_si).all(|(row, upper)| row.upper.widened_si == *upper));
     let csv = String::from_utf8(bounds_csv(&result).expect("CSV")).expect("UTF-8");
     assert_eq!(csv.lines().filter(|line| line.contains(",simultaneous_band,0.9,")).count(), rows.len());
-    assert!(study_page(&result).contains("stay for the whole cycle"));
+    assert!(study_page(&result).contains("stay between the dashed lines for the whole cycle"));
 }
 
 #[test]
