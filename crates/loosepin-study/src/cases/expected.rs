@@ -394,7 +394,7 @@ mod tests {
             Case::from_folder(folder.path()).map(|_| ()).expect_err(expected).to_string()
         };
         assert!(complaint("").contains("the file expects nothing"), "{}", complaint(""));
-        let empty = "[expected.top]\nquantity = \"ideal output\"\noutput = \"slider\"\nangle = []\nvalue = []\n\
+        let empty = "[expected.top]\nquantity = \"ideal_output\"\noutput = \"slider\"\nangle = []\nvalue = []\n\
                      tolerance = \"1 um\"\norigin = \"analytic\"\nsource = \"none\"\nreason = \"none\"\n";
         assert!(complaint(empty).contains("value expects nothing"), "{}", complaint(empty));
     }
