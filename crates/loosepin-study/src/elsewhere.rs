@@ -10,7 +10,7 @@ use loosepin_bounds::{Failure, RunInputs};
 /// Runs that are asked for.
 #[derive(Debug, Clone, Copy)]
 pub struct AskedRuns<'r> {
-    /// Inputs that the inverse question has loosened: place in [`Study::allowances`], value in SI. None of them: the study as it stands.
+    /// Inputs that the inverse question has loosened: place in [`Study::allowances`](crate::Study::allowances), value in SI. None of them: the study as it stands.
     pub loosened: &'r [(usize, f64)],
     /// The inputs of each run.
     pub runs: &'r [&'r RunInputs],

@@ -24,7 +24,7 @@ const UNITS_KEY: &str = "units";
 const ROWS_PER_GROUP: usize = 1 << 16;
 
 /// The runs as a Parquet file whose bytes depend on the table alone: no time stamp, fixed writer settings, no compression.
-/// Units stand under [`UNITS_KEY`] and in the field metadata of the Arrow schema; not-a-number is written as null.
+/// Units stand under the key `units` and in the field metadata of the Arrow schema; not-a-number is written as null.
 ///
 /// # Errors
 /// Columns of unequal length or of equal name, and what the library refuses.
