@@ -20,7 +20,7 @@ pub enum Block {
     Point,
     /// State at the end of the step.
     End,
-    /// Numbers read at the start of the step: [`ReadLayout`].
+    /// Numbers read at the start of the step: `ReadLayout`.
     StartReads,
     /// Numbers of the last reading, mostly at the end of the step.
     EndReads,
