@@ -320,7 +320,7 @@ fn put_together(
     let surrogate = sign * (furthest - value) - known;
     let surrogate = if surrogate.is_nan() { f64::INFINITY } else { surrogate.max(0.0) };
     let error = BoundError { sampling, optimisation: bound.error.optimisation, surrogate };
-    let widened = value + sign * error.total();
+    let widened = error.widen(value, direction);
     let widened = match request.statistic {
         statistic if statistic.is_probability() => widened.clamp(0.0, 1.0),
         Statistic::StandardDeviation => widened.max(0.0),

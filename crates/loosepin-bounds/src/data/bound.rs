@@ -23,6 +23,11 @@ impl BoundError {
         self.sampling + self.optimisation + self.surrogate
     }
 
+    /// `value` moved outwards by all parts: here a bound is widened.
+    pub(crate) fn widen(&self, value: f64, direction: Direction) -> f64 {
+        value + direction.sign() * self.total()
+    }
+
     /// Errors of sampling and of the search.
     pub(crate) fn of_runs(sampling: f64, optimisation: f64) -> Self {
         Self { sampling, optimisation, surrogate: 0.0 }

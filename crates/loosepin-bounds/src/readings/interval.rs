@@ -59,7 +59,7 @@ impl Experiment<'_> {
         let error = BoundError::of_runs(sampling, optimisation.min((room - sampling).max(0.0)));
         let bound = Bound {
             value,
-            widened: measure.kind.limited(value + sign * error.total()),
+            widened: measure.kind.limited(error.widen(value, direction)),
             witness: self.pool.points.get(point).map(PoolPoint::witness),
             error,
             guarantee,

@@ -193,9 +193,11 @@ impl RandomSet {
             let sampling = direction.of(widened.below, widened.above);
             let optimisation = (direction.sign() * (widened.value - attained.value)).max(0.0);
             let error = BoundError::of_runs(sampling, optimisation);
-            let total = direction.sign() * error.total();
-            let widened =
-                if attained.value.is_nan() { direction.sign() * f64::INFINITY } else { attained.value + total };
+            let widened = if attained.value.is_nan() {
+                direction.sign() * f64::INFINITY
+            } else {
+                error.widen(attained.value, direction)
+            };
             let bound = Bound::without_witness(attained.value, widened, error, experiment.guarantee());
             (ends.mass, bound)
         };
@@ -286,7 +288,6 @@ impl RandomSet {
         let moved = root(widened + sign * sampling);
         let sampling = (sign * (moved - value)).max(0.0) - optimisation;
         let error = BoundError::of_runs(sampling.max(0.0), optimisation);
-        let end = value + sign * error.total();
-        Bound::without_witness(value, end.max(0.0), error, experiment.guarantee())
+        Bound::without_witness(value, error.widen(value, direction).max(0.0), error, experiment.guarantee())
     }
 }

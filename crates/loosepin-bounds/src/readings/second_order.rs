@@ -210,7 +210,7 @@ impl Experiment<'_> {
         let spread = (of(values[best] + sign * found[best].spread) - value).abs();
         let sampling = spread + sampling_error(measure, values[best], direction, of);
         let error = BoundError::of_runs(sampling, optimisation);
-        let widened = measure.kind.limited(value + sign * error.total());
+        let widened = measure.kind.limited(error.widen(value, direction));
         let mut at = vec![f64::NAN; self.setup.epistemic_box.dimensions()];
         for (axis, fraction) in grid.other_inputs.iter().zip(&points[best].at) {
             at[*axis] = *fraction;
