@@ -1,5 +1,21 @@
 //! Self-contained HTML pages and terminal tables from results. This module only reads; it computes nothing that is not
 //! in the result, except how to show it.
+//!
+//! Here sentences on results are made, most of them for pages and terminals alike:
+//!
+//! | Sentences on | File |
+//! |---|---|
+//! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
+//! | the required accuracy and the budget | `accuracy_text.rs` |
+//! | the loosest values that meet the requirements; small probabilities | `inverse.rs` |
+//! | percentiles of statistics | `percentile_words.rs` |
+//! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
+//! | whether the motion repeats | `motion_kind_section.rs` |
+//! | the terms of a page | `glossary.rs` |
+//! | one picture or table of a page: what it shows | the file of the picture or table; for a study in `study_page` |
+//!
+//! Parts of sentences: `wording.rs` (statistic, deviation, place, verdict), `bound_words.rs` (a bound and its error), `number.rs`
+//! (digits, units, rounding outwards).
 
 mod accuracy_text;
 mod answer;

@@ -2,6 +2,9 @@
 //!
 //! Elementary functions come from the `libm` crate, never from the platform, so that a sample has the same bits on any
 //! processor.
+//!
+//! A random value is made in two steps: `sobol.rs` gives a point of the unit cube, `random_variable.rs` the quantile of the
+//! distribution at each coordinate. Which points, and what is computed there, is the plan of `loosepin-bounds`.
 
 pub mod contributors;
 pub mod reliability;
