@@ -3,7 +3,7 @@
 use loosepin_math::{Real, Vec2};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Twist, acceleration_at};
-use loosepin_mechanics::model::{Axis, BodyId, Component, JointId, OutputKind, PointId};
+use loosepin_mechanics::model::{Axis, BodyId, Component, JointId, Model, OutputKind, PointId};
 use loosepin_text::units::SiUnit;
 
 /// One number that a model file asks for; a path is two of them.
@@ -43,67 +43,63 @@ pub enum Reading {
 /// All columns of a model, in file order.
 pub fn columns(mechanism: &Mechanism) -> Vec<Column> {
     let model = &mechanism.model;
-    let point_name = |point: PointId| {
-        let body = &model.bodies[point.body.0];
-        format!("{}.{}", body.name, body.points[point.point].name)
-    };
-    let axis_name = |axis| match axis {
-        Axis::X => "x",
-        Axis::Y => "y",
-    };
     let mut columns = Vec::new();
     for (output, written) in model.outputs.iter().enumerate() {
-        let name = written.name.clone();
-        let mut push = |name: String, words: String, unit: SiUnit, reading: Reading| {
-            columns.push(Column { output, name, words, unit, reading });
-        };
-        match written.kind {
-            OutputKind::Position { point, along } => {
-                let words = format!("{} of {}", axis_name(along), point_name(point));
-                push(name, words, SiUnit::LENGTH, Reading::Position(point, along));
-            }
-            OutputKind::Velocity { point, along } => {
-                let words = format!("{} velocity of {}", axis_name(along), point_name(point));
-                push(name, words, SiUnit::VELOCITY, Reading::Velocity(point, along));
-            }
-            OutputKind::Acceleration { point, along } => {
-                let words = format!("{} acceleration of {}", axis_name(along), point_name(point));
-                push(name, words, SiUnit::ACCELERATION, Reading::Acceleration(point, along));
-            }
-            OutputKind::Angle(body) => {
-                let words = format!("angle of {}", model.bodies[body.0].name);
-                push(name, words, SiUnit::ANGLE, Reading::Angle(body));
-            }
-            OutputKind::AngularVelocity(body) => {
-                let words = format!("angular velocity of {}", model.bodies[body.0].name);
-                push(name, words, SiUnit::ANGULAR_VELOCITY, Reading::AngularVelocity(body));
-            }
-            OutputKind::AngularAcceleration(body) => {
-                let words = format!("angular acceleration of {}", model.bodies[body.0].name);
-                push(name, words, SiUnit::ANGULAR_ACCELERATION, Reading::AngularAcceleration(body));
-            }
-            OutputKind::Force { joint, component } => {
-                let part = match component {
-                    Component::X => "x force",
-                    Component::Y => "y force",
-                    Component::Magnitude => "force",
-                };
-                let words = format!("{part} in {}", model.joints[joint.0].name);
-                push(name, words, SiUnit::FORCE, Reading::Force(joint, component));
-            }
-            OutputKind::Path(point) => {
-                for axis in [Axis::X, Axis::Y] {
-                    let words = format!("{} of {}", axis_name(axis), point_name(point));
-                    let name = format!("{name} {}", axis_name(axis));
-                    push(name, words, SiUnit::LENGTH, Reading::Position(point, axis));
-                }
-            }
+        for (reading, suffix) in readings(&written.kind) {
+            let (name, words) = (format!("{}{suffix}", written.name), reading.words(model));
+            columns.push(Column { output, name, words, unit: SiUnit::of_dimension(written.kind.dimension()), reading });
         }
     }
     columns
 }
 
+/// The quantities of an output, each with what is added to its name.
+pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
+    let single = match *kind {
+        OutputKind::Position { point, along } => Reading::Position(point, along),
+        OutputKind::Velocity { point, along } => Reading::Velocity(point, along),
+        OutputKind::Acceleration { point, along } => Reading::Acceleration(point, along),
+        OutputKind::Angle(body) => Reading::Angle(body),
+        OutputKind::AngularVelocity(body) => Reading::AngularVelocity(body),
+        OutputKind::AngularAcceleration(body) => Reading::AngularAcceleration(body),
+        OutputKind::Force { joint, component } => Reading::Force(joint, component),
+        OutputKind::Path(point) => {
+            return vec![(Reading::Position(point, Axis::X), " x"), (Reading::Position(point, Axis::Y), " y")];
+        }
+    };
+    vec![(single, "")]
+}
+
 impl Reading {
+    /// The quantity in words.
+    pub fn words(&self, model: &Model) -> String {
+        let body = |body: BodyId| &model.bodies[body.0].name;
+        let point = |point: PointId| {
+            let body = &model.bodies[point.body.0];
+            format!("{}.{}", body.name, body.points[point.point].name)
+        };
+        let axis = |axis: Axis| match axis {
+            Axis::X => "x",
+            Axis::Y => "y",
+        };
+        match *self {
+            Self::Position(of, along) => format!("{} of {}", axis(along), point(of)),
+            Self::Velocity(of, along) => format!("{} velocity of {}", axis(along), point(of)),
+            Self::Acceleration(of, along) => format!("{} acceleration of {}", axis(along), point(of)),
+            Self::Angle(of) => format!("angle of {}", body(of)),
+            Self::AngularVelocity(of) => format!("angular velocity of {}", body(of)),
+            Self::AngularAcceleration(of) => format!("angular acceleration of {}", body(of)),
+            Self::Force(joint, component) => {
+                let part = match component {
+                    Component::X => "x force",
+                    Component::Y => "y force",
+                    Component::Magnitude => "force",
+                };
+                format!("{part} in {}", model.joints[joint.0].name)
+            }
+        }
+    }
+
     /// Whether accelerations or forces are needed, not only positions and velocities.
     pub fn needs_forces(&self) -> bool {
         matches!(self, Self::Acceleration(..) | Self::AngularAcceleration(_) | Self::Force(..))

@@ -1,5 +1,6 @@
 //! Outputs of which the quasi-static answer speaks: coordinates of points and angles of bodies.
 
+use crate::column::{self, Reading};
 use loosepin_math::{Real, Vec2};
 use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Tree, Twist, acceleration_at};
 use loosepin_mechanics::model::{Axis, BodyId, OutputKind, PointId};
@@ -30,7 +31,7 @@ pub enum PositionReading {
 /// The position outputs of a model in file order, each once.
 ///
 /// A velocity or acceleration stands for the position that it is the derivative of, unless another output names that
-/// position already. Forces belong to no position.
+/// position already. Other outputs, such as forces, belong to no position.
 pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
     let outputs = &mechanism.model.outputs;
     let is_position =
@@ -54,34 +55,25 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
 }
 
 /// The positions behind an output, with what is added to its name.
-fn readings(kind: &OutputKind) -> Vec<(PositionReading, &'static str)> {
-    match *kind {
-        OutputKind::Position { point, along }
-        | OutputKind::Velocity { point, along }
-        | OutputKind::Acceleration { point, along } => vec![(PositionReading::Point(point, along), "")],
-        OutputKind::Angle(body) | OutputKind::AngularVelocity(body) | OutputKind::AngularAcceleration(body) => {
-            vec![(PositionReading::Angle(body), "")]
+fn readings(kind: &OutputKind) -> impl Iterator<Item = (PositionReading, &'static str)> {
+    let position = |reading: Reading| match reading {
+        Reading::Position(point, along) | Reading::Velocity(point, along) | Reading::Acceleration(point, along) => {
+            Some(PositionReading::Point(point, along))
         }
-        OutputKind::Path(point) => {
-            vec![(PositionReading::Point(point, Axis::X), " x"), (PositionReading::Point(point, Axis::Y), " y")]
+        Reading::Angle(body) | Reading::AngularVelocity(body) | Reading::AngularAcceleration(body) => {
+            Some(PositionReading::Angle(body))
         }
-        OutputKind::Force { .. } => Vec::new(),
-    }
+        _ => None,
+    };
+    column::readings(kind).into_iter().filter_map(move |(reading, suffix)| Some((position(reading)?, suffix)))
 }
 
 fn describe(mechanism: &Mechanism, reading: PositionReading) -> (String, SiUnit) {
-    let bodies = &mechanism.model.bodies;
-    match reading {
-        PositionReading::Point(point, along) => {
-            let axis = match along {
-                Axis::X => "x",
-                Axis::Y => "y",
-            };
-            let body = &bodies[point.body.0];
-            (format!("{axis} of {}.{}", body.name, body.points[point.point].name), SiUnit::LENGTH)
-        }
-        PositionReading::Angle(body) => (format!("angle of {}", bodies[body.0].name), SiUnit::ANGLE),
-    }
+    let (reading, unit) = match reading {
+        PositionReading::Point(point, along) => (Reading::Position(point, along), SiUnit::LENGTH),
+        PositionReading::Angle(body) => (Reading::Angle(body), SiUnit::ANGLE),
+    };
+    (reading.words(&mechanism.model), unit)
 }
 
 impl PositionReading {

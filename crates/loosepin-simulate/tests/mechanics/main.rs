@@ -7,4 +7,5 @@ mod elements;
 mod films;
 mod guide_play;
 mod lanes;
+mod outputs;
 mod slot_play;
