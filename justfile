@@ -35,7 +35,7 @@ lint:
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
 
-# Rewrites the tables of keys and units in docs/files; a test fails where they are stale.
+# Rewrites the tables of keys, units and contact laws in docs; a test fails where they are stale.
 file-pages:
     LOOSEPIN_REWRITE_PAGES=1 cargo test --locked --package loosepin --test documents tables_of_the_pages
 

@@ -1,9 +1,10 @@
-//! The pages of docs/files: their tables of keys are those of the schemas, their units those that are read, their examples
-//! are read. `just file-pages` rewrites tables and units.
+//! The pages of docs/files, and that of contact laws: their tables of keys are those of the schemas, their units and laws those
+//! that are read, their examples are read. `just file-pages` rewrites tables, units and laws.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use loosepin::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use loosepin::model::{Model, model_schema};
 use loosepin::study::{Study, study_schema};
 use loosepin::units::UNITS;
@@ -17,6 +18,8 @@ const KEYS: &str = "<!-- keys of ";
 const END_OF_KEYS: &str = "<!-- end of keys -->";
 const UNITS_MARK: &str = "<!-- units -->";
 const END_OF_UNITS: &str = "<!-- end of units -->";
+const POINT_LAWS_MARK: &str = "<!-- point-contact laws -->";
+const END_OF_POINT_LAWS: &str = "<!-- end of point-contact laws -->";
 
 /// Tables whose keys the row of their distribution or their example shows whole.
 const SHOWN_BY_THEIR_ROW: [&str; 2] = ["study random ", "study load "];
@@ -34,8 +37,13 @@ fn pages() -> Vec<PathBuf> {
     let entries = fs::read_dir(repository().join("docs/files")).expect("the pages");
     let paths = entries.map(|entry| entry.expect("a page").path());
     let mut pages: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|end| end == "md")).collect();
+    pages.push(law_page());
     pages.sort();
     pages
+}
+
+fn law_page() -> PathBuf {
+    repository().join("docs/contact-laws.md")
 }
 
 fn schema(file: &str) -> Value {
@@ -64,6 +72,8 @@ fn made_anew(page: &str) -> String {
             (key_tables::markdown(table), END_OF_KEYS)
         } else if line == UNITS_MARK {
             (units(), END_OF_UNITS)
+        } else if line == POINT_LAWS_MARK {
+            (point_laws(), END_OF_POINT_LAWS)
         } else {
             continue;
         };
@@ -83,6 +93,23 @@ fn units() -> String {
         lines.push(format!("| {} | {} |", units[0].dimension, symbols.join(" ")));
     }
     lines.join("\n")
+}
+
+/// The point-contact laws with their sources and equations.
+fn point_laws() -> String {
+    let mut lines = vec!["| `law` | Source and χ |".to_owned(), "|---|---|".to_owned()];
+    lines.extend(POINT_LAWS.iter().map(|law| format!("| `{}` | {} |", law.name(), law.source())));
+    lines.join("\n")
+}
+
+#[test]
+fn every_law_is_on_the_page_of_laws() {
+    let page = made_anew(&read(&law_page()));
+    let laws = NormalDescription::all().map(|law| law.name()).chain(FRICTION_LAWS.iter().map(|law| law.name));
+    for name in laws {
+        let is_there = page.contains(&format!("| `{name}`")) || page.contains(&format!("\n`{name}` "));
+        assert!(is_there, "no line says what {name} is");
+    }
 }
 
 #[test]
