@@ -7,6 +7,7 @@ use loosepin::bounds::{
     self, BoundPair, DoubleLoop, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic,
 };
 use loosepin::diagnostics::{self, Code};
+use loosepin::units::listed;
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -145,12 +146,23 @@ pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyR
 
 fn statistic(name: &str, parameter: Option<f64>) -> PyResult<Statistic> {
     let known = Statistic::from_word(name, parameter);
-    known.filter(|statistic| !matches!(statistic, Statistic::SimultaneousBand(_))).ok_or_else(|| {
+    known.filter(|statistic| is_of_a_column(*statistic)).ok_or_else(|| {
+        let names = |statistics: &[Statistic]| -> Vec<String> {
+            let known = statistics.iter().filter(|statistic| is_of_a_column(**statistic));
+            known.map(|statistic| format!("'{}'", statistic.word())).collect()
+        };
+        let (plain, with_parameter) = (names(&Statistic::PLAIN), names(&Statistic::with_parameter(f64::NAN)));
         PyValueError::new_err(format!(
-            "statistic '{name}'; must be 'mean', 'standard_deviation', 'cdf', or {{name: number}} with 'quantile', \
-             'probability_above', 'probability_below' or 'probability_beyond'"
+            "statistic '{name}'; must be {}, or {{name: number}} with {}",
+            plain.join(", "),
+            listed(&with_parameter, "or")
         ))
     })
+}
+
+/// A band for whole curves needs to know which columns are a curve.
+fn is_of_a_column(statistic: Statistic) -> bool {
+    !matches!(statistic, Statistic::SimultaneousBand(_))
 }
 
 fn reading_of(word: &str) -> PyResult<Reading> {

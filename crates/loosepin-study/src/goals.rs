@@ -11,9 +11,8 @@ fn target(study: &Study, place: usize, planned: &PlannedAsk, statistic: Statisti
     if planned.ask.rare.iter().any(|(rare, _)| *rare == statistic) {
         return None;
     }
-    let is_probability = !matches!(statistic, Statistic::Mean | Statistic::StandardDeviation | Statistic::Quantile(_));
     let of_output = study.model.outputs[planned.ask.output].kind.dimension();
-    let dimension = if is_probability { Dimension::NUMBER } else { of_output };
+    let dimension = if statistic.is_probability() { Dimension::NUMBER } else { of_output };
     let concerns = |target: &&AccuracyTarget| {
         target.dimension == dimension
             && target.ask.is_none_or(|ask| ask == place)

@@ -34,6 +34,34 @@ const SHARE: &str = "share";
 const LIMIT: &str = "limit_si";
 
 impl Statistic {
+    /// Every statistic without a parameter.
+    pub const PLAIN: [Self; 3] = [Self::Mean, Self::StandardDeviation, Self::Cdf];
+
+    /// Every statistic with a parameter, each with this one.
+    pub const fn with_parameter(number: f64) -> [Self; 5] {
+        [
+            Self::Quantile(number),
+            Self::ProbabilityAbove(number),
+            Self::ProbabilityBelow(number),
+            Self::ProbabilityBeyond(number),
+            Self::SimultaneousBand(number),
+        ]
+    }
+
+    /// Whether it is one number for each column.
+    pub const fn is_single(self) -> bool {
+        !matches!(self, Self::Cdf | Self::SimultaneousBand(_))
+    }
+
+    /// The least and the greatest value that it can have.
+    pub fn range(self) -> [f64; 2] {
+        match self {
+            Self::StandardDeviation => [0.0, f64::INFINITY],
+            _ if self.is_probability() => [0.0, 1.0],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
+    }
+
     /// Whether it is a probability, a pure number from 0 to 1.
     pub fn is_probability(self) -> bool {
         matches!(self, Self::ProbabilityAbove(_) | Self::ProbabilityBelow(_) | Self::ProbabilityBeyond(_))
@@ -60,19 +88,11 @@ impl Statistic {
 
     /// Statistic of a word and its parameter; nothing where they do not go together.
     pub fn from_word(word: &str, parameter: Option<f64>) -> Option<Self> {
-        let number = parameter.unwrap_or(f64::NAN);
-        let all = [
-            Self::Mean,
-            Self::StandardDeviation,
-            Self::Cdf,
-            Self::Quantile(number),
-            Self::SimultaneousBand(number),
-            Self::ProbabilityAbove(number),
-            Self::ProbabilityBelow(number),
-            Self::ProbabilityBeyond(number),
-        ];
-        let named = all.into_iter().find(|statistic| statistic.word() == word)?;
-        (named.parameter().is_some() == parameter.is_some()).then_some(named)
+        let is_named = |statistic: &Self| statistic.word() == word;
+        match parameter {
+            None => Self::PLAIN.into_iter().find(is_named),
+            Some(number) => Self::with_parameter(number).into_iter().find(is_named),
+        }
     }
 
     fn named_parameter(self) -> Option<(&'static str, f64)> {

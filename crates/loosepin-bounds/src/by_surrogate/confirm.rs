@@ -9,7 +9,7 @@ use super::search::Searched;
 use super::settings::MOST_WITNESSES;
 use crate::data::bound::Bound;
 use crate::data::direction::Direction;
-use crate::data::statistic::Statistic;
+use crate::data::statistic::{Statistic, function_averaged};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::estimate::{Confidence, replicate_error};
 
@@ -211,8 +211,8 @@ impl Confirmed {
         outside as f64 / inner.max(1) as f64
     }
 
-    /// The mean or probability at `place`, corrected; nothing for other statistics and where runs are missing. `known` is that of the
-    /// surrogate with its error, where it is better known than from the inner runs themselves.
+    /// The mean or probability at `place`, corrected; nothing for statistics that are no mean of a function, and where runs are missing.
+    /// `known` is that of the surrogate with its error, where it is better known than from the inner runs themselves.
     pub fn corrected(
         &self,
         place: usize,
@@ -220,15 +220,7 @@ impl Confirmed {
         known: Option<(f64, f64)>,
         confidence: &Confidence,
     ) -> Option<Corrected> {
-        let of: Box<dyn Fn(f64) -> f64> = match statistic {
-            Statistic::Mean => Box::new(|y| y),
-            Statistic::ProbabilityAbove(limit) => Box::new(move |y| f64::from(u8::from(y > limit))),
-            Statistic::ProbabilityBelow(limit) => Box::new(move |y| f64::from(u8::from(y < limit))),
-            Statistic::ProbabilityBeyond(limit) => Box::new(move |y| f64::from(u8::from(y.abs() > limit))),
-            Statistic::StandardDeviation | Statistic::Quantile(_) | Statistic::SimultaneousBand(_) | Statistic::Cdf => {
-                return None;
-            }
-        };
+        let of = function_averaged(statistic)?;
         let of_replicate = |(surrogate, direct): (&Answers, &DirectAnswers)| {
             let differences = direct.iter().map(|row| {
                 let [direct, surrogate, _] = row.as_ref()?;
@@ -246,7 +238,7 @@ impl Confirmed {
         let value = start + means.iter().sum::<f64>() / means.len() as f64;
         let (below, above) = if means.len() == 1 { (0.0, 0.0) } else { replicate_error(&means, confidence) };
         let (below, above) = (below + error, above + error);
-        if statistic == Statistic::Mean {
+        if !statistic.is_probability() {
             return Some(Corrected { value, below, above });
         }
         let kept = value.clamp(0.0, 1.0);

@@ -286,11 +286,8 @@ fn nothing_known_error(statistic: Statistic) -> f64 {
 
 /// The end of all values that a statistic can have.
 fn furthest_possible(statistic: Statistic, direction: Direction) -> f64 {
-    match (statistic, direction) {
-        (Statistic::StandardDeviation, Direction::Minimum) => 0.0,
-        (statistic, direction) if statistic.is_probability() => f64::from(direction == Direction::Maximum),
-        (_, direction) => direction.sign() * f64::INFINITY,
-    }
+    let [least, greatest] = statistic.range();
+    direction.of(least, greatest)
 }
 
 /// A bound on the surrogate's value with what direct runs and the band say: whether it was corrected, too.
@@ -320,12 +317,8 @@ fn put_together(
     let surrogate = sign * (furthest - value) - known;
     let surrogate = if surrogate.is_nan() { f64::INFINITY } else { surrogate.max(0.0) };
     let error = BoundError { sampling, optimisation: bound.error.optimisation, surrogate };
-    let widened = error.widen(value, direction);
-    let widened = match request.statistic {
-        statistic if statistic.is_probability() => widened.clamp(0.0, 1.0),
-        Statistic::StandardDeviation => widened.max(0.0),
-        _ => widened,
-    };
+    let [least, greatest] = request.statistic.range();
+    let widened = error.widen(value, direction).clamp(least, greatest);
     let guarantee = match bound.guarantee {
         Guarantee::Sampled { .. } => Guarantee::Sampled { confidence: plan.stated_confidence },
         other => other,

@@ -23,9 +23,9 @@ impl BoundError {
         self.sampling + self.optimisation + self.surrogate
     }
 
-    /// `value` moved outwards by all parts: here a bound is widened.
+    /// `value` moved outwards by all parts: here a bound is widened. What is not known is widened without end.
     pub(crate) fn widen(&self, value: f64, direction: Direction) -> f64 {
-        value + direction.sign() * self.total()
+        if value.is_nan() { direction.sign() * f64::INFINITY } else { value + direction.sign() * self.total() }
     }
 
     /// Errors of sampling and of the search.
@@ -155,5 +155,18 @@ impl Bound {
     fn times(self, mass: f64) -> Self {
         let error = self.error.map(|error| mass * error);
         Self { value: mass * self.value, widened: mass * self.widened, error, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BoundError, Direction};
+
+    #[test]
+    fn analytic_all_parts_of_an_error_widen_a_bound_and_what_is_unknown_has_no_end() {
+        let error = BoundError { sampling: 0.25, optimisation: 0.5, surrogate: 0.125 };
+        assert_eq!(Direction::BOTH.map(|direction| error.widen(3.0, direction)), [2.125, 3.875]);
+        let ends = Direction::BOTH.map(|direction| error.widen(f64::NAN, direction));
+        assert_eq!(ends, [f64::NEG_INFINITY, f64::INFINITY]);
     }
 }

@@ -2,9 +2,20 @@
 
 pub use loosepin_terms::Statistic;
 
-/// Whether failed runs leave `statistic` without any bound: it is then that of the finished runs.
+/// Whether failed runs leave `statistic` without any bound: it is then that of the finished runs. Shares of runs, and quantiles, are bounded
+/// whatever the failed ones would have given.
 pub(crate) fn is_over_finished(statistic: Statistic) -> bool {
-    matches!(statistic, Statistic::Mean | Statistic::StandardDeviation)
+    let is_by_shares = matches!(statistic, Statistic::Cdf | Statistic::Quantile(_) | Statistic::SimultaneousBand(_));
+    !is_by_shares && !statistic.is_probability()
+}
+
+/// f where the statistic is the mean of f(Y).
+pub(crate) fn function_averaged(statistic: Statistic) -> Option<Box<dyn Fn(f64) -> f64>> {
+    match (statistic, Event::of(statistic)) {
+        (Statistic::Mean, _) => Some(Box::new(|value| value)),
+        (_, Some(event)) => Some(Box::new(move |value| if event.holds(value) { 1.0 } else { 0.0 })),
+        _ => None,
+    }
 }
 
 /// A property of a value, whose probability is asked for.

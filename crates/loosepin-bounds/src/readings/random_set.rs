@@ -193,11 +193,7 @@ impl RandomSet {
             let sampling = direction.of(widened.below, widened.above);
             let optimisation = (direction.sign() * (widened.value - attained.value)).max(0.0);
             let error = BoundError::of_runs(sampling, optimisation);
-            let widened = if attained.value.is_nan() {
-                direction.sign() * f64::INFINITY
-            } else {
-                error.widen(attained.value, direction)
-            };
+            let widened = error.widen(attained.value, direction);
             let bound = Bound::without_witness(attained.value, widened, error, experiment.guarantee());
             (ends.mass, bound)
         };

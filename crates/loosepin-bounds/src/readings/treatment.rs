@@ -174,8 +174,7 @@ fn interval_only_ends(experiment: &Experiment<'_>, pool: &Pool, columns: &[usize
                 let has_box = setup.joint_box.dimensions() > 0;
                 let error =
                     BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
-                let widened = if value.is_nan() { sign * f64::INFINITY } else { error.widen(value, direction) };
-                Bound { value, widened, witness, error, guarantee: Guarantee::Optimised }
+                Bound { value, widened: error.widen(value, direction), witness, error, guarantee: Guarantee::Optimised }
             })
         })
         .collect()

@@ -411,7 +411,7 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
 const READINGS: [&str; 3] = words(&words::READINGS);
 const DEVIATIONS: [&str; 4] = words(&words::DEVIATIONS);
 const REDUCTIONS: [&str; 6] = words(&words::REDUCTIONS);
-const PLAIN_STATISTICS: [&str; 4] = words(&words::PLAIN_STATISTICS);
+const PLAIN_STATISTICS: [&str; words::PLAIN_STATISTICS.len()] = words(&words::PLAIN_STATISTICS);
 const METHODS: [&str; 4] = words(&words::METHODS);
 
 pub(super) static STATISTIC_KEYS: Keys = Keys::new(
@@ -460,7 +460,7 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
             "statistics",
             Kind::List(&Kind::AnyOf(&[Kind::Choice(&PLAIN_STATISTICS), Kind::Table(&STATISTIC_KEYS)])),
             "[\"mean\", { quantile = 0.975 }]",
-            "mean, standard_deviation, cdf, quantile, probability_above, probability_below, probability_beyond; simultaneous_band; contributors",
+            "statistics by name, or as tables with a number",
         ),
         optional(
             "accuracy",

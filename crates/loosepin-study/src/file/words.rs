@@ -69,15 +69,16 @@ pub(super) const SURROGATES: [(&str, Option<Choice>); 5] = [
 pub(super) const DIRECT_RUNS: [(&str, bool); 2] = [("double-loop", false), ("confirming", true)];
 
 /// Statistics without a number; nothing stands for what contributes.
-pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); 4] = [
-    (MEAN, Some(Statistic::Mean)),
-    (STANDARD_DEVIATION, Some(Statistic::StandardDeviation)),
-    (Statistic::Cdf.word(), Some(Statistic::Cdf)),
-    ("contributors", None),
-];
-
-const MEAN: &str = Statistic::Mean.word();
-const STANDARD_DEVIATION: &str = Statistic::StandardDeviation.word();
+pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.len() + 1] = {
+    let mut table = [("contributors", None); Statistic::PLAIN.len() + 1];
+    let mut place = 0;
+    while place < Statistic::PLAIN.len() {
+        let statistic = Statistic::PLAIN[place];
+        table[place] = (statistic.word(), Some(statistic));
+        place += 1;
+    }
+    table
+};
 
 /// Statistics with a number, by their keys; the word does not depend on it.
 pub(super) const QUANTILE: &str = Statistic::Quantile(0.0).word();
@@ -85,17 +86,35 @@ pub(super) const PROBABILITY_ABOVE: &str = Statistic::ProbabilityAbove(0.0).word
 pub(super) const PROBABILITY_BELOW: &str = Statistic::ProbabilityBelow(0.0).word();
 pub(super) const PROBABILITY_BEYOND: &str = Statistic::ProbabilityBeyond(0.0).word();
 pub(super) const SIMULTANEOUS_BAND: &str = Statistic::SimultaneousBand(0.0).word();
-pub(super) const STATISTICS: [&str; 5] =
-    [QUANTILE, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, SIMULTANEOUS_BAND];
+pub(super) const STATISTICS: [&str; WITH_A_NUMBER.len()] = {
+    let mut words = [""; WITH_A_NUMBER.len()];
+    let mut place = 0;
+    while place < words.len() {
+        words[place] = WITH_A_NUMBER[place].word();
+        place += 1;
+    }
+    words
+};
+const WITH_A_NUMBER: [Statistic; 5] = Statistic::with_parameter(f64::NAN);
 
 /// Statistics that are one number each, which an accuracy can be of.
-pub(super) const NUMBERS: [&str; 6] =
-    [MEAN, STANDARD_DEVIATION, QUANTILE, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND];
+pub(super) const NUMBERS: [&str; SINGLE] = {
+    let (mut words, mut filled, mut place) = ([""; SINGLE], 0, 0);
+    while place < Statistic::PLAIN.len() + WITH_A_NUMBER.len() {
+        let plain = Statistic::PLAIN.len();
+        let statistic = if place < plain { Statistic::PLAIN[place] } else { WITH_A_NUMBER[place - plain] };
+        if statistic.is_single() {
+            words[filled] = statistic.word();
+            filled += 1;
+        }
+        place += 1;
+    }
+    assert!(filled == SINGLE, "two statistics are more than a number: the distribution function and the band");
+    words
+};
+const SINGLE: usize = Statistic::PLAIN.len() + WITH_A_NUMBER.len() - 2;
 
 /// The name that a statistic of one number has in study files; nothing for others.
 pub(crate) fn statistic_name(statistic: Statistic) -> Option<&'static str> {
-    match statistic {
-        Statistic::Cdf | Statistic::SimultaneousBand(_) => None,
-        single => Some(single.word()),
-    }
+    statistic.is_single().then(|| statistic.word())
 }

@@ -74,8 +74,8 @@ pub fn markdown(table: &Map<String, Value>) -> String {
 
 /// What may stand behind a key, where its description does not say it: words, or a range.
 fn values(about: &Value, description: &str) -> String {
-    let words: Vec<&str> =
-        about.get("enum").or_else(|| about["anyOf"][0].get("enum")).map_or(Vec::new(), |words| texts(words).collect());
+    let choices = [about, &about["anyOf"][0], &about["items"]["anyOf"][0]].into_iter().find_map(|of| of.get("enum"));
+    let words: Vec<&str> = choices.map_or(Vec::new(), |words| texts(words).collect());
     if words.len() > 1 && words.iter().any(|word| !description.contains(word)) {
         return format!(": `{}`", words.join("`, `"));
     }

@@ -8,11 +8,13 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use loosepin::bounds::Statistic;
 use loosepin::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use loosepin::diagnostics::{CODES, Colour, Complaints};
-use loosepin::model::Model;
+use loosepin::model::{Model, model_schema};
 use loosepin::study::{InputFile, Study};
 use loosepin::templates::find_template;
+use loosepin::units::quoted;
 
 fn folder(kind: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad").join(kind)
@@ -34,14 +36,25 @@ fn files(kind: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// The list of all laws as a message shows it, and what stands for it in the expected texts: a new law changes none of them.
-fn law_lists() -> [(String, &'static str); 3] {
+/// The lists of all laws, outputs and statistics as messages show them, and what stands for each in the expected texts: a new one
+/// changes none of them.
+fn lists() -> [(String, &'static str); 6] {
     let list = |names: Vec<&str>| {
         let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
         let (last, others) = quoted.split_last().expect("there are laws");
         format!("must be {} or {last}", others.join(", "))
     };
+    let schema = model_schema();
+    let output = &schema["properties"]["output"]["additionalProperties"];
+    let keys: Vec<&str> = output["properties"].as_object().expect("keys").keys().map(String::as_str).collect();
+    let measures = &keys[..keys.iter().position(|key| *key == "along").expect("the first key that measures nothing")];
     [
+        (keys.join(", "), "{the keys of an output}"),
+        (quoted(measures), "{what an output measures}"),
+        (
+            list(Statistic::PLAIN.map(Statistic::word).into_iter().chain(["contributors"]).collect()),
+            "must be {a statistic}",
+        ),
         (list(NormalDescription::all().map(|law| law.name()).collect()), "must be {a normal force law}"),
         (list(POINT_LAWS.iter().map(|law| law.name()).collect()), "must be {a point-contact law}"),
         (list(FRICTION_LAWS.iter().map(|law| law.name).collect()), "must be {a friction law}"),
@@ -57,8 +70,7 @@ fn check(kind: &str, read: impl Fn(&str, String) -> Option<Complaints>) {
             differences.push(format!("{name}: read without complaint"));
             continue;
         };
-        let said =
-            law_lists().into_iter().fold(format!("{complaints}\n"), |said, (list, name)| said.replace(&list, name));
+        let said = lists().into_iter().fold(format!("{complaints}\n"), |said, (list, name)| said.replace(&list, name));
         let expected_path = path.with_extension("expected");
         let mut expected = fs::read_to_string(&expected_path).unwrap_or_default();
         if said != expected && std::env::var_os("LOOSEPIN_BLESS").is_some() {
