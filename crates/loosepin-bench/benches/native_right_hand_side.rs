@@ -151,10 +151,6 @@ fn right_hand_side(criterion: &mut Criterion) {
             let (mut derivative, derivative_at) = spread(&[f64::NAN; 6], lanes);
             let blocks: &mut [&mut [f64]] =
                 &mut [&mut state[state_at..], &mut parameters[parameters_at..], &mut derivative[derivative_at..]];
-            let mut scratch = Vec::new();
-            group.bench_function(format!("evaluated/{lanes}_lanes"), |bencher| {
-                bencher.iter(|| program.evaluate(lanes, black_box(blocks), &mut scratch));
-            });
             for level in Level::ALL.into_iter().filter(|level| level.is_supported()) {
                 let kernel = Kernel::compile(&program, level, lanes).expect("executable memory");
                 group.bench_function(format!("{level}/{lanes}_lanes"), |bencher| {

@@ -207,10 +207,7 @@ impl<'a> Core<'a> {
                 plain.evaluate_start(pass, memory);
                 pass.take_evaluation(&mut Named::new(memory.blocks()));
             }
-            Way::Recorded(recorded) => {
-                recorded.evaluate_start(pass, memory);
-                recorded.take_evaluation(memory);
-            }
+            Way::Recorded(recorded) => recorded.restart(memory),
         }
     }
 
@@ -220,7 +217,7 @@ impl<'a> Core<'a> {
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(plain) => plain.attempt(pass, memory),
-            Way::Recorded(recorded) => recorded.attempt(pass, memory),
+            Way::Recorded(recorded) => recorded.attempt(memory),
         }
         let flags = |place: usize, is_meant: fn(f64) -> bool| {
             let numbers = memory.of_all_lanes(Block::Lane, place).iter().enumerate();
@@ -243,10 +240,7 @@ impl<'a> Core<'a> {
                 pass.accept(&mut Named::new(memory.blocks()));
                 plain.hold_loops(pass, memory);
             }
-            Way::Recorded(recorded) => {
-                recorded.accept(memory);
-                recorded.hold_loops(memory);
-            }
+            Way::Recorded(recorded) => recorded.accept(memory),
         }
     }
 
@@ -299,7 +293,7 @@ impl<'a> Core<'a> {
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(plain) => plain.prepare_dense(pass, memory),
-            Way::Recorded(recorded) => recorded.prepare_dense(pass, memory),
+            Way::Recorded(recorded) => recorded.prepare_dense(memory),
         }
     }
 

@@ -16,27 +16,27 @@ use loosepin_tape::trace::{Traced, record};
 
 /// A pass as straight-line programs on the blocks of [`Block`]: what machine code is made of, to be counted and timed.
 #[derive(Debug, Clone)]
-pub struct PassPrograms {
+pub struct PassPrograms<P = Program> {
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`].
-    pub slope: Program,
+    pub slope: P,
     /// The slope, and the numbers read at an end of a step.
-    pub end: Program,
+    pub end: P,
     /// The points of a step at which the slope is evaluated, one after the other; the last one is its end.
-    pub points: Vec<Program>,
+    pub points: Vec<P>,
     /// The error of a step, and what may have happened in it.
-    pub judgement: Program,
+    pub judgement: P,
     /// The further points of the dense output.
-    pub dense_points: Vec<Program>,
+    pub dense_points: Vec<P>,
     /// The dense output.
-    pub dense: Program,
+    pub dense: P,
     /// The last evaluation becomes that of the start of the step.
-    pub take_evaluation: Program,
+    pub take_evaluation: P,
     /// The end of the step becomes the start of the next one.
-    pub accept: Program,
+    pub accept: P,
     /// The state held on the loops of ideal joints, where there are any.
-    pub hold_loops: Option<Program>,
+    pub hold_loops: Option<P>,
     /// The energy account of a step.
-    pub account: Program,
+    pub account: P,
 }
 
 impl PassPrograms {
@@ -54,18 +54,21 @@ impl PassPrograms {
         let lengths = pass.block_lengths(fixed.len());
         Tracing { mechanism, sample, arms, readings, fixed: &fixed, pass: &pass, lengths }.programs()
     }
-}
 
-impl PassPrograms {
-    /// All programs, those of a step first.
-    pub fn all(&self) -> Vec<&Program> {
-        let mut all: Vec<&Program> = self.points.iter().collect();
-        all.extend([&self.slope, &self.end, &self.judgement, &self.accept]);
-        all.extend(&self.hold_loops);
-        all.extend([&self.take_evaluation, &self.account]);
-        all.extend(&self.dense_points);
-        all.push(&self.dense);
-        all
+    /// What `make` makes of each program, those of a step first.
+    pub(super) fn map<Q>(self, mut make: impl FnMut(Program) -> Q) -> PassPrograms<Q> {
+        PassPrograms {
+            points: self.points.into_iter().map(&mut make).collect(),
+            slope: make(self.slope),
+            end: make(self.end),
+            judgement: make(self.judgement),
+            accept: make(self.accept),
+            hold_loops: self.hold_loops.map(&mut make),
+            take_evaluation: make(self.take_evaluation),
+            account: make(self.account),
+            dense_points: self.dense_points.into_iter().map(&mut make).collect(),
+            dense: make(self.dense),
+        }
     }
 }
 

@@ -1,77 +1,74 @@
-//! A pass over many lanes at once: its programs as machine code, or evaluated operation by operation where there is none; the
-//! bits are the same.
+//! A pass over many lanes at once: its programs as machine code, or interpreted where there is none; the bits are the same.
 
 use super::column::{Arms, Reading};
 use super::memory::{BLOCKS, Block, Memory};
 use super::pass::Pass;
 use super::programs::{PassPrograms, Tracing, fixed, numbers};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_tape::native::{Kernel, Level, Program};
+use loosepin_tape::native::{Level, Place, Routine, Sequence};
 
-/// A program, and its machine code where that is wanted and can be had.
-struct Routine {
-    program: Program,
-    kernel: Option<Kernel>,
+/// What is done with all lanes.
+struct Sequences {
+    restart: Sequence,
+    attempt: Sequence,
+    accept: Sequence,
+    close_account: Sequence,
+    prepare_dense: Sequence,
 }
 
-impl Routine {
-    /// Runs on `blocks` of `lanes` lanes, which have the lengths that the program was written for.
-    #[inline]
-    fn run(&self, lanes: usize, mut blocks: [&mut [f64]; BLOCKS], scratch: &mut Vec<f64>) {
-        let outcome = match &self.kernel {
-            Some(kernel) => kernel.run(&mut blocks),
-            None => self.program.evaluate(lanes, &mut blocks, scratch),
+impl Sequences {
+    fn new(programs: PassPrograms, pass: &Pass, level: Option<Level>, lanes: usize) -> Self {
+        let mut all = Vec::new();
+        let programs = programs.map(|program| {
+            all.push(program);
+            all.len() - 1
+        });
+        let routines = Routine::all(all, level, lanes);
+        let sequence = |calls: &[(usize, [Place; BLOCKS])]| {
+            let calls: Vec<_> = calls.iter().map(|(program, places)| (&routines[*program], &places[..])).collect();
+            match Sequence::new(lanes, &calls) {
+                Ok(sequence) => sequence,
+                Err(error) => unreachable!("programs and places are of one layout: {error}"),
+            }
         };
-        if let Err(error) = outcome {
-            unreachable!("{error}");
+        let as_written = |program: usize| (program, Place::ALL);
+        // A program that gives a slope, with the point and the row of the slope that are meant.
+        let slope = |program: usize, point: Block, row: usize| {
+            let mut places = Place::ALL;
+            places[Block::Point as usize] = Place { block: point as usize, first: 0 };
+            places[Block::Stages as usize].first = row * pass.layout.length();
+            (program, places)
+        };
+        let end_row = pass.stepper.end_row();
+        let mut attempt = Vec::new();
+        for (before, point) in programs.points.iter().enumerate() {
+            attempt.push(as_written(*point));
+            attempt.push(if before + 1 < programs.points.len() {
+                slope(programs.slope, Block::Point, before + 1)
+            } else {
+                slope(programs.end, Block::End, end_row)
+            });
         }
-    }
-}
-
-struct Routines {
-    slope: Routine,
-    end: Routine,
-    points: Vec<Routine>,
-    judgement: Routine,
-    dense_points: Vec<Routine>,
-    dense: Routine,
-    take_evaluation: Routine,
-    accept: Routine,
-    hold_loops: Option<Routine>,
-    account: Routine,
-}
-
-impl Routines {
-    fn new(programs: PassPrograms, level: Option<Level>, lanes: usize) -> Self {
-        let kernels = level.map_or_else(Vec::new, |level| kernels(&programs, level, lanes));
-        let mut kernels = kernels.into_iter();
-        let mut routine = |program| Routine { program, kernel: kernels.next().flatten() };
-        // In the order of `PassPrograms::all`.
+        attempt.push(as_written(programs.judgement));
+        let mut dense = Vec::new();
+        for (before, point) in programs.dense_points.iter().enumerate() {
+            dense.extend([as_written(*point), slope(programs.slope, Block::Point, end_row + 1 + before)]);
+        }
+        dense.push(as_written(programs.dense));
+        let accept: Vec<_> =
+            [Some(programs.accept), programs.hold_loops].into_iter().flatten().map(as_written).collect();
+        let restart = [slope(programs.end, Block::Start, end_row), as_written(programs.take_evaluation)];
         Self {
-            points: programs.points.into_iter().map(&mut routine).collect(),
-            slope: routine(programs.slope),
-            end: routine(programs.end),
-            judgement: routine(programs.judgement),
-            accept: routine(programs.accept),
-            hold_loops: programs.hold_loops.map(&mut routine),
-            take_evaluation: routine(programs.take_evaluation),
-            account: routine(programs.account),
-            dense_points: programs.dense_points.into_iter().map(&mut routine).collect(),
-            dense: routine(programs.dense),
+            restart: sequence(&restart),
+            attempt: sequence(&attempt),
+            accept: sequence(&accept),
+            close_account: sequence(&[as_written(programs.account)]),
+            prepare_dense: sequence(&dense),
         }
     }
 }
 
-/// Machine code for all programs, or for those of which it can be had.
-fn kernels(programs: &PassPrograms, level: Level, lanes: usize) -> Vec<Option<Kernel>> {
-    let programs = programs.all();
-    match Kernel::compile_together(&programs, level, lanes) {
-        Ok(kernels) => kernels.into_iter().map(Some).collect(),
-        Err(_) => programs.into_iter().map(|program| Kernel::compile(program, level, lanes).ok()).collect(),
-    }
-}
-
-/// The routines of a mechanism.
+/// The pass of a mechanism over many lanes.
 ///
 /// Numbers of a sample that are 0 or ±1 are taken into the programs, which leave out what they multiply; the bits stay the
 /// same. A sample in which such a number differs has the programs written again without it.
@@ -83,7 +80,7 @@ pub struct Recorded<'a> {
     lengths: [usize; BLOCKS],
     /// By number: the value that is in the programs.
     fixed: Vec<Option<f64>>,
-    routines: Routines,
+    sequences: Sequences,
     scratch: Vec<f64>,
 }
 
@@ -107,7 +104,7 @@ impl<'a> Recorded<'a> {
             lanes,
             lengths,
             fixed,
-            routines: Routines::new(programs, level, lanes),
+            sequences: Sequences::new(programs, pass, level, lanes),
             scratch: Vec::new(),
         }
     }
@@ -122,72 +119,42 @@ impl<'a> Recorded<'a> {
             }
             let (mechanism, readings, fixed, lengths) = (self.mechanism, &self.readings, &self.fixed, self.lengths);
             let programs = Tracing { mechanism, sample, arms, readings, fixed, pass, lengths }.programs();
-            self.routines = Routines::new(programs, self.level, self.lanes);
+            self.sequences = Sequences::new(programs, pass, self.level, self.lanes);
         }
         for (index, value) in values.into_iter().enumerate() {
             memory.set(Block::Numbers, index, lane, value);
         }
     }
 
-    /// Evaluates at the start of the step.
-    pub fn evaluate_start(&mut self, pass: &Pass, memory: &mut Memory) {
-        let [numbers, lane, start, stages, _, end, start_reads, end_reads] = memory.blocks();
-        let slope = &mut stages[pass.stepper.end_row() * pass.layout.length() * self.lanes..];
-        let blocks = [numbers, lane, &mut [], slope, start, end, start_reads, end_reads];
-        self.routines.end.run(self.lanes, blocks, &mut self.scratch);
+    /// Evaluates at the start of the step, in the chosen lanes.
+    pub fn restart(&mut self, memory: &mut Memory) {
+        run(&self.sequences.restart, memory, &mut self.scratch);
     }
 
     /// Tries the steps.
-    pub fn attempt(&mut self, pass: &Pass, memory: &mut Memory) {
-        let Self { routines, lanes, scratch, .. } = self;
-        let row = pass.layout.length() * *lanes;
-        for (before, point) in routines.points.iter().enumerate() {
-            point.run(*lanes, memory.blocks(), scratch);
-            let [numbers, lane, start, stages, point, end, start_reads, end_reads] = memory.blocks();
-            let slope = &mut stages[(before + 1) * row..];
-            if before + 1 < routines.points.len() {
-                let blocks = [numbers, lane, start, slope, point, end, start_reads, end_reads];
-                routines.slope.run(*lanes, blocks, scratch);
-            } else {
-                let blocks = [numbers, lane, start, slope, end, &mut [], start_reads, end_reads];
-                routines.end.run(*lanes, blocks, scratch);
-            }
-        }
-        routines.judgement.run(*lanes, memory.blocks(), scratch);
+    pub fn attempt(&mut self, memory: &mut Memory) {
+        run(&self.sequences.attempt, memory, &mut self.scratch);
     }
 
-    /// Makes what was evaluated last that of the start of the step, in the chosen lanes.
-    pub fn take_evaluation(&mut self, memory: &mut Memory) {
-        self.routines.take_evaluation.run(self.lanes, memory.blocks(), &mut self.scratch);
-    }
-
-    /// Makes the end of the step the start of the next one, in the chosen lanes.
+    /// Makes the end of the step the start of the next one and holds the loops of ideal joints, in the chosen lanes.
     pub fn accept(&mut self, memory: &mut Memory) {
-        self.routines.accept.run(self.lanes, memory.blocks(), &mut self.scratch);
-    }
-
-    /// Holds the loops of ideal joints, in the chosen lanes.
-    pub fn hold_loops(&mut self, memory: &mut Memory) {
-        if let Some(hold_loops) = &self.routines.hold_loops {
-            hold_loops.run(self.lanes, memory.blocks(), &mut self.scratch);
-        }
+        run(&self.sequences.accept, memory, &mut self.scratch);
     }
 
     /// Takes the start of the step into the energy account, in the chosen lanes.
     pub fn close_account(&mut self, memory: &mut Memory) {
-        self.routines.account.run(self.lanes, memory.blocks(), &mut self.scratch);
+        run(&self.sequences.close_account, memory, &mut self.scratch);
     }
 
     /// Computes what looks inside of the step at hand need.
-    pub fn prepare_dense(&mut self, pass: &Pass, memory: &mut Memory) {
-        let Self { routines, lanes, scratch, .. } = self;
-        let row = pass.layout.length() * *lanes;
-        for (before, point) in routines.dense_points.iter().enumerate() {
-            point.run(*lanes, memory.blocks(), scratch);
-            let [numbers, lane, start, stages, point, end, start_reads, end_reads] = memory.blocks();
-            let slope = &mut stages[(pass.stepper.end_row() + 1 + before) * row..];
-            routines.slope.run(*lanes, [numbers, lane, start, slope, point, end, start_reads, end_reads], scratch);
-        }
-        routines.dense.run(*lanes, memory.blocks(), scratch);
+    pub fn prepare_dense(&mut self, memory: &mut Memory) {
+        run(&self.sequences.prepare_dense, memory, &mut self.scratch);
+    }
+}
+
+/// Runs on the blocks of `memory`, which have the lengths that the programs were written for.
+fn run(sequence: &Sequence, memory: &mut Memory, scratch: &mut Vec<f64>) {
+    if let Err(error) = sequence.run(&mut memory.blocks(), scratch) {
+        unreachable!("{error}");
     }
 }

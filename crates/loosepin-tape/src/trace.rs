@@ -131,7 +131,7 @@ mod tests {
         for k in 0..200 {
             let (x, y) = (-4.0 + 0.041 * f64::from(k), 1.7 - 0.013 * f64::from(k));
             let (mut inputs, mut output) = ([x, y], [f64::NAN]);
-            program.evaluate(1, &mut [&mut inputs, &mut output], &mut Vec::new()).expect("blocks fit");
+            program.evaluate(1, &mut [&mut inputs, &mut output]).expect("blocks fit");
             assert_eq!(output[0], f(x, y), "at {x}, {y}");
         }
     }

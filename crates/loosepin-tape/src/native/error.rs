@@ -2,18 +2,18 @@
 
 use super::Level;
 
-/// Why a program cannot be compiled or run. Without machine code, [`super::Program::evaluate`] gives the same numbers.
+/// Why a program cannot be compiled or run. Without machine code, [`super::Sequence`] interprets it and gives the same numbers.
 #[derive(Debug, thiserror::Error)]
 pub enum NativeError {
     /// This processor, or this build, cannot run the instructions.
-    #[error("machine code for {level} cannot run on this processor\nhint: evaluate the program instead")]
+    #[error("machine code for {level} cannot run on this processor\nhint: interpret the program instead")]
     NotSupported {
         /// The instructions asked for.
         level: Level,
     },
     /// The operating system gives no memory that may be executed.
     #[error(
-        "the operating system refused {bytes} bytes of executable memory: {source}\nhint: evaluate the program instead"
+        "the operating system refused {bytes} bytes of executable memory: {source}\nhint: interpret the program instead"
     )]
     ExecutableMemoryRefused {
         /// The size of the machine code.
@@ -47,7 +47,7 @@ pub enum NativeError {
     },
     /// More values are needed at a time than a stack should hold.
     #[error(
-        "the machine code needs a stack frame of {bytes} bytes; must be at most {}\nhint: evaluate the program instead",
+        "the machine code needs a stack frame of {bytes} bytes; must be at most {}\nhint: interpret the program instead",
         super::LARGEST_FRAME_BYTES
     )]
     FrameTooLarge {
@@ -61,6 +61,12 @@ pub enum NativeError {
         block: u8,
         /// Which value of it.
         index: u32,
+    },
+    /// Two blocks of a program are to lie on the same numbers.
+    #[error("two blocks of the program overlap in block {block}; each must have numbers of its own")]
+    PlacesOverlap {
+        /// The block in which both lie.
+        block: usize,
     },
     /// Called with fewer blocks than the program uses.
     #[error("called with {given} blocks; must be at least {needed}")]

@@ -361,7 +361,7 @@ mod tests {
         let value = write(&mut graph, x, y, z);
         let program = Program::new(&graph, &[(OUTPUT, value)]).expect("one output");
         let (mut inputs, mut output) = (XYZ, [f64::NAN]);
-        program.evaluate(1, &mut [&mut inputs, &mut output], &mut Vec::new()).expect("blocks are long enough");
+        program.evaluate(1, &mut [&mut inputs, &mut output]).expect("blocks are long enough");
         (program.operations(), output[0])
     }
 
@@ -718,7 +718,7 @@ mod tests {
             let outputs: Vec<(Slot, Value)> = slots.zip(&pool).map(|(slot, &(value, _))| (slot, value)).collect();
             let program = Program::new(&graph, &outputs).expect("each output has its own slot");
             let (mut inputs, mut results) = (XYZ, vec![f64::NAN; pool.len()]);
-            program.evaluate(1, &mut [&mut inputs, &mut results], &mut Vec::new()).expect("long enough");
+            program.evaluate(1, &mut [&mut inputs, &mut results]).expect("long enough");
             let expected: Vec<f64> = pool.iter().map(|&(_, number)| number).collect();
             assert_eq!(results, expected, "{program:?}");
         }

@@ -10,23 +10,22 @@ use std::sync::Arc;
 
 use super::assemble::Code;
 use super::error::NativeError;
-use super::evaluate::check_length;
+use super::evaluate::check_blocks;
 use super::program::Program;
+use super::sequence::Place;
 use super::translate::{KernelSize, translate};
 use super::{LARGEST_BLOCKS, Level};
 
 /// A program as machine code for a fixed number of lanes.
 ///
 /// Kernels may be shared between threads; the memory is given back when the kernel is dropped.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Kernel {
     memory: Arc<Mmap>,
     /// Where its code begins.
     start: usize,
     lanes: usize,
     values_per_block: Vec<usize>,
-    /// Numbers that each block must have.
-    needed: [usize; LARGEST_BLOCKS],
     size: KernelSize,
 }
 
@@ -37,7 +36,7 @@ impl Kernel {
     ///
     /// [`NativeError::NotSupported`] where the processor lacks the instructions of `level`,
     /// [`NativeError::ExecutableMemoryRefused`] where the operating system allows no code of our own: then
-    /// [`Program::evaluate`] gives the same numbers. [`NativeError::UnevenLanes`], [`NativeError::TooManyBlocks`],
+    /// [`super::Sequence`] interprets the program and gives the same numbers. [`NativeError::UnevenLanes`], [`NativeError::TooManyBlocks`],
     /// [`NativeError::BlockTooLarge`] and [`NativeError::FrameTooLarge`] for what no processor can do.
     pub fn compile(program: &Program, level: Level, lanes: usize) -> Result<Self, NativeError> {
         let (code, size) = translate(program, level, lanes)?;
@@ -50,7 +49,7 @@ impl Kernel {
     /// # Errors
     ///
     /// Those of [`Self::compile`], of any program.
-    pub fn compile_together(programs: &[&Program], level: Level, lanes: usize) -> Result<Vec<Self>, NativeError> {
+    pub fn compile_together(programs: &[Program], level: Level, lanes: usize) -> Result<Vec<Self>, NativeError> {
         /// Bytes of a line of the cache.
         const LINE_BYTES: usize = 64;
         let (mut bytes, mut parts) = (Vec::new(), Vec::new());
@@ -78,11 +77,7 @@ impl Kernel {
 
     /// The kernel whose code begins at `start` of `memory`.
     fn at(memory: Arc<Mmap>, start: usize, size: KernelSize, values_per_block: Vec<usize>, lanes: usize) -> Self {
-        let mut needed = [0; LARGEST_BLOCKS];
-        for (needed, values) in needed.iter_mut().zip(&values_per_block) {
-            *needed = values * lanes;
-        }
-        Self { memory, start, lanes, values_per_block, needed, size }
+        Self { memory, start, lanes, values_per_block, size }
     }
 
     /// The number of lanes of each value.
@@ -105,22 +100,15 @@ impl Kernel {
     /// # Errors
     ///
     /// [`NativeError::TooFewBlocks`] and [`NativeError::BlockTooShort`].
-    #[inline]
     pub fn run(&self, blocks: &mut [&mut [f64]]) -> Result<(), NativeError> {
-        if blocks.len() < self.values_per_block.len() {
-            return Err(NativeError::TooFewBlocks { given: blocks.len(), needed: self.values_per_block.len() });
-        }
-        let count = self.values_per_block.len();
+        check_blocks(blocks, &self.values_per_block, self.lanes)?;
         let mut addresses = [std::ptr::null_mut(); LARGEST_BLOCKS];
-        for (block, numbers) in blocks.iter_mut().enumerate().take(count) {
-            if numbers.len() < self.needed[block] {
-                return check_length(block, numbers, self.values_per_block[block], self.lanes);
-            }
-            addresses[block] = numbers.as_mut_ptr();
+        for (address, numbers) in addresses.iter_mut().zip(blocks) {
+            *address = numbers.as_mut_ptr();
         }
         // SAFETY: there is an address for each block of the program, and each points to as many numbers as its highest slot
         // needs (checked above); exclusive references do not overlap and live until the call has returned.
-        unsafe { self.call(&addresses[..count]) };
+        unsafe { self.call(&addresses) };
         Ok(())
     }
 
@@ -128,12 +116,11 @@ impl Kernel {
     ///
     /// # Safety
     ///
-    /// `blocks` has at least as many addresses as [`Kernel::values_per_block`] has entries. Each points to at least
+    /// Each of the first addresses, as many as [`Kernel::values_per_block`] has entries, points to at least
     /// `values_per_block()[b] * lanes()` numbers that may be read and written during the call; blocks that the program
     /// writes to overlap no other block. No alignment beyond that of `f64` is needed.
     #[inline]
-    pub unsafe fn call(&self, blocks: &[*mut f64]) {
-        debug_assert!(blocks.len() >= self.values_per_block.len());
+    unsafe fn call(&self, blocks: &[*mut f64; LARGEST_BLOCKS]) {
         let start = self.memory[self.start..].as_ptr();
         // SAFETY: there the memory holds what `assemble` wrote for exactly this signature and is executable while `self` lives;
         // `executable` has checked that the processor has the instructions; the caller answers for the blocks.
@@ -146,6 +133,83 @@ impl Kernel {
         #[cfg(not(target_arch = "x86_64"))]
         unreachable!("no kernel can be made for {start:?} here")
     }
+}
+
+/// A kernel whose blocks are parts of those that it is given.
+#[derive(Debug, Clone)]
+pub(super) struct PlacedKernel {
+    kernel: Kernel,
+    /// By block of the kernel, those that it does not use at the end: which block of the caller, and where in it.
+    parts: [Part; LARGEST_BLOCKS],
+}
+
+/// Numbers of a block, from the first to behind the last.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Part {
+    block: usize,
+    first: usize,
+    end: usize,
+}
+
+impl PlacedKernel {
+    /// `kernel` with block `b` at `places[b]`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`parts`].
+    pub fn new(kernel: &Kernel, places: &[Place]) -> Result<Self, NativeError> {
+        Ok(Self { parts: parts(&kernel.values_per_block, places, kernel.lanes)?, kernel: kernel.clone() })
+    }
+
+    /// Runs on `blocks`.
+    ///
+    /// # Errors
+    ///
+    /// [`NativeError::BlockTooShort`].
+    #[inline]
+    pub fn run(&self, blocks: &mut [&mut [f64]; LARGEST_BLOCKS]) -> Result<(), NativeError> {
+        let mut addresses = [std::ptr::null_mut(); LARGEST_BLOCKS];
+        for (address, part) in addresses.iter_mut().zip(&self.parts) {
+            let numbers = &mut *blocks[part.block];
+            if numbers.len() < part.end {
+                return Err(NativeError::BlockTooShort { block: part.block, given: numbers.len(), needed: part.end });
+            }
+            *address = numbers.as_mut_ptr().wrapping_add(part.first);
+        }
+        // SAFETY: each address that the kernel uses points to as many numbers as its highest slot needs (checked above), within
+        // a block that is borrowed for itself until the call has returned; parts of one block have no number in common
+        // (checked by `new`).
+        unsafe { self.kernel.call(&addresses) };
+        Ok(())
+    }
+}
+
+/// The parts of a program's blocks of so many values that lie at `places`; those without a value have none.
+///
+/// # Errors
+///
+/// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], and [`NativeError::PlacesOverlap`] where two blocks have numbers in
+/// common.
+pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<[Part; LARGEST_BLOCKS], NativeError> {
+    if places.len() < values.len() {
+        return Err(NativeError::TooFewBlocks { given: places.len(), needed: values.len() });
+    }
+    let mut parts = [Part::default(); LARGEST_BLOCKS];
+    for (index, (place, &values)) in places.iter().zip(values).enumerate() {
+        let Place { block, first } = *place;
+        if block >= LARGEST_BLOCKS || index >= LARGEST_BLOCKS {
+            return Err(NativeError::TooManyBlocks { given: block.max(index) + 1 });
+        }
+        if values == 0 {
+            continue;
+        }
+        let part = Part { block, first: first * lanes, end: (first + values) * lanes };
+        if parts.iter().any(|other| other.block == block && other.first < part.end && part.first < other.end) {
+            return Err(NativeError::PlacesOverlap { block });
+        }
+        parts[index] = part;
+    }
+    Ok(parts)
 }
 
 /// Memory that holds `bytes` and can be run.

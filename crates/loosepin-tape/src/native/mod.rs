@@ -1,9 +1,8 @@
 //! Straight-line arithmetic as machine code, one run in each lane of the vector registers.
 //!
 //! A [`Graph`] is written down once, by the methods that the equations are made of; a [`Program`] is what some outputs need
-//! of it; a [`Kernel`] is the program as machine code for x86-64 processors, and does in one call for all lanes what
-//! [`Program::evaluate`] does one operation at a time, with the same bits. Where no machine code can be run,
-//! compiling is an error and evaluating is the way.
+//! of it; a [`Kernel`] is the program as machine code for x86-64 processors. A [`Sequence`] runs programs one after the other, as
+//! machine code or, where none can be run, one operation at a time for all lanes (`evaluate`), with the same bits.
 //!
 //! The compiler is a line of phases, each a file: order the operations (`schedule`), write them as instructions on values
 //! (`lower`), give the values registers (`allocate`, `registers`), write bytes (`encode`, `assemble`), make them executable (`memory`).
@@ -27,7 +26,7 @@
 //! let blocks: &mut [&mut [f64]] = &mut [&mut legs, &mut hypotenuse_m];
 //! match Level::best().map(|level| Kernel::compile(&program, level, lanes)) {
 //!     Some(Ok(kernel)) => kernel.run(blocks)?,
-//!     _ => program.evaluate(lanes, blocks, &mut Vec::new())?,
+//!     _ => program.evaluate(lanes, blocks)?,
 //! }
 //! assert_eq!(hypotenuse_m, [5.0; 8]);
 //! # Ok::<(), loosepin_tape::native::NativeError>(())
@@ -48,6 +47,7 @@ mod node;
 mod program;
 mod registers;
 mod schedule;
+mod sequence;
 mod translate;
 
 #[cfg(test)]
@@ -62,6 +62,7 @@ pub use level::Level;
 pub use memory::Kernel;
 pub use node::Slot;
 pub use program::Program;
+pub use sequence::{Place, Routine, Sequence};
 pub use translate::KernelSize;
 
 /// Most blocks of a program: as many as there are registers for their addresses that need not be saved for the caller.

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::error::NativeError;
 use super::graph::{Graph, Value};
 use super::node::{BinaryOperation, Node, NodeIndex, Slot, UnaryOperation};
+use super::sequence::Place;
 
 /// The operations that some outputs need, in an order in which they can be done, and where the outputs go.
 ///
@@ -37,7 +38,10 @@ impl Program {
         let (nodes, targets) = without_dead_nodes(&nodes, &targets, &same_as);
         let outputs: Vec<(Slot, NodeIndex)> =
             outputs.iter().zip(targets).map(|(&(slot, _), target)| (slot, target)).collect();
+        Ok(Self::with(nodes, outputs))
+    }
 
+    fn with(nodes: Vec<Node>, outputs: Vec<(Slot, NodeIndex)>) -> Self {
         let inputs = nodes.iter().filter_map(|node| if let Node::Input(slot) = node { Some(*slot) } else { None });
         let mut values_per_block = Vec::new();
         for slot in inputs.chain(outputs.iter().map(|&(slot, _)| slot)) {
@@ -47,7 +51,7 @@ impl Program {
             }
             values_per_block[block] = values_per_block[block].max(slot.index as usize + 1);
         }
-        Ok(Self { nodes, outputs, values_per_block })
+        Self { nodes, outputs, values_per_block }
     }
 
     pub(super) fn nodes(&self) -> &[Node] {
@@ -61,6 +65,18 @@ impl Program {
     /// For each block, how many values it must have at least.
     pub fn values_per_block(&self) -> &[usize] {
         &self.values_per_block
+    }
+
+    /// The program with block `b` at `places[b]` of other blocks; a block that it does not use may have no place.
+    pub(super) fn placed(&self, places: &[Place]) -> Self {
+        let moved = |slot: Slot| {
+            let place = places[usize::from(slot.block)];
+            Slot { block: place.block as u8, index: place.first as u32 + slot.index }
+        };
+        let nodes =
+            self.nodes.iter().map(|node| if let Node::Input(slot) = node { Node::Input(moved(*slot)) } else { *node });
+        let outputs = self.outputs.iter().map(|&(slot, node)| (moved(slot), node));
+        Self::with(nodes.collect(), outputs.collect())
     }
 
     /// How many operations the program has; reading inputs and constants is none.

@@ -1,7 +1,7 @@
 //! Random programs as machine code and interpreted, compared bit for bit.
 
 use super::translate::translate_interleaved;
-use super::{Graph, Kernel, Level, Mask, NativeError, Program, Slot, Value};
+use super::{Graph, Kernel, LARGEST_BLOCKS, Level, Mask, NativeError, Place, Program, Routine, Sequence, Slot, Value};
 
 /// Random numbers for tests: SplitMix64 (Steele, Lea and Flood 2014).
 pub(super) struct Random(pub u64);
@@ -151,7 +151,7 @@ fn check_agreement(random: &mut Random, program: &Program, level: Level, lanes: 
     let mut native_blocks: Vec<&mut [f64]> = native.iter_mut().map(Vec::as_mut_slice).collect();
     kernel.run(&mut native_blocks).expect("blocks of the right length");
     let mut plain_blocks: Vec<&mut [f64]> = plain.iter_mut().map(Vec::as_mut_slice).collect();
-    program.evaluate(lanes, &mut plain_blocks, &mut Vec::new()).expect("blocks of the right length");
+    program.evaluate(lanes, &mut plain_blocks).expect("blocks of the right length");
     for (block, (native, plain)) in native.iter().zip(&plain).enumerate() {
         for (place, (native, plain)) in native.iter().zip(plain).enumerate() {
             assert_eq!(
@@ -235,8 +235,8 @@ fn identity_more_values_and_masks_alive_than_registers() {
 
 #[test]
 fn identity_lanes_evaluated_together_and_alone_give_the_same_bits() {
-    // Eight together, and three more.
-    const LANES: usize = 11;
+    // 32 together, eight, and three more.
+    const LANES: usize = 43;
     let mut random = Random(9);
     for _ in 0..50 {
         let shape = Shape { nodes: 80, inputs: 9, outputs: 8, reach: 25, blocks: 3, is_in_place: true };
@@ -249,7 +249,7 @@ fn identity_lanes_evaluated_together_and_alone_give_the_same_bits() {
         let start = together.clone();
         let evaluate = |lanes: usize, blocks: &mut [Vec<f64>]| {
             let mut blocks: Vec<&mut [f64]> = blocks.iter_mut().map(Vec::as_mut_slice).collect();
-            program.evaluate(lanes, &mut blocks, &mut Vec::new()).expect("blocks of the right length");
+            program.evaluate(lanes, &mut blocks).expect("blocks of the right length");
         };
         evaluate(LANES, &mut together);
         for lane in 0..LANES {
@@ -260,6 +260,43 @@ fn identity_lanes_evaluated_together_and_alone_give_the_same_bits() {
             evaluate(1, &mut alone);
             let bits = |blocks: Vec<Vec<f64>>| blocks.concat().into_iter().map(comparable).collect::<Vec<u64>>();
             assert_eq!(bits(of_lane(&together)), bits(alone), "lane {lane}");
+        }
+    }
+}
+
+#[test]
+fn identity_a_sequence_gives_the_same_bits_as_its_programs_one_by_one() {
+    const LANES: usize = 40;
+    const LENGTHS: [usize; LARGEST_BLOCKS] = [12, 12, 12, 12, 0, 0, 0, 0];
+    let mut random = Random(10);
+    for _ in 0..20 {
+        let shape = Shape { nodes: 60, inputs: 4, outputs: 4, reach: 20, blocks: 2, is_in_place: true };
+        let programs: Vec<Program> = (0..3).map(|_| random_program(&mut random, &shape)).collect();
+        let at = |block, first| Place { block, first };
+        let calls = [
+            (0, [at(0, 0), at(1, 1)]),
+            (1, [at(2, 3), at(3, 2)]),
+            // Once more elsewhere, both blocks in one; and with blocks exchanged.
+            (0, [at(2, 0), at(2, 6)]),
+            (2, [at(1, 1), at(0, 2)]),
+        ];
+        let start: Vec<Vec<f64>> =
+            LENGTHS.iter().map(|values| (0..values * LANES).map(|_| random.operand()).collect()).collect();
+        let mut expected = start.clone();
+        for (program, places) in &calls {
+            let mut blocks: Vec<&mut [f64]> = expected.iter_mut().map(Vec::as_mut_slice).collect();
+            programs[*program].placed(places).evaluate(LANES, &mut blocks).expect("blocks of the right length");
+        }
+        let expected: Vec<u64> = expected.concat().into_iter().map(comparable).collect();
+        for level in Level::ALL.into_iter().filter(|level| level.is_supported()).map(Some).chain([None]) {
+            let routines = Routine::all(programs.clone(), level, LANES);
+            let calls: Vec<_> = calls.iter().map(|(program, places)| (&routines[*program], &places[..])).collect();
+            let sequence = Sequence::new(LANES, &calls).expect("places of the right size");
+            let mut found = start.clone();
+            let [a, b, c, d, e, f, g, h] = &mut found[..] else { unreachable!("eight blocks") };
+            sequence.run(&mut [a, b, c, d, e, f, g, h], &mut Vec::new()).expect("blocks of the right length");
+            let found: Vec<u64> = found.concat().into_iter().map(comparable).collect();
+            assert!(found == expected, "{level:?}");
         }
     }
 }
@@ -327,16 +364,35 @@ fn refusals_say_what_is_wrong_and_what_the_rule_is() {
     let wide = Program::new(&graph, &moved).expect("each output has its own slot");
     assert_eq!(
         compile(&wide, Level::Avx512, 8),
-        "the machine code needs a stack frame of 320000 bytes; must be at most 262144\nhint: evaluate the program instead"
+        "the machine code needs a stack frame of 320000 bytes; must be at most 262144\nhint: interpret the program instead"
     );
 
     let (mut inputs, mut outputs) = (vec![1.5; 16], vec![f64::NAN; 31]);
-    let scratch = &mut Vec::new();
-    assert_eq!(text(program.evaluate(8, &mut [&mut inputs], scratch)), "called with 1 blocks; must be at least 2");
+    assert_eq!(text(program.evaluate(8, &mut [&mut inputs])), "called with 1 blocks; must be at least 2");
     assert_eq!(
-        text(program.evaluate(8, &mut [&mut inputs, &mut outputs], scratch)),
+        text(program.evaluate(8, &mut [&mut inputs, &mut outputs])),
         "block 1 holds 31 numbers; must hold at least 32"
     );
+    for level in [Level::best(), None] {
+        let routine = &Routine::all(vec![program.clone()], level, 8)[0];
+        let sequence = |places: &[Place]| Sequence::new(8, &[(routine, places)]);
+        let refused = |places: &[Place]| text(sequence(places).map(|_| ()));
+        let at = |block, first| Place { block, first };
+        assert_eq!(refused(&[at(0, 0)]), "called with 1 blocks; must be at least 2");
+        assert_eq!(refused(&[at(0, 0), at(8, 0)]), "the program uses 9 blocks; must be at most 8");
+        // Values 2 and 3 of the block, and 3 to 6.
+        assert_eq!(
+            refused(&[at(0, 2), at(0, 3)]),
+            "two blocks of the program overlap in block 0; each must have numbers of its own"
+        );
+        let mut short = vec![0.0; 47];
+        let [a, b, c, d, e, f, g]: [&mut [f64]; 7] = std::array::from_fn(|_| Default::default());
+        let sequence = sequence(&[at(0, 0), at(0, 2)]).expect("next to each other");
+        assert_eq!(
+            text(sequence.run(&mut [&mut short, a, b, c, d, e, f, g], &mut Vec::new())),
+            "block 0 holds 47 numbers; must hold at least 48"
+        );
+    }
     if let Some(level) = Level::best() {
         let kernel = Kernel::compile(&program, level, 8).expect("executable memory");
         assert_eq!(
@@ -346,11 +402,11 @@ fn refusals_say_what_is_wrong_and_what_the_rule_is() {
     }
     assert_eq!(
         NativeError::NotSupported { level: Level::Avx512 }.to_string(),
-        "machine code for AVX-512 cannot run on this processor\nhint: evaluate the program instead"
+        "machine code for AVX-512 cannot run on this processor\nhint: interpret the program instead"
     );
     let source = std::io::Error::other("not permitted");
     assert_eq!(
         NativeError::ExecutableMemoryRefused { bytes: 4096, source }.to_string(),
-        "the operating system refused 4096 bytes of executable memory: not permitted\nhint: evaluate the program instead"
+        "the operating system refused 4096 bytes of executable memory: not permitted\nhint: interpret the program instead"
     );
 }
