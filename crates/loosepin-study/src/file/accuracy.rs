@@ -9,7 +9,7 @@ use super::description::{Ask, Study};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::target::{AccuracyTarget, Budget};
-use super::words::{single_statistics, statistic_name};
+use super::words::{NUMBERS, statistic_name};
 use loosepin_text::diagnostics::{Code, Complaint, Place, Problem, Source, Span, nearest_name};
 use loosepin_text::document::{Entry, Table, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
@@ -125,10 +125,7 @@ impl Problem for AccuracyProblem {
             | Self::UnknownStatistic { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
             Self::UnknownOutput { asked, .. } if asked.is_empty() => Some("ask for it under [[ask]]".to_owned()),
             Self::UnknownOutput { asked, .. } => Some(format!("something is asked of {}", listed(asked, "and"))),
-            Self::UnknownStatistic { .. } => {
-                let names: Vec<String> = single_statistics().map(str::to_owned).collect();
-                Some(format!("there is {}", listed(&names, "and")))
-            }
+            Self::UnknownStatistic { .. } => Some(format!("there is {}", listed(&NUMBERS.map(str::to_owned), "and"))),
             Self::NotAsked { asked, .. } if asked.is_empty() => {
                 Some("add it to the statistics of an [[ask]]".to_owned())
             }
@@ -140,7 +137,7 @@ impl Problem for AccuracyProblem {
             }
             Self::MissingUnit { due, .. } => due.example().map(|example| format!("for example {example}")),
             Self::NothingAsked { .. } => {
-                Some("an accuracy is of a statistic of one number, such as a mean or a counted probability".to_owned())
+                Some("accuracies are of mean, standard_deviation, quantile and counted probabilities".to_owned())
             }
             Self::Twice { .. } => Some("leave one of them out".to_owned()),
             Self::NotPositive { .. } | Self::NotWhole { .. } => None,
@@ -290,9 +287,9 @@ impl Study {
 }
 
 fn asked_statistic(name: &str) -> Result<&'static str, AccuracyProblem> {
-    single_statistics().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
+    NUMBERS.into_iter().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
         name: name.to_owned(),
-        nearest: nearest_name(name, single_statistics()).map(str::to_owned),
+        nearest: nearest_name(name, NUMBERS).map(str::to_owned),
     })
 }
 
