@@ -8,36 +8,35 @@ use super::point::{POINT_LAWS, PointLaw};
 #[derive(Debug, Clone, Copy)]
 pub enum NormalDescription {
     /// K from the materials or given with its exponent, χ from the restitution.
-    Point(&'static dyn PointLaw),
+    Point(&'static PointLaw),
     /// K given, D given or from the restitution and the masses that meet.
-    Linear(&'static dyn LinearLaw),
+    Linear(&'static LinearLaw),
     /// From the materials, the radii and the length of the bearing; χ from the restitution by a point-contact law.
-    Line(&'static dyn LineLaw),
+    Line(&'static LineLaw),
 }
 
 impl NormalDescription {
     /// Every law: point contact, linear, line contact.
     pub fn all() -> impl Iterator<Item = Self> {
-        let points = POINT_LAWS.iter().map(|law| Self::Point(*law));
-        let linear = LINEAR_LAWS.iter().map(|law| Self::Linear(*law));
-        points.chain(linear).chain(LINE_LAWS.iter().map(|law| Self::Line(*law)))
+        let points = POINT_LAWS.iter().map(Self::Point);
+        points.chain(LINEAR_LAWS.iter().map(Self::Linear)).chain(LINE_LAWS.iter().map(Self::Line))
     }
 
     /// The name used in model files.
     pub fn name(&self) -> &'static str {
         match self {
-            Self::Point(law) => law.name(),
-            Self::Linear(law) => law.name(),
-            Self::Line(law) => law.name(),
+            Self::Point(law) => law.name,
+            Self::Linear(law) => law.name,
+            Self::Line(law) => law.name,
         }
     }
 
     /// Author, year and equation.
     pub fn source(&self) -> &'static str {
         match self {
-            Self::Point(law) => law.source(),
-            Self::Linear(law) => law.source(),
-            Self::Line(law) => law.source(),
+            Self::Point(law) => law.source,
+            Self::Linear(law) => law.source,
+            Self::Line(law) => law.source,
         }
     }
 }
@@ -54,7 +53,7 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), count);
-        assert!(LINE_LAWS.iter().all(|law| point_law(law.default_damping()).is_some()));
+        assert!(LINE_LAWS.iter().all(|law| point_law(law.default_damping).is_some()));
         assert!(NormalDescription::all().all(|law| law.source().contains(|c: char| c.is_ascii_digit() || c == ':')));
     }
 }

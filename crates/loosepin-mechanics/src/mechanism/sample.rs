@@ -100,11 +100,11 @@ impl<T: Real> Sample<T> {
                 }
                 let law = contact.law;
                 if let NormalDescription::Line(law) = law
-                    && let Some(fitted_m) = law.fitted_clearances_m()
+                    && let Some(fitted_m) = law.fitted_clearances_m
                     && clearance_m > 0.0
                     && !(fitted_m[0]..=fitted_m[1]).contains(&clearance_m)
                 {
-                    let (joint, law) = (joint.name.clone(), law.name());
+                    let (joint, law) = (joint.name.clone(), law.name);
                     return Err(SampleError::ClearanceOutsideFit { joint, law, clearance_m, fitted_m });
                 }
             }
@@ -262,10 +262,10 @@ fn normal(
 ) -> NormalLaw<f64> {
     let restitution = contact.restitution.map(|id| values[id]);
     let damping_factor =
-        contact.damping.zip(restitution).map_or(0.0, |(law, restitution)| law.damping_factor(restitution));
+        contact.damping.zip(restitution).map_or(0.0, |(law, restitution)| (law.damping_factor)(restitution));
     match (&contact.stiffness, contact.law) {
         (Stiffness::Linear { law, stiffness_n_m }, _) => {
-            let damping_ratio = restitution.and_then(|restitution| law.damping_ratio(restitution));
+            let damping_ratio = restitution.zip(law.damping_ratio).map(|(restitution, ratio)| ratio(restitution));
             NormalLaw::Linear(LinearContact {
                 stiffness_n_m: values[*stiffness_n_m],
                 damping_n_s_m: contact.damping_coefficient_n_s_m.map_or(0.0, |id| values[id]),
@@ -299,7 +299,7 @@ fn pin_contact(
     match (contact.law, clearance.bearing_length_m) {
         (NormalDescription::Line(law), Some(length)) => {
             let pair = LinePair { bearing_radius_m, clearance_m, length_m: values[length], compliances_1_pa };
-            law.contact(&pair, damping_factor)
+            (law.contact)(&pair, damping_factor)
         }
         _ => NormalLaw::Point(PointContact {
             stiffness_n_m_n: cylinder_stiffness_n_m1_5(compliances_1_pa, bearing_radius_m, clearance_m),
@@ -326,7 +326,7 @@ fn delivered(normal: &NormalLaw<f64>, contact: &Contact, values: &Values) -> Opt
         _ => contact
             .damping
             .zip(contact.restitution)
-            .map(|(law, restitution)| delivered_restitution(law.damping_factor(values[restitution]))),
+            .map(|(law, restitution)| delivered_restitution((law.damping_factor)(values[restitution]))),
     }
 }
 

@@ -101,7 +101,7 @@ impl Model {
         let damping = match law {
             NormalDescription::Point(law) => Some(law),
             NormalDescription::Linear(_) => None,
-            NormalDescription::Line(law) => given.line_damping.or_else(|| point_law(law.default_damping())),
+            NormalDescription::Line(law) => given.line_damping.or_else(|| point_law(law.default_damping)),
         };
         let mut model = self.clone();
         let changed = &mut model.contacts[contact.0];

@@ -253,9 +253,9 @@ pub struct Contact {
     pub law: NormalDescription,
     /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
     /// linear law.
-    pub damping: Option<&'static dyn PointLaw>,
+    pub damping: Option<&'static PointLaw>,
     /// The law named for the energy loss of a line-contact law, whichever law the contact has; none where none is named.
-    pub line_damping: Option<&'static dyn PointLaw>,
+    pub line_damping: Option<&'static PointLaw>,
     /// Nominal coefficient of restitution c_e in (0, 1]; none where the damping coefficient is given.
     pub restitution: Option<QuantityId>,
     /// Where the stiffness comes from.
@@ -303,7 +303,7 @@ pub enum Stiffness {
     /// K of a linear law as given.
     Linear {
         /// The law, which tells where the damping comes from.
-        law: &'static dyn LinearLaw,
+        law: &'static LinearLaw,
         /// K, N/m, > 0.
         stiffness_n_m: QuantityId,
     },

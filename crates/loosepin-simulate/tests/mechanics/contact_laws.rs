@@ -139,7 +139,7 @@ fn identity_laws_that_promise_a_restitution_deliver_it_in_a_mechanism() {
     let linear = "law = \"exact-linear-restitution\"\nrestitution = 0.83\nstiffness = \"3e9 N/m\"";
     let steel =
         "restitution = 0.83\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\ndamping = \"exact-restitution\"";
-    let mut laws: Vec<String> = LINE_LAWS.iter().map(|law| format!("law = \"{}\"\n{steel}", law.name())).collect();
+    let mut laws: Vec<String> = LINE_LAWS.iter().map(|law| format!("law = \"{}\"\n{steel}", law.name)).collect();
     laws.push(linear.to_owned());
     let text = case_text("slider_crank_5000").replace("5000 rpm", "200 rpm");
     let (before, rest) = text.split_once("[contact.steel_pin]").expect("there is a contact");

@@ -56,7 +56,7 @@ fn lists() -> [(String, &'static str); 6] {
             "must be {a statistic}",
         ),
         (list(NormalDescription::all().map(|law| law.name()).collect()), "must be {a normal force law}"),
-        (list(POINT_LAWS.iter().map(|law| law.name()).collect()), "must be {a point-contact law}"),
+        (list(POINT_LAWS.iter().map(|law| law.name).collect()), "must be {a point-contact law}"),
         (list(FRICTION_LAWS.iter().map(|law| law.name).collect()), "must be {a friction law}"),
     ]
 }

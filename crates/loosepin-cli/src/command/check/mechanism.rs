@@ -158,7 +158,7 @@ fn contact_lines(
     let mut lines = Vec::new();
     let mut law = format!("contact '{}': {}", contact.name, contact.law.name());
     if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
-        law.push_str(&format!(", energy loss of {}", damping.name()));
+        law.push_str(&format!(", energy loss of {}", damping.name));
     }
     match (contact.restitution, contact.damping_coefficient_n_s_m) {
         (Some(restitution), _) => {

@@ -2,43 +2,34 @@
 
 use super::law::LineLaw;
 use super::liu::liu_stiffness_n_m;
-use super::pair::LinePair;
 use crate::contact::normal::{BaiZhaoContact, NormalLaw};
 
 /// Bai and Zhao's hybrid law 2013: F = K_n δ, K_n = (π E* L/8) √(2δ(3c + 2δ)²/(c + δ)³), for every δ; energy loss by Zhiying and
 /// Qishao where the model file names no other.
 ///
 /// K_n is the slope dF/dδ of Liu's law, so that F is δ times it.
-#[derive(Debug)]
-pub struct BaiZhao;
-
-impl LineLaw for BaiZhao {
-    fn name(&self) -> &'static str {
-        "bai-zhao"
-    }
-    fn source(&self) -> &'static str {
-        "Bai and Zhao 2013: F = K_n δ, K_n = (π E* L/8) √(2δ(3c + 2δ)²/(c + δ)³), E* = 1/(π h)"
-    }
-    fn default_damping(&self) -> &'static str {
-        "zhiying-qishao"
-    }
-    fn contact(&self, pair: &LinePair, damping_factor: f64) -> NormalLaw<f64> {
+pub(super) const BAI_ZHAO: LineLaw = LineLaw {
+    name: "bai-zhao",
+    source: "Bai and Zhao 2013: F = K_n δ, K_n = (π E* L/8) √(2δ(3c + 2δ)²/(c + δ)³), E* = 1/(π h)",
+    default_damping: "zhiying-qishao",
+    fitted_clearances_m: None,
+    contact: |pair, damping_factor| {
         NormalLaw::BaiZhao(BaiZhaoContact {
             stiffness_n_m: liu_stiffness_n_m(pair),
             clearance_m: pair.clearance_m,
             damping_factor,
         })
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {
-    use super::BaiZhao;
+    use super::BAI_ZHAO;
     use crate::contact::line::static_table::{assert_static_forces, bisected};
 
     #[test]
     fn analytic_static_forces() {
-        assert_static_forces(&BaiZhao, [0.1692, 5.2722, 55.403], |pair, force_n| {
+        assert_static_forces(&BAI_ZHAO, [0.1692, 5.2722, 55.403], |pair, force_n| {
             bisected(force_n, 1.0, |depth_m| {
                 let c = pair.clearance_m;
                 let square = 2.0 * depth_m * (3.0 * c + 2.0 * depth_m).powi(2) / (c + depth_m).powi(3);

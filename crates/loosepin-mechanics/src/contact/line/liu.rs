@@ -5,24 +5,19 @@ use super::pair::LinePair;
 use crate::contact::normal::{LiuContact, NormalLaw};
 
 /// Liu, Zhang, Yang and co-workers 2006: F = ½ π E* L δ √(δ/(2(c + δ))), for every δ.
-#[derive(Debug)]
-pub struct Liu;
-
-impl LineLaw for Liu {
-    fn name(&self) -> &'static str {
-        "liu"
-    }
-    fn source(&self) -> &'static str {
-        "Liu, Zhang and Yang 2006: F = ½ π E* L δ √(δ/(2(c + δ))), E* = 1/(π h)"
-    }
-    fn contact(&self, pair: &LinePair, damping_factor: f64) -> NormalLaw<f64> {
+pub(super) const LIU: LineLaw = LineLaw {
+    name: "liu",
+    source: "Liu, Zhang and Yang 2006: F = ½ π E* L δ √(δ/(2(c + δ))), E* = 1/(π h)",
+    default_damping: "lankarani-nikravesh",
+    fitted_clearances_m: None,
+    contact: |pair, damping_factor| {
         NormalLaw::Liu(LiuContact {
             stiffness_n_m: liu_stiffness_n_m(pair),
             clearance_m: pair.clearance_m,
             damping_factor,
         })
-    }
-}
+    },
+};
 
 /// K = π E* L/(2√2), N/m, of F = K δ √(δ/(c + δ)).
 pub(super) fn liu_stiffness_n_m(pair: &LinePair) -> f64 {
@@ -31,12 +26,12 @@ pub(super) fn liu_stiffness_n_m(pair: &LinePair) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::Liu;
+    use super::LIU;
     use crate::contact::line::static_table::{assert_static_forces, bisected};
 
     #[test]
     fn analytic_static_forces() {
-        assert_static_forces(&Liu, [0.1129, 3.5379, 38.090], |pair, force_n| {
+        assert_static_forces(&LIU, [0.1129, 3.5379, 38.090], |pair, force_n| {
             // The law gives F(δ); its inverse by bisection.
             bisected(force_n, 1.0, |depth_m| {
                 let root = (depth_m / (2.0 * (pair.clearance_m + depth_m))).sqrt();

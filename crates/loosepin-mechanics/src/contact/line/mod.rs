@@ -17,12 +17,12 @@ pub use law::LineLaw;
 pub use pair::LinePair;
 
 /// Every line-contact law: the logarithmic ones, then those that hold for every penetration.
-pub static LINE_LAWS: &[&dyn LineLaw] = &[
-    &johnson::Johnson,
-    &esdu::Esdu78035,
-    &dubowsky_freudenstein::DubowskyFreudenstein,
-    &radzimovsky::Radzimovsky,
-    &liu::Liu,
-    &bai_zhao::BaiZhao,
-    &pereira::Pereira,
+pub static LINE_LAWS: &[LineLaw] = &[
+    johnson::JOHNSON,
+    esdu::ESDU_78035,
+    dubowsky_freudenstein::DUBOWSKY_FREUDENSTEIN,
+    radzimovsky::RADZIMOVSKY,
+    liu::LIU,
+    bai_zhao::BAI_ZHAO,
+    pereira::PEREIRA,
 ];

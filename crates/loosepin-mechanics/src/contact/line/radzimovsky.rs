@@ -2,8 +2,6 @@
 
 use super::law::LineLaw;
 use super::logarithmic::logarithmic_law;
-use super::pair::LinePair;
-use crate::contact::normal::NormalLaw;
 
 /// Coefficient of the half width b of the contact, for radii: 4/√π, rounded as printed.
 const WIDTH: f64 = 2.2568;
@@ -13,33 +11,28 @@ const WIDTH: f64 = 2.2568;
 ///
 /// Printed with diameters too, where the coefficient of b is 1.60. Since b² is proportional to f, this is a law like
 /// Johnson's.
-#[derive(Debug)]
-pub struct Radzimovsky;
-
-impl LineLaw for Radzimovsky {
-    fn name(&self) -> &'static str {
-        "radzimovsky"
-    }
-    fn source(&self) -> &'static str {
-        "Radzimovsky 1953: δ = f h (2/3 + ln(4R_i/b) + ln(4R_j/b)), f = F/L, b = 2.2568 √(f R*/E*), R* = R_i R_j/c, with \
-         radii and h with 1/π; inverted up to δ = 0.72 c"
-    }
-    fn contact(&self, pair: &LinePair, damping_factor: f64) -> NormalLaw<f64> {
+pub(super) const RADZIMOVSKY: LineLaw = LineLaw {
+    name: "radzimovsky",
+    source: "Radzimovsky 1953: δ = f h (2/3 + ln(4R_i/b) + ln(4R_j/b)), f = F/L, b = 2.2568 √(f R*/E*), R* = R_i R_j/c, with \
+        radii and h with 1/π; inverted up to δ = 0.72 c",
+    default_damping: "lankarani-nikravesh",
+    fitted_clearances_m: None,
+    contact: |pair, damping_factor| {
         // 16 R_i R_j/b² = 16 c E*/(2.2568² f) = 16 c/(2.2568² π s)
         let width = WIDTH * WIDTH * std::f64::consts::PI;
         let scale_m = 16.0 * pair.clearance_m * libm::exp(2.0 / 3.0) / width;
         logarithmic_law(pair, scale_m, damping_factor)
-    }
-}
+    },
+};
 
 #[cfg(test)]
 mod tests {
-    use super::Radzimovsky;
+    use super::RADZIMOVSKY;
     use crate::contact::line::static_table::assert_static_forces;
 
     #[test]
     fn analytic_static_forces() {
-        assert_static_forces(&Radzimovsky, [0.7863, 11.094, 80.013], |pair, force_n| {
+        assert_static_forces(&RADZIMOVSKY, [0.7863, 11.094, 80.013], |pair, force_n| {
             let per_length_n_m = force_n / pair.length_m;
             let [r_i, r_j] = [pair.bearing_radius_m, pair.journal_radius_m()];
             let curvature_m = r_i * r_j / pair.clearance_m;

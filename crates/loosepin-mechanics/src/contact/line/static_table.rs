@@ -44,7 +44,7 @@ pub(in crate::contact) fn bisected(value: f64, high: f64, f: impl Fn(f64) -> f64
 /// Asserts the force of `law` in kN at δ = 1, 10 and 50 µm for the steel pair, and for the other pairs that `penetration_m`, the
 /// law as printed in its paper as a function δ of F, gives back the δ that the force was asked at.
 pub(super) fn assert_static_forces(
-    law: &dyn LineLaw,
+    law: &LineLaw,
     expected_kn: [f64; 3],
     penetration_m: impl Fn(&LinePair, f64) -> f64,
 ) {
@@ -52,20 +52,20 @@ pub(super) fn assert_static_forces(
     const TABLE_DIGIT: f64 = 6e-5;
     /// Round-off of both directions: forwards δ(F) loses digits in its logarithms where F is small.
     const ROUND_OFF: f64 = 2e-14;
-    let contact = law.contact(&steel_pair(), 0.3);
+    let contact = (law.contact)(&steel_pair(), 0.3);
     for (depth_m, expected_kn) in [1e-6, 10e-6, 50e-6].into_iter().zip(expected_kn) {
         let force_kn = elastic_n(&contact, depth_m) / 1e3;
         let off = (force_kn / expected_kn - 1.0).abs();
         // The first column is printed with four digits.
-        assert!(off < TABLE_DIGIT * if depth_m < 2e-6 { 10.0 } else { 1.0 }, "{}: {force_kn} kN", law.name());
+        assert!(off < TABLE_DIGIT * if depth_m < 2e-6 { 10.0 } else { 1.0 }, "{}: {force_kn} kN", law.name);
     }
     for pair in other_pairs() {
-        let contact = law.contact(&pair, 0.3);
+        let contact = (law.contact)(&pair, 0.3);
         let limit_m = contact.limit_m().unwrap_or(pair.bearing_radius_m);
         let mut depth_m = 1e-12;
         while depth_m < 0.9999 * limit_m {
             let back_m = penetration_m(&pair, elastic_n(&contact, depth_m));
-            assert!((back_m / depth_m - 1.0).abs() < ROUND_OFF, "{}: {depth_m} {back_m}", law.name());
+            assert!((back_m / depth_m - 1.0).abs() < ROUND_OFF, "{}: {depth_m} {back_m}", law.name);
             depth_m *= 1.7;
         }
     }
@@ -86,16 +86,16 @@ fn identity_forces_of_line_laws_grow_from_zero_and_are_finite_beyond_their_limit
     let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.0, effective_mass_kg: 0.3 };
     for law in LINE_LAWS {
         for pair in other_pairs() {
-            let contact = law.contact(&pair, 0.3);
+            let contact = (law.contact)(&pair, 0.3);
             for depth_m in [-1e-3, -1e-9, -0.0, 0.0] {
                 let force = contact.force(depth_m, 0.7, &state);
-                assert_eq!((force.total_n, force.elastic_n), (0.0, 0.0), "{} at {depth_m} m", law.name());
-                assert_eq!(contact.stored_energy_j(depth_m), 0.0, "{}", law.name());
+                assert_eq!((force.total_n, force.elastic_n), (0.0, 0.0), "{} at {depth_m} m", law.name);
+                assert_eq!(contact.stored_energy_j(depth_m), 0.0, "{}", law.name);
             }
             let (mut depth_m, mut before_n) = (1e-15, 0.0);
             while depth_m < 10.0 * pair.bearing_radius_m {
                 let force = contact.force(depth_m, 0.7, &state);
-                assert!(force.elastic_n > before_n && force.total_n.is_finite(), "{} at {depth_m} m", law.name());
+                assert!(force.elastic_n > before_n && force.total_n.is_finite(), "{} at {depth_m} m", law.name);
                 // One rounding each.
                 assert!((force.total_n / (force.elastic_n * (1.0 + 0.3 * 0.7 * 2.0)) - 1.0).abs() < 1e-15);
                 assert!(contact.largest_force_n(depth_m, 0.7, &state) >= force.total_n * (1.0 - 1e-15));
@@ -110,7 +110,7 @@ fn identity_forces_of_line_laws_grow_from_zero_and_are_finite_beyond_their_limit
 fn identity_the_elastic_force_of_line_laws_is_the_slope_of_the_stored_energy() {
     for law in LINE_LAWS {
         for pair in other_pairs() {
-            let contact = law.contact(&pair, 0.3);
+            let contact = (law.contact)(&pair, 0.3);
             let limit_m = contact.limit_m().unwrap_or(pair.bearing_radius_m);
             for share in [1e-5, 1e-3, 0.02, 0.2, 0.5, 0.9] {
                 let depth_m = share * limit_m;
@@ -123,7 +123,7 @@ fn identity_the_elastic_force_of_line_laws_is_the_slope_of_the_stored_energy() {
                 let slope_n = (4.0 * fine_n - coarse_n) / 3.0;
                 let force_n = elastic_n(&contact, depth_m);
                 // The error of the differences grows where the slope of a logarithmic law grows, at its limit.
-                assert!((slope_n / force_n - 1.0).abs() < 1e-9, "{} at {depth_m} m: {slope_n} {force_n}", law.name());
+                assert!((slope_n / force_n - 1.0).abs() < 1e-9, "{} at {depth_m} m: {slope_n} {force_n}", law.name);
             }
         }
     }
@@ -133,10 +133,10 @@ fn identity_the_elastic_force_of_line_laws_is_the_slope_of_the_stored_energy() {
 fn identity_force_at_a_root_is_the_force() {
     let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.0, effective_mass_kg: 0.3 };
     for law in LINE_LAWS {
-        let contact = law.contact(&steel_pair(), 0.3);
+        let contact = (law.contact)(&steel_pair(), 0.3);
         let (force, at_root) =
             (contact.force(4e-6, -0.1, &state).total_n, contact.force_at_root(2e-3, -0.1, &state).total_n);
         // Two or three roundings.
-        assert!((force / at_root - 1.0).abs() < 1e-15, "{}: {force} {at_root}", law.name());
+        assert!((force / at_root - 1.0).abs() < 1e-15, "{}: {force} {at_root}", law.name);
     }
 }

@@ -3,20 +3,11 @@
 use super::law::LinearLaw;
 
 /// Kelvin and Voigt's model: K and D given. What restitution it delivers depends on the masses that meet.
-#[derive(Debug)]
-pub struct KelvinVoigt;
-
-impl LinearLaw for KelvinVoigt {
-    fn name(&self) -> &'static str {
-        "kelvin-voigt"
-    }
-    fn source(&self) -> &'static str {
-        "Kelvin and Voigt: F = K δ + D δ̇ with K and D given, cut at zero"
-    }
-    fn damping_ratio(&self, _restitution: f64) -> Option<f64> {
-        None
-    }
-}
+pub(super) const KELVIN_VOIGT: LinearLaw = LinearLaw {
+    name: "kelvin-voigt",
+    source: "Kelvin and Voigt: F = K δ + D δ̇ with K and D given, cut at zero",
+    damping_ratio: None,
+};
 
 #[cfg(test)]
 mod tests {
@@ -24,6 +15,6 @@ mod tests {
 
     #[test]
     fn analytic_damping_is_given() {
-        assert!(KelvinVoigt.has_given_damping());
+        assert!(KELVIN_VOIGT.has_given_damping());
     }
 }

@@ -10,5 +10,5 @@ mod law;
 pub use law::LinearLaw;
 
 /// Every linear law.
-pub static LINEAR_LAWS: &[&dyn LinearLaw] =
-    &[&kelvin_voigt::KelvinVoigt, &anagnostopoulos::Anagnostopoulos, &exact_linear_restitution::ExactLinearRestitution];
+pub static LINEAR_LAWS: &[LinearLaw] =
+    &[kelvin_voigt::KELVIN_VOIGT, anagnostopoulos::ANAGNOSTOPOULOS, exact_linear_restitution::EXACT_LINEAR_RESTITUTION];

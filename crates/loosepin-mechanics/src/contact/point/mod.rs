@@ -19,21 +19,21 @@ mod zhiying_qishao;
 pub use law::PointLaw;
 
 /// Every point-contact law, by year; the exact one last.
-pub static POINT_LAWS: &[&dyn PointLaw] = &[
-    &hertz::Hertz,
-    &hunt_crossley::HuntCrossley,
-    &herbert_mcwhannell::HerbertMcWhannell,
-    &lee_wang::LeeWang,
-    &lankarani_nikravesh::LankaraniNikravesh,
-    &gonthier::Gonthier,
-    &zhiying_qishao::ZhiyingQishao,
-    &flores::Flores,
-    &hu_guo::HuGuo,
-    &carvalho_martins::CarvalhoMartins,
-    &exact_restitution::ExactRestitution,
+pub static POINT_LAWS: &[PointLaw] = &[
+    hertz::HERTZ,
+    hunt_crossley::HUNT_CROSSLEY,
+    herbert_mcwhannell::HERBERT_MCWHANNELL,
+    lee_wang::LEE_WANG,
+    lankarani_nikravesh::LANKARANI_NIKRAVESH,
+    gonthier::GONTHIER,
+    zhiying_qishao::ZHIYING_QISHAO,
+    flores::FLORES,
+    hu_guo::HU_GUO,
+    carvalho_martins::CARVALHO_MARTINS,
+    exact_restitution::EXACT_RESTITUTION,
 ];
 
 /// The law called `name` in model files.
-pub fn point_law(name: &str) -> Option<&'static dyn PointLaw> {
-    POINT_LAWS.iter().copied().find(|law| law.name() == name)
+pub fn point_law(name: &str) -> Option<&'static PointLaw> {
+    POINT_LAWS.iter().find(|law| law.name == name)
 }

@@ -44,7 +44,7 @@ fn law_names() -> Vec<&'static str> {
 }
 
 fn damping_names() -> Vec<&'static str> {
-    POINT_LAWS.iter().map(|law| law.name()).collect()
+    POINT_LAWS.iter().map(|law| law.name).collect()
 }
 
 fn friction_law_names() -> Vec<&'static str> {

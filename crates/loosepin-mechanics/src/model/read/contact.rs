@@ -90,17 +90,17 @@ impl ModelReader {
     }
 
     /// The law whose χ is the energy loss; the outer option is absent after a complaint.
-    fn damping(&mut self, table: &Table<'_>, law: Option<NormalDescription>) -> Option<Option<&'static dyn PointLaw>> {
+    fn damping(&mut self, table: &Table<'_>, law: Option<NormalDescription>) -> Option<Option<&'static PointLaw>> {
         match law? {
             NormalDescription::Point(law) => Some(Some(law)),
             NormalDescription::Linear(_) => Some(None),
             NormalDescription::Line(law) => match table.get("damping") {
                 Some(entry) => {
-                    let choices: Vec<(&'static str, &'static dyn PointLaw)> =
-                        POINT_LAWS.iter().map(|law| (law.name(), *law)).collect();
+                    let choices: Vec<(&'static str, &'static PointLaw)> =
+                        POINT_LAWS.iter().map(|law| (law.name, law)).collect();
                     self.reader.choice(&entry, &choices).map(Some)
                 }
-                None => Some(point_law(law.default_damping())),
+                None => Some(point_law(law.default_damping)),
             },
         }
     }
@@ -126,7 +126,7 @@ impl ModelReader {
     }
 
     /// K of a linear law.
-    fn linear_stiffness(&mut self, table: &Table<'_>, law: &'static dyn LinearLaw) -> Option<Stiffness> {
+    fn linear_stiffness(&mut self, table: &Table<'_>, law: &'static LinearLaw) -> Option<Stiffness> {
         self.reader.demand(table, "stiffness").then_some(())?;
         let stiffness_n_m =
             self.quantity_of(&table.get("stiffness")?, Dimension::contact_stiffness(1.0), Rule::Positive)?;

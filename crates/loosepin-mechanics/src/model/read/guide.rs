@@ -101,7 +101,7 @@ impl ModelReader {
         let is_literal =
             contact.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal);
         let what = match contact.law {
-            NormalDescription::Line(law) => Some(format!("the line-contact law '{}'", law.name())),
+            NormalDescription::Line(law) => Some(format!("the line-contact law '{}'", law.name)),
             _ if contact.film.is_some() => Some("a film of oil".to_owned()),
             _ => is_literal.then(|| "the literal reading of the sliding velocity".to_owned()),
         };
