@@ -4,7 +4,7 @@
 use crate::batch::Case;
 use loosepin::contact::PlayState;
 use loosepin::dynamics::{ContactUnknowns, DepthRoot, Dynamics};
-use loosepin::math::{Real, Vec2};
+use loosepin::math::{Numbers, Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
 use loosepin::native::{Program, Slot};
 use loosepin::simulate::{Arms, Block, LaneLayout, PassPrograms, Settings};

@@ -28,11 +28,6 @@ impl<T: Real> Vec2<T> {
     pub fn from_f64(vector: Vec2<f64>) -> Self {
         Self { x: T::from_f64(vector.x), y: T::from_f64(vector.y) }
     }
-    /// Shows both components.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.x);
-        visit(&mut self.y);
-    }
     /// Scalar product.
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {

@@ -1,6 +1,6 @@
 //! Outputs as columns of numbers, read off the state of a mechanism.
 
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Numbers, Real, Vec2};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Twist, acceleration_at};
 use loosepin_mechanics::model::{Axis, BodyId, Component, JointId, Model, OutputKind, PointId};

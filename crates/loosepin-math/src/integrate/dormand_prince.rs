@@ -25,7 +25,6 @@ pub static DORMAND_PRINCE_5: Tableau = Tableau {
         (5, 22.0 / 525.0),
         (6, -1.0 / 40.0),
     ]),
-    dense_nodes: &[],
     dense_stages: &[],
     dense: &[&[
         (0, -12715105075.0 / 11282082432.0),

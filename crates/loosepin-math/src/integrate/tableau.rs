@@ -33,9 +33,7 @@ pub struct Tableau {
     pub weights: Row,
     /// The error estimate.
     pub error: ErrorEstimate,
-    /// c of the further stages that only dense output needs; numbered after the derivative at the end.
-    pub dense_nodes: &'static [f64],
-    /// a of those stages.
+    /// a of the further stages that only dense output needs; numbered after the derivative at the end.
     pub dense_stages: &'static [Row],
     /// Rows of the dense output beyond those from both values and both derivatives.
     pub dense: &'static [Row],

@@ -41,7 +41,6 @@ pub static TSITOURAS_5: Tableau = Tableau {
         (5, 0.45808210592918697),
         (6, -1.0 / 66.0),
     ]),
-    dense_nodes: &[],
     dense_stages: &[],
     dense: &[&[
         (0, -1.0530884977290216),

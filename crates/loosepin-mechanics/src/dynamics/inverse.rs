@@ -2,7 +2,7 @@
 
 use crate::mechanism::{Geometry, Kinematics, KnownChain, Sample, TimeDual, acceleration_at, moved, turned_by};
 use crate::model::Model;
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Numbers, Real, Vec2};
 
 /// The open chain that the controllers know, with room for an evaluation.
 #[derive(Debug, Clone)]

@@ -1,7 +1,7 @@
 //! The profile of a cam: a periodic cubic spline.
 
 use super::pieces::Pieces;
-use loosepin_math::{Real, cubic_piece, periodic_spline};
+use loosepin_math::{Real, cubic_piece, numbers, periodic_spline};
 
 /// The coordinate of a follower over that of its cam: a spline through points, repeated for ever, each time from where the last one
 /// ended. Its second derivative does not jump.
@@ -17,6 +17,8 @@ pub struct CamProfile<T> {
     pieces: Pieces<T, 5>,
 }
 
+numbers!(struct CamProfile { start, period, rise, pieces });
+
 impl<T: Real> CamProfile<T> {
     /// Through `points`, at least three, with increasing arguments.
     pub fn new(points: &[[T; 2]]) -> Self {
@@ -31,23 +33,6 @@ impl<T: Real> CamProfile<T> {
             rise: points[last][1] - points[0][1],
             pieces: Pieces::new(points[1..last].iter().map(|point| point[0]).collect(), (0..last).map(piece).collect()),
         }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &CamProfile<f64>) -> Self {
-        let number = T::from_f64;
-        Self {
-            start: number(from.start),
-            period: number(from.period),
-            rise: number(from.rise),
-            pieces: Pieces::broadcast(&from.pieces),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        [&mut self.start, &mut self.period, &mut self.rise].into_iter().for_each(&mut *visit);
-        self.pieces.visit(visit);
     }
 
     /// Value and first two derivatives at `coordinate`.
@@ -75,7 +60,7 @@ impl CamProfile<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use loosepin_math::Dual;
+    use loosepin_math::{Dual, Numbers};
 
     const POINTS: [[f64; 2]; 5] = [[0.3, 1.1], [1.5, 1.7], [2.9, 0.4], [4.9, 0.6], [6.3, 2.9]];
 

@@ -1,7 +1,7 @@
 //! Where the two bodies of a joint with play may touch.
 
 use crate::model::{JointId, JointKind, Model};
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Vec2, numbers};
 
 /// A place where the two bodies of a joint with play may touch: a contact, with a state, forces and events of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +26,8 @@ pub enum PlayShape<T> {
     Slot(SlotShape<T>),
 }
 
+numbers!(enum PlayShape { Pin { bearing_radius_m }, Slider(block), Slot(slot) });
+
 /// A straight slot with round ends.
 #[derive(Debug, Clone, Copy)]
 pub struct SlotShape<T> {
@@ -39,25 +41,7 @@ pub struct SlotShape<T> {
     pub end_stiffening: T,
 }
 
-impl<T: Real> SlotShape<T> {
-    /// Shows all numbers.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.half_length_m);
-        visit(&mut self.end_radius_m);
-        self.line.visit(visit);
-        visit(&mut self.end_stiffening);
-    }
-
-    /// The numbers of `slot` as constants of `T`.
-    pub fn broadcast(slot: &SlotShape<f64>) -> Self {
-        Self {
-            half_length_m: T::from_f64(slot.half_length_m),
-            end_radius_m: T::from_f64(slot.end_radius_m),
-            line: Vec2::from_f64(slot.line),
-            end_stiffening: T::from_f64(slot.end_stiffening),
-        }
-    }
-}
+numbers!(struct SlotShape { half_length_m, end_radius_m, line, end_stiffening });
 
 /// A block between the two faces of a guide.
 #[derive(Debug, Clone, Copy)]
@@ -74,27 +58,7 @@ pub struct SliderBlock<T> {
     pub ends_m: Option<[T; 2]>,
 }
 
-impl<T: Real> SliderBlock<T> {
-    /// Shows all numbers.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.half_length_m);
-        visit(&mut self.half_height_m);
-        self.line.visit(visit);
-        self.axis.visit(visit);
-        self.ends_m.iter_mut().flatten().for_each(visit);
-    }
-
-    /// The numbers of `block` as constants of `T`.
-    pub fn broadcast(block: &SliderBlock<f64>) -> Self {
-        Self {
-            half_length_m: T::from_f64(block.half_length_m),
-            half_height_m: T::from_f64(block.half_height_m),
-            line: Vec2::from_f64(block.line),
-            axis: Vec2::from_f64(block.axis),
-            ends_m: block.ends_m.map(|ends_m| ends_m.map(T::from_f64)),
-        }
-    }
-}
+numbers!(struct SliderBlock { half_length_m, half_height_m, line, axis, ends_m });
 
 /// Names of the places of a slider: where along the guide's direction, at which face.
 const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower front"];

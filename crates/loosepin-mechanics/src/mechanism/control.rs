@@ -6,7 +6,7 @@ use super::joint_geometry::JointGeometry;
 use super::load::CourseNumbers;
 use super::tree::Tree;
 use crate::model::{Control, FeedForward, JointId, Model, QuantityId, Values};
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// Numbers of a control.
 #[derive(Debug, Clone)]
@@ -27,6 +27,10 @@ pub struct ControlGeometry<T> {
     pub measured: JointGeometry<T>,
 }
 
+numbers!(struct ControlGeometry {
+    proportional, integral, derivative, limit, feed_forward, actuated, measured
+});
+
 impl<T: Real> ControlGeometry<T> {
     /// Lays out `values` for a control of `model`.
     pub fn new(model: &Model, control: &Control, values: &Values) -> Self {
@@ -43,31 +47,6 @@ impl<T: Real> ControlGeometry<T> {
             actuated: JointGeometry::new(model, control.joint, &number),
             measured: JointGeometry::new(model, control.measured, &number),
         }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &ControlGeometry<f64>) -> Self {
-        let number = T::from_f64;
-        Self {
-            proportional: number(from.proportional),
-            integral: from.integral.map(number),
-            derivative: from.derivative.map(number),
-            limit: from.limit.map(number),
-            feed_forward: from.feed_forward.as_ref().map(CourseNumbers::broadcast),
-            actuated: JointGeometry::broadcast(&from.actuated),
-            measured: JointGeometry::broadcast(&from.measured),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.proportional);
-        [&mut self.integral, &mut self.derivative, &mut self.limit].into_iter().flatten().for_each(&mut *visit);
-        if let Some(course) = &mut self.feed_forward {
-            course.visit(visit);
-        }
-        self.actuated.visit(visit);
-        self.measured.visit(visit);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::cam::CamProfile;
 use super::joint_geometry::JointGeometry;
 use crate::model::{Coupling, CouplingLaw, Model, QuantityId, Ratio};
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// Numbers of a coupling.
 #[derive(Debug, Clone)]
@@ -13,6 +13,8 @@ pub struct CouplingGeometry<T> {
     /// Numbers of f.
     pub law: CouplingNumbers<T>,
 }
+
+numbers!(struct CouplingGeometry { joints, law });
 
 /// Numbers of the coordinate of the second joint over that of the first.
 #[derive(Debug, Clone)]
@@ -27,6 +29,8 @@ pub enum CouplingNumbers<T> {
     /// The profile of a cam.
     Cam(CamProfile<T>),
 }
+
+numbers!(enum CouplingNumbers { Ratio { ratio, offset }, Cam(profile) });
 
 impl<T: Real> CouplingNumbers<T> {
     fn new(law: &CouplingLaw, number: &dyn Fn(QuantityId) -> T) -> Self {
@@ -46,22 +50,6 @@ impl<T: Real> CouplingNumbers<T> {
             Ratio::Rack { radius_m, is_reversed } => signed(number(radius_m), is_reversed),
         };
         Self::Ratio { ratio, offset: number(*offset) }
-    }
-
-    fn broadcast(from: &CouplingNumbers<f64>) -> Self {
-        match from {
-            CouplingNumbers::Ratio { ratio, offset } => {
-                Self::Ratio { ratio: T::from_f64(*ratio), offset: T::from_f64(*offset) }
-            }
-            CouplingNumbers::Cam(profile) => Self::Cam(CamProfile::broadcast(profile)),
-        }
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        match self {
-            Self::Ratio { ratio, offset } => [ratio, offset].into_iter().for_each(visit),
-            Self::Cam(profile) => profile.visit(visit),
-        }
     }
 
     /// f, f' and f'' at `coordinate`.
@@ -95,19 +83,5 @@ impl<T: Real> CouplingGeometry<T> {
             joints: [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, number)),
             law: CouplingNumbers::new(&coupling.law, number),
         }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &CouplingGeometry<f64>) -> Self {
-        Self {
-            joints: [0, 1].map(|side| JointGeometry::broadcast(&from.joints[side])),
-            law: CouplingNumbers::broadcast(&from.law),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.joints.iter_mut().for_each(|joint| joint.visit(visit));
-        self.law.visit(visit);
     }
 }

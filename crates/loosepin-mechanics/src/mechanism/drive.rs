@@ -2,7 +2,7 @@
 
 use super::table::{AtTime, TableMotion, TablePiece};
 use crate::model::{DriveId, DriveLaw, Model, QuantityId, Values};
-use loosepin_math::{Dual, Real};
+use loosepin_math::{Dual, Real, numbers};
 use std::sync::Arc;
 
 /// Second-order dual number over time: value, rate and acceleration at once.
@@ -50,6 +50,14 @@ pub enum DriveMotion<T> {
     /// The parameters of its function.
     Function(Vec<T>),
 }
+
+numbers!(enum DriveMotion {
+    Constant { start, speed },
+    Polynomial { origin_s, coefficients },
+    Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad },
+    Cycloidal { from, rise, duration_s, dwell_s },
+    Function(parameters),
+});
 
 impl<T: Real> DriveMotion<T> {
     /// The motion by `law` with the numbers that `number` gives; a table is in the piece that holds `time_s`.
@@ -131,48 +139,6 @@ impl<T: Real> DriveMotion<T> {
             }
         }
     }
-
-    /// The numbers of `from` as constants of `T`.
-    fn broadcast(from: &DriveMotion<f64>) -> Self {
-        let number = T::from_f64;
-        let list = |numbers: &[f64]| numbers.iter().copied().map(number).collect();
-        match from {
-            DriveMotion::Constant { start, speed } => Self::Constant { start: number(*start), speed: number(*speed) },
-            DriveMotion::Polynomial { origin_s, coefficients } => {
-                Self::Polynomial { origin_s: number(*origin_s), coefficients: list(coefficients) }
-            }
-            DriveMotion::Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad } => Self::Harmonic {
-                mean: number(*mean),
-                amplitude: number(*amplitude),
-                angular_frequency_rad_s: number(*angular_frequency_rad_s),
-                phase_rad: number(*phase_rad),
-            },
-            DriveMotion::Cycloidal { from, rise, duration_s, dwell_s } => Self::Cycloidal {
-                from: number(*from),
-                rise: number(*rise),
-                duration_s: number(*duration_s),
-                dwell_s: number(*dwell_s),
-            },
-            DriveMotion::Function(parameters) => Self::Function(list(parameters)),
-        }
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        match self {
-            Self::Constant { start, speed } => [start, speed].into_iter().for_each(visit),
-            Self::Polynomial { origin_s, coefficients } => {
-                visit(origin_s);
-                coefficients.iter_mut().for_each(visit);
-            }
-            Self::Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad } => {
-                [mean, amplitude, angular_frequency_rad_s, phase_rad].into_iter().for_each(visit);
-            }
-            Self::Cycloidal { from, rise, duration_s, dwell_s } => {
-                [from, rise, duration_s, dwell_s].into_iter().for_each(visit);
-            }
-            Self::Function(parameters) => parameters.iter_mut().for_each(visit),
-        }
-    }
 }
 
 /// The motions of all drives of a model in one sample.
@@ -181,6 +147,8 @@ pub struct Drives<T> {
     motions: Vec<DriveMotion<T>>,
     schedule: Arc<Schedule>,
 }
+
+numbers!(struct Drives { motions; schedule });
 
 /// When motions that consist of pieces change from one to the next.
 #[derive(Debug, Default)]
@@ -299,17 +267,6 @@ impl<T: Real> Drives<T> {
     #[inline(always)]
     pub fn law_motion(&self, law: &DriveLaw, index: usize, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
         self.motions[index].at(law, time_s, room)
-    }
-
-    /// The motions of `from` as constants of `T`.
-    pub fn broadcast(from: &Drives<f64>) -> Self {
-        let motions = from.motions.iter().map(DriveMotion::broadcast).collect();
-        Self { motions, schedule: Arc::clone(&from.schedule) }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.motions.iter_mut().for_each(|motion| motion.visit(visit));
     }
 }
 

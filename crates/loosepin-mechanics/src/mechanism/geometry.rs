@@ -4,7 +4,7 @@ use super::coupling_geometry::CouplingGeometry;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree, points_of};
 use crate::model::{JointId, JointKind, Model, QuantityId, Values};
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a link of the tree.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +33,11 @@ pub struct LinkGeometry<T> {
     pub inertia_kg_m2: T,
 }
 
+numbers!(struct LinkGeometry {
+    parent_arm_m, own_arm_m, parent_direction, turn_from_parent, eccentricity_m, centre_of_mass_m, parent_angle_rad, own_angle_rad,
+    mass_kg, inertia_kg_m2
+});
+
 /// Numbers of a cut joint.
 #[derive(Debug, Clone, Copy)]
 pub struct CutGeometry<T> {
@@ -43,6 +48,8 @@ pub struct CutGeometry<T> {
     /// Revolute: second point minus first point, in the ground's frame, m.
     pub eccentricity_m: Vec2<T>,
 }
+
+numbers!(struct CutGeometry { arms_m, angles_rad, eccentricity_m });
 
 /// The numbers of one sample for one tree.
 #[derive(Debug, Clone)]
@@ -56,6 +63,8 @@ pub struct Geometry<T> {
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Vec2<T>,
 }
+
+numbers!(struct Geometry { gravity_m_s2, links, cuts, couplings });
 
 impl<T: Real> Geometry<T> {
     /// Lays out `values` for `tree`, all eccentricities zero.

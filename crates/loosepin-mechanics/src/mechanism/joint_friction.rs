@@ -4,7 +4,7 @@ use super::points::point_m;
 use super::tree::points_of;
 use crate::contact::FrictionLaw;
 use crate::model::{JointId, JointKind, Model, Values};
-use loosepin_math::{Real, Vec2, sin_cos};
+use loosepin_math::{Numbers, Real, Vec2, numbers, sin_cos};
 
 /// Numbers of an ideal joint with friction.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +20,8 @@ pub struct JointFriction<T> {
     /// Direction of the guide in the frame of its body; zero for a revolute joint.
     pub guide_direction: Vec2<T>,
 }
+
+numbers!(struct JointFriction { law, size_m, second_arm_m, guide_direction; joint });
 
 impl<T: Real> JointFriction<T> {
     /// Those of all ideal joints of `model` with friction, in the order of the joints.
@@ -46,24 +48,5 @@ impl<T: Real> JointFriction<T> {
                 }
             })
             .collect()
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &JointFriction<f64>) -> Self {
-        Self {
-            joint: from.joint,
-            law: FrictionLaw::broadcast(&from.law),
-            size_m: T::from_f64(from.size_m),
-            second_arm_m: Vec2::from_f64(from.second_arm_m),
-            guide_direction: Vec2::from_f64(from.guide_direction),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.law.visit(visit);
-        visit(&mut self.size_m);
-        self.second_arm_m.visit(visit);
-        self.guide_direction.visit(visit);
     }
 }

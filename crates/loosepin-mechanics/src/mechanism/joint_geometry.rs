@@ -3,7 +3,7 @@
 use super::points::numbered_point_m;
 use super::tree::points_of;
 use crate::model::{JointId, JointKind, Model, QuantityId};
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a joint of which the coordinate is read.
 #[derive(Debug, Clone, Copy)]
@@ -13,6 +13,8 @@ pub struct JointGeometry<T> {
     /// Direction of the line of a prismatic joint in the frame of the guide; zero for a revolute one.
     pub line: Vec2<T>,
 }
+
+numbers!(struct JointGeometry { arms_m, line });
 
 impl<T: Real> JointGeometry<T> {
     /// Of no joint.
@@ -34,16 +36,5 @@ impl<T: Real> JointGeometry<T> {
                 _ => Vec2::zero(),
             },
         }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &JointGeometry<f64>) -> Self {
-        Self { arms_m: from.arms_m.map(Vec2::from_f64), line: Vec2::from_f64(from.line) }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.arms_m.iter_mut().for_each(|arm| arm.visit(visit));
-        self.line.visit(visit);
     }
 }

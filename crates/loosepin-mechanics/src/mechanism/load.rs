@@ -3,7 +3,7 @@
 use super::joint_geometry::JointGeometry;
 use super::points::point_m;
 use crate::model::{Course, Load, LoadKind, Model, QuantityId, Values};
-use loosepin_math::{Real, Vec2, sin_cos};
+use loosepin_math::{Real, Vec2, numbers, sin_cos};
 
 /// Numbers of a load.
 #[derive(Debug, Clone)]
@@ -17,6 +17,8 @@ pub struct LoadGeometry<T> {
     /// The joint that it reads.
     pub joint: JointGeometry<T>,
 }
+
+numbers!(struct LoadGeometry { arm_m, direction, joint, course });
 
 /// Numbers of a course.
 #[derive(Debug, Clone)]
@@ -38,6 +40,12 @@ pub enum CourseNumbers<T> {
     Function(Vec<T>),
 }
 
+numbers!(enum CourseNumbers {
+    Constant(value),
+    Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad },
+    Function(parameters),
+});
+
 impl<T: Real> CourseNumbers<T> {
     /// Lays out the numbers that `number` gives for the quantities of `course`.
     pub fn new(course: &Course, number: &dyn Fn(QuantityId) -> T) -> Self {
@@ -50,32 +58,6 @@ impl<T: Real> CourseNumbers<T> {
                 phase_rad: number(*phase_rad),
             },
             Course::Function(function) => Self::Function(function.parameters.iter().map(|id| number(*id)).collect()),
-        }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &CourseNumbers<f64>) -> Self {
-        let number = T::from_f64;
-        match from {
-            CourseNumbers::Constant(value) => Self::Constant(number(*value)),
-            CourseNumbers::Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad } => Self::Harmonic {
-                mean: number(*mean),
-                amplitude: number(*amplitude),
-                angular_frequency_rad_s: number(*angular_frequency_rad_s),
-                phase_rad: number(*phase_rad),
-            },
-            CourseNumbers::Function(parameters) => Self::Function(parameters.iter().copied().map(number).collect()),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        match self {
-            Self::Constant(value) => visit(value),
-            Self::Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad } => {
-                [mean, amplitude, angular_frequency_rad_s, phase_rad].into_iter().for_each(visit);
-            }
-            Self::Function(parameters) => parameters.iter_mut().for_each(visit),
         }
     }
 
@@ -122,23 +104,5 @@ impl<T: Real> LoadGeometry<T> {
             course: CourseNumbers::new(&load.course, &number),
             joint: load.joint.map_or(JointGeometry::none(), |joint| JointGeometry::new(model, joint, &number)),
         }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &LoadGeometry<f64>) -> Self {
-        Self {
-            arm_m: Vec2::from_f64(from.arm_m),
-            direction: Vec2::from_f64(from.direction),
-            course: CourseNumbers::broadcast(&from.course),
-            joint: JointGeometry::broadcast(&from.joint),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.arm_m.visit(visit);
-        self.direction.visit(visit);
-        self.joint.visit(visit);
-        self.course.visit(visit);
     }
 }

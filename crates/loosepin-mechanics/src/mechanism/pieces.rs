@@ -1,6 +1,6 @@
 //! Functions in pieces, picked without a choice by value: on lanes every lane is in its own piece.
 
-use loosepin_math::Real;
+use loosepin_math::{Numbers, Real};
 
 /// Pieces side by side along an argument, each with its N numbers.
 #[derive(Debug, Clone)]
@@ -10,24 +10,23 @@ pub struct Pieces<T, const N: usize> {
     numbers: Vec<[T; N]>,
 }
 
+impl<T: Real, const N: usize> Numbers<T> for Pieces<T, N> {
+    type Plain = Pieces<f64, N>;
+
+    fn broadcast(plain: &Pieces<f64, N>) -> Self {
+        Self { breaks: Numbers::<T>::broadcast(&plain.breaks), numbers: Numbers::<T>::broadcast(&plain.numbers) }
+    }
+
+    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
+        self.breaks.visit(visit);
+        self.numbers.visit(visit);
+    }
+}
+
 impl<T: Real, const N: usize> Pieces<T, N> {
     /// `breaks` are increasing.
     pub fn new(breaks: Vec<T>, numbers: Vec<[T; N]>) -> Self {
         Self { breaks, numbers }
-    }
-
-    /// The pieces of `from` as constants of `T`.
-    pub fn broadcast(from: &Pieces<f64, N>) -> Self {
-        Self {
-            breaks: from.breaks.iter().copied().map(T::from_f64).collect(),
-            numbers: from.numbers.iter().map(|numbers| numbers.map(T::from_f64)).collect(),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.breaks.iter_mut().for_each(&mut *visit);
-        self.numbers.iter_mut().flatten().for_each(visit);
     }
 
     /// The numbers of all pieces.

@@ -18,7 +18,7 @@ use crate::contact::{
     restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
 };
 use crate::model::{Clearance, Contact, JointId, JointKind, QuantityId, SlidingVelocity, Stiffness, Values};
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Numbers, Real, Vec2, numbers};
 
 /// Numbers of a joint with play.
 #[derive(Debug, Clone, Copy)]
@@ -46,6 +46,11 @@ pub struct PlayGeometry<T> {
     /// Restitution that a free impact delivers; none where it depends on the masses that meet.
     pub delivered_restitution: Option<f64>,
 }
+
+numbers!(struct PlayGeometry {
+    bearing_arm_m, journal_arm_m, shape, clearance_m, normal, friction, film, minimum_impact_speed_m_s;
+    sliding_velocity, largest_valid_impact_speed_m_s, delivered_restitution
+});
 
 /// The numbers of one sample: the ideal mechanism, the real one, its contacts, springs, loads and drives.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use super::pieces::Pieces;
 use super::points::point_m;
 use crate::model::{Elasticity, Model, Spring, SpringCurve, SpringKind, Values};
-use loosepin_math::{Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline};
+use loosepin_math::{Numbers, Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers};
 
 /// Numbers of a spring: it pulls with F(x) + d ẋ, x its length, m, or the angle of the second body from the first, rad.
 #[derive(Debug, Clone)]
@@ -15,6 +15,8 @@ pub struct SpringGeometry<T> {
     /// Damping d, N s/m or N m s/rad.
     pub damping: T,
 }
+
+numbers!(struct SpringGeometry { arms_m, elastic, damping });
 
 /// Numbers of the elastic pull.
 #[derive(Debug, Clone)]
@@ -31,6 +33,8 @@ pub enum ElasticNumbers<T> {
     /// A curve of cubic pieces, straight beyond its ends: origin, coefficients c_0 to c_3, and energy at the origin of each piece.
     Table(Pieces<T, 6>),
 }
+
+numbers!(enum ElasticNumbers { Linear { stiffness, free, preload }, Table(pieces) });
 
 impl<T: Real> ElasticNumbers<T> {
     fn new(elasticity: &Elasticity, values: &Values) -> Self {
@@ -85,35 +89,6 @@ impl<T: Real> SpringGeometry<T> {
             elastic: ElasticNumbers::new(&spring.elasticity, values),
             damping: spring.damping.map_or(T::zero(), |id| T::from_f64(values[id])),
         }
-    }
-
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &SpringGeometry<f64>) -> Self {
-        let number = T::from_f64;
-        Self {
-            arms_m: from.arms_m.map(Vec2::from_f64),
-            elastic: match &from.elastic {
-                ElasticNumbers::Linear { stiffness, free, preload } => ElasticNumbers::Linear {
-                    stiffness: number(*stiffness),
-                    free: number(*free),
-                    preload: number(*preload),
-                },
-                ElasticNumbers::Table(pieces) => ElasticNumbers::Table(Pieces::broadcast(pieces)),
-            },
-            damping: number(from.damping),
-        }
-    }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.arms_m.iter_mut().for_each(|arm| arm.visit(visit));
-        match &mut self.elastic {
-            ElasticNumbers::Linear { stiffness, free, preload } => {
-                [stiffness, free, preload].into_iter().for_each(&mut *visit);
-            }
-            ElasticNumbers::Table(pieces) => pieces.visit(visit),
-        }
-        visit(&mut self.damping);
     }
 
     /// The pull F(x) + d ẋ, N or N m, at `extent` x and its `rate` ẋ.

@@ -1,6 +1,6 @@
 //! A slider with play in its guide (`docs/notation.md`): its corners, their forces, and the case of Flores, Leine and Glocker.
 
-use loosepin_math::Dual;
+use loosepin_math::{Dual, Numbers};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Model;

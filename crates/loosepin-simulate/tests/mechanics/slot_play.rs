@@ -1,6 +1,6 @@
 //! A pin with play in a straight slot with round ends (`docs/notation.md`).
 
-use loosepin_math::{Dual, Vec2};
+use loosepin_math::{Dual, Numbers, Vec2};
 use loosepin_mechanics::contact::{compliance_1_pa, cylinder_stiffness_n_m1_5};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayShape, Sample};

@@ -4,7 +4,7 @@ use super::motion::{FilmForce, FilmMotion};
 use super::ocvirk::OcvirkFilm;
 use super::pressure::{FilmBearing, FilmPressure};
 use super::reynolds::Reynolds;
-use loosepin_math::{Real, factor_ldl, sin_cos, solve_ldl};
+use loosepin_math::{Real, factor_ldl, numbers, sin_cos, solve_ldl};
 
 /// κ, from which on a bearing counts as long: κ Λ² against 1 + X.
 const CROSSOVER: f64 = 0.5;
@@ -47,6 +47,8 @@ pub struct FiniteLengthFilm<T> {
     /// a_ij and b_ij, i outermost.
     pub sums: [[T; 2]; TERMS],
 }
+
+numbers!(struct FiniteLengthFilm { short, crossover, reach, sums });
 
 impl FiniteLengthFilm<f64> {
     /// The name used in model files, in kebab case.
@@ -162,16 +164,6 @@ impl<T: Real> Place<T> {
 }
 
 impl<T: Real> FiniteLengthFilm<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &FiniteLengthFilm<f64>) -> Self {
-        Self {
-            short: OcvirkFilm::broadcast(&from.short),
-            crossover: T::from_f64(from.crossover),
-            reach: T::from_f64(from.reach),
-            sums: from.sums.map(|pair| pair.map(T::from_f64)),
-        }
-    }
-
     #[inline(always)]
     fn place(&self, motion: &FilmMotion<T>) -> Place<T> {
         let (one, two) = (T::one(), T::from_f64(2.0));
@@ -219,13 +211,6 @@ impl<T: Real> FilmPressure<T> for FiniteLengthFilm<T> {
             radial_n: share * (short.radial_n * real + short.tangential_n * imaginary),
             tangential_n: share * (short.tangential_n * real - short.radial_n * imaginary),
         }
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.short.visit(visit);
-        visit(&mut self.crossover);
-        visit(&mut self.reach);
-        self.sums.iter_mut().flatten().for_each(visit);
     }
 }
 

@@ -21,7 +21,7 @@ pub use ocvirk_printed::OcvirkPrintedFilm;
 pub use pinkus_sternlicht::PinkusSternlichtFilm;
 pub use pressure::{FilmBearing, FilmPressure};
 
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// A film as model files, help and reports know it.
 #[derive(Debug, Clone, Copy)]
@@ -74,6 +74,8 @@ pub struct Film<T> {
     pub roughness_m: T,
 }
 
+numbers!(struct Film { law, drag_n_m_s, roughness_m });
+
 impl Film<f64> {
     /// The film of `bearing` as `description` has it.
     pub fn new(description: &FilmDescription, bearing: &FilmBearing) -> Self {
@@ -84,15 +86,6 @@ impl Film<f64> {
 }
 
 impl<T: Real> Film<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &Film<f64>) -> Self {
-        Self {
-            law: FilmLaw::broadcast(&from.law),
-            drag_n_m_s: T::from_f64(from.drag_n_m_s),
-            roughness_m: T::from_f64(from.roughness_m),
-        }
-    }
-
     /// The film at an eccentricity |e|, m, with the velocities q_n, q_t, m/s, of [`FilmMotion`], and the spins ω_i and ω_j.
     #[inline(always)]
     pub fn load(
@@ -139,13 +132,6 @@ impl<T: Real> Film<T> {
         let bend = T::from_f64(6.0).mul_add(share, T::from_f64(-15.0)).mul_add(share, T::from_f64(10.0));
         T::one() - share * share * share * bend
     }
-
-    /// Shows every number.
-    pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        self.law.visit(visit);
-        visit(&mut self.drag_n_m_s);
-        visit(&mut self.roughness_m);
-    }
 }
 
 /// The enum of all films, what it hands on to them, and the table of their descriptions.
@@ -165,14 +151,7 @@ macro_rules! film_laws {
             law: |bearing| FilmLaw::$variant($film::new(bearing)),
         }),*];
 
-        impl<T: Real> FilmLaw<T> {
-            /// The numbers of `from` as constants of `T`.
-            pub fn broadcast(from: &FilmLaw<f64>) -> Self {
-                match from {
-                    $(FilmLaw::$variant(film) => Self::$variant($film::broadcast(film))),*
-                }
-            }
-        }
+        numbers!(enum FilmLaw { $($variant(film)),* });
 
         impl<T: Real> FilmPressure<T> for FilmLaw<T> {
             #[inline(always)]
@@ -180,13 +159,7 @@ macro_rules! film_laws {
                 match self {
                     $(Self::$variant(film) => film.force(motion)),*
                 }
-            }
-            fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-                match self {
-                    $(Self::$variant(film) => film.visit(visit)),*
-                }
-            }
-        }
+            }        }
     };
 }
 

@@ -2,7 +2,7 @@
 
 use super::motion::{FilmForce, FilmMotion};
 use super::pressure::{FilmBearing, FilmPressure};
-use loosepin_math::{Real, arctangent};
+use loosepin_math::{Real, arctangent, numbers};
 
 /// Infinitely short bearing (Ocvirk 1953), the positive half of its pressure: with h = 1 + ε cos θ, θ from the
 /// thickest film, p ~ V sin(θ - α)/h³ is positive from α = atan2(2ε̇, wε) to α + π, V = √((wε)² + 4ε̇²).
@@ -21,6 +21,8 @@ pub struct OcvirkFilm<T> {
     pub factor_n_s: T,
 }
 
+numbers!(struct OcvirkFilm { factor_n_s });
+
 impl OcvirkFilm<f64> {
     /// The name used in model files, in kebab case.
     pub const NAME: &'static str = "ocvirk";
@@ -32,13 +34,6 @@ impl OcvirkFilm<f64> {
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {
         Self { factor_n_s: bearing.short_factor_n_s() }
-    }
-}
-
-impl<T: Real> OcvirkFilm<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &OcvirkFilm<f64>) -> Self {
-        Self { factor_n_s: T::from_f64(from.factor_n_s) }
     }
 }
 
@@ -67,9 +62,5 @@ impl<T: Real> FilmPressure<T> for OcvirkFilm<T> {
         let c = -(two * across * cosine_squared * squares);
         let size_n = half * self.factor_n_s * speed_1_s;
         FilmForce { radial_n: size_n * (c * cosine - a * sine), tangential_n: size_n * (b * cosine - c * sine) }
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.factor_n_s);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::motion::{FilmForce, FilmMotion};
 use super::pressure::{FilmBearing, FilmPressure};
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// β: where |wε| is below this times |ε̇|, the jump of F_t is spread out.
 const BAND: f64 = 0.05;
@@ -21,6 +21,8 @@ pub struct OcvirkPrintedFilm<T> {
     pub factor_n_s: T,
 }
 
+numbers!(struct OcvirkPrintedFilm { factor_n_s });
+
 impl OcvirkPrintedFilm<f64> {
     /// The name used in model files, in kebab case.
     pub const NAME: &'static str = "ocvirk-printed";
@@ -32,13 +34,6 @@ impl OcvirkPrintedFilm<f64> {
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {
         Self { factor_n_s: bearing.short_factor_n_s() }
-    }
-}
-
-impl<T: Real> OcvirkPrintedFilm<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &OcvirkPrintedFilm<f64>) -> Self {
-        Self { factor_n_s: T::from_f64(from.factor_n_s) }
     }
 }
 
@@ -62,9 +57,5 @@ impl<T: Real> FilmPressure<T> for OcvirkPrintedFilm<T> {
             radial_n: -(self.factor_n_s * radial * inverse * inverse),
             tangential_n: self.factor_n_s * (along + jump),
         }
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.factor_n_s);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::motion::{FilmForce, FilmMotion};
 use super::pressure::{FilmBearing, FilmPressure};
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// Infinitely long bearing with squeeze (Pinkus and Sternlicht 1961, with its sign corrected, see `docs/lubrication.md`). With
 /// M = μ L R³/c², S = 1 - ε² and k² = S ((w/(2ε̇))² + 1/ε²)
@@ -22,6 +22,8 @@ pub struct PinkusSternlichtFilm<T> {
     pub factor_n_s: T,
 }
 
+numbers!(struct PinkusSternlichtFilm { factor_n_s });
+
 impl PinkusSternlichtFilm<f64> {
     /// The name used in model files, in kebab case.
     pub const NAME: &'static str = "pinkus-sternlicht";
@@ -33,13 +35,6 @@ impl PinkusSternlichtFilm<f64> {
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {
         Self { factor_n_s: bearing.long_factor_n_s() }
-    }
-}
-
-impl<T: Real> PinkusSternlichtFilm<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &PinkusSternlichtFilm<f64>) -> Self {
-        Self { factor_n_s: T::from_f64(from.factor_n_s) }
     }
 }
 
@@ -59,9 +54,5 @@ impl<T: Real> FilmPressure<T> for PinkusSternlichtFilm<T> {
         let pi = constant(std::f64::consts::PI);
         let radial = (constant(4.0) * epsilon * kappa + bend * pi * squeeze) / gap;
         FilmForce { radial_n: -(size_n * radial), tangential_n: size_n * pi * motion.wedge_1_s }
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.factor_n_s);
     }
 }

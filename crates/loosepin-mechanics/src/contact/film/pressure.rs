@@ -4,12 +4,9 @@ use super::motion::{FilmForce, FilmMotion};
 use loosepin_math::Real;
 
 /// The numbers of a film's pressure and its equation: what the equations of motion evaluate.
-pub trait FilmPressure<T: Real>: Sized {
+pub trait FilmPressure<T: Real> {
     /// F_r and F_t on the journal, N; zero where nothing moves (ε̇ = wε = 0).
     fn force(&self, motion: &FilmMotion<T>) -> FilmForce<T>;
-
-    /// Shows every number.
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T));
 }
 
 /// A bearing full of oil.

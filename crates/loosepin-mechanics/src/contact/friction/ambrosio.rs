@@ -1,6 +1,6 @@
 //! Coulomb friction modified by Ambrósio.
 
-use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
+use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds, friction_numbers};
 use loosepin_math::Real;
 
 /// Friction that grows linearly between two sliding speeds (Ambrósio 2003):
@@ -14,6 +14,8 @@ pub struct AmbrosioFriction<T> {
     /// v_b, m/s.
     pub upper_speed_m_s: T,
 }
+
+friction_numbers!(AmbrosioFriction { coefficient, lower_speed_m_s, upper_speed_m_s });
 
 impl AmbrosioFriction<f64> {
     /// How model files know it.
@@ -30,10 +32,6 @@ impl AmbrosioFriction<f64> {
 }
 
 impl<T: Real> Friction<T> for AmbrosioFriction<T> {
-    fn from_numbers(numbers: &[T]) -> Self {
-        Self { coefficient: numbers[0], lower_speed_m_s: numbers[1], upper_speed_m_s: numbers[2] }
-    }
-
     #[inline(always)]
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let speed = sliding_velocity_m_s.abs();
@@ -45,12 +43,6 @@ impl<T: Real> Friction<T> for AmbrosioFriction<T> {
     #[inline(always)]
     fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
         [Some(self.lower_speed_m_s), Some(self.upper_speed_m_s)]
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.coefficient);
-        visit(&mut self.lower_speed_m_s);
-        visit(&mut self.upper_speed_m_s);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Bengisu and Akay 1994.
 
-use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
+use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds, friction_numbers};
 use loosepin_math::{Real, exponential};
 
 /// A parabola up to the static coefficient, then an exponential down to the dynamic one (Bengisu and Akay 1994):
@@ -16,6 +16,8 @@ pub struct BengisuAkayFriction<T> {
     /// ξ, s/m: how fast friction falls.
     pub decay_s_m: T,
 }
+
+friction_numbers!(BengisuAkayFriction { coefficient, static_coefficient, transition_speed_m_s, decay_s_m });
 
 impl BengisuAkayFriction<f64> {
     /// How model files know it.
@@ -33,15 +35,6 @@ impl BengisuAkayFriction<f64> {
 }
 
 impl<T: Real> Friction<T> for BengisuAkayFriction<T> {
-    fn from_numbers(numbers: &[T]) -> Self {
-        Self {
-            coefficient: numbers[0],
-            static_coefficient: numbers[1],
-            transition_speed_m_s: numbers[2],
-            decay_s_m: numbers[3],
-        }
-    }
-
     #[inline(always)]
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let beyond = sliding_velocity_m_s.abs() - self.transition_speed_m_s;
@@ -56,13 +49,6 @@ impl<T: Real> Friction<T> for BengisuAkayFriction<T> {
     #[inline(always)]
     fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
         [Some(self.transition_speed_m_s), None]
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.coefficient);
-        visit(&mut self.static_coefficient);
-        visit(&mut self.transition_speed_m_s);
-        visit(&mut self.decay_s_m);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Brown and McPhee 2016.
 
-use super::law::{Friction, FrictionDescription, FrictionNumber};
+use super::law::{Friction, FrictionDescription, FrictionNumber, friction_numbers};
 use loosepin_math::{Real, hyperbolic_tangent};
 
 /// A smooth Stribeck curve (Brown and McPhee 2016):
@@ -19,6 +19,8 @@ pub struct BrownMcPheeFriction<T> {
     pub viscous_s_m: T,
 }
 
+friction_numbers!(BrownMcPheeFriction { coefficient, static_coefficient, transition_speed_m_s, viscous_s_m });
+
 impl BrownMcPheeFriction<f64> {
     /// How model files know it.
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
@@ -35,15 +37,6 @@ impl BrownMcPheeFriction<f64> {
 }
 
 impl<T: Real> Friction<T> for BrownMcPheeFriction<T> {
-    fn from_numbers(numbers: &[T]) -> Self {
-        Self {
-            coefficient: numbers[0],
-            static_coefficient: numbers[1],
-            transition_speed_m_s: numbers[2],
-            viscous_s_m: numbers[3],
-        }
-    }
-
     #[inline(always)]
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let share = sliding_velocity_m_s / self.transition_speed_m_s;
@@ -51,13 +44,6 @@ impl<T: Real> Friction<T> for BrownMcPheeFriction<T> {
         let peak = (self.static_coefficient - self.coefficient) * share / (width * width);
         let dynamic = self.coefficient * hyperbolic_tangent(share * T::from_f64(4.0));
         -((dynamic + peak + self.viscous_s_m * sliding_velocity_m_s) * normal_force_n)
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.coefficient);
-        visit(&mut self.static_coefficient);
-        visit(&mut self.transition_speed_m_s);
-        visit(&mut self.viscous_s_m);
     }
 }
 

@@ -15,10 +15,7 @@ pub struct BristledForce<T> {
 }
 
 /// The numbers of a friction law and its equation: what the equations of motion evaluate.
-pub trait Friction<T: Real>: Sized {
-    /// The law with its numbers in the order of its description.
-    fn from_numbers(numbers: &[T]) -> Self;
-
+pub trait Friction<T: Real> {
     /// F_T = -μ(|v_T|) F_N sign(v_T), N, along the tangent along which the sliding velocity v_T, m/s, is measured.
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T;
 
@@ -45,10 +42,23 @@ pub trait Friction<T: Real>: Sized {
     fn largest_deflection_m(&self) -> T {
         T::zero()
     }
-
-    /// Shows every number of the law, in the order of its description.
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T));
 }
+
+/// What a friction law is made from, and how its numbers are shown: both in the order of its description.
+macro_rules! friction_numbers {
+    ($friction:ident { $($number:ident),* }) => {
+        loosepin_math::numbers!(struct $friction { $($number),* });
+
+        impl $friction<f64> {
+            /// The law with its numbers in the order of its description.
+            pub(super) fn from_numbers(numbers: &[f64]) -> Self {
+                let &[$($number),*] = numbers else { unreachable!("a law takes the numbers of its description") };
+                Self { $($number),* }
+            }
+        }
+    };
+}
+pub(super) use friction_numbers;
 
 /// A number that a friction law takes from the model file.
 #[derive(Debug, Clone, Copy, PartialEq)]

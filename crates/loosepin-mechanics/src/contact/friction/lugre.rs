@@ -1,6 +1,6 @@
 //! LuGre: Canudas de Wit, Olsson, Åström and Lischinsky 1995.
 
-use super::law::{BristledForce, Friction, FrictionDescription, FrictionNumber};
+use super::law::{BristledForce, Friction, FrictionDescription, FrictionNumber, friction_numbers};
 use loosepin_math::{Real, exponential};
 
 /// g(v) is at least this: bristles settle in a time g/(σ0 |v|), so that with no friction at all they would be infinitely fast.
@@ -27,6 +27,15 @@ pub struct LuGreFriction<T> {
     /// Viscous term η, s/m.
     pub viscous_s_m: T,
 }
+
+friction_numbers!(LuGreFriction {
+    coefficient,
+    static_coefficient,
+    stribeck_speed_m_s,
+    bristle_stiffness_1_m,
+    bristle_damping_s_m,
+    viscous_s_m
+});
 
 impl LuGreFriction<f64> {
     /// How model files know it.
@@ -57,17 +66,6 @@ impl<T: Real> LuGreFriction<T> {
 }
 
 impl<T: Real> Friction<T> for LuGreFriction<T> {
-    fn from_numbers(numbers: &[T]) -> Self {
-        Self {
-            coefficient: numbers[0],
-            static_coefficient: numbers[1],
-            stribeck_speed_m_s: numbers[2],
-            bristle_stiffness_1_m: numbers[3],
-            bristle_damping_s_m: numbers[4],
-            viscous_s_m: numbers[5],
-        }
-    }
-
     /// The force that the bristles settle to in steady sliding.
     #[inline(always)]
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
@@ -95,15 +93,6 @@ impl<T: Real> Friction<T> for LuGreFriction<T> {
     fn largest_deflection_m(&self) -> T {
         let largest = self.coefficient.max(self.static_coefficient).max(T::from_f64(SMALLEST_COEFFICIENT));
         largest / self.bristle_stiffness_1_m
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.coefficient);
-        visit(&mut self.static_coefficient);
-        visit(&mut self.stribeck_speed_m_s);
-        visit(&mut self.bristle_stiffness_1_m);
-        visit(&mut self.bristle_damping_s_m);
-        visit(&mut self.viscous_s_m);
     }
 }
 

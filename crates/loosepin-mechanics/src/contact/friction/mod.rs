@@ -17,7 +17,7 @@ pub use lugre::LuGreFriction;
 pub use stribeck::StribeckFriction;
 pub use threlfall::ThrelfallFriction;
 
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 impl<T> FrictionLaw<T> {
     /// Whether there is any friction.
@@ -64,17 +64,9 @@ macro_rules! friction_laws {
             }
         }
 
-        impl<T: Real> FrictionLaw<T> {
-            /// The numbers of `from` as constants of `T`.
-            pub fn broadcast(from: &FrictionLaw<f64>) -> Self {
-                let mut numbers = Vec::new();
-                from.clone().visit(&mut |number| numbers.push(T::from_f64(*number)));
-                match from {
-                    FrictionLaw::None => Self::None,
-                    $(FrictionLaw::$variant(_) => Self::$variant($friction::from_numbers(&numbers))),*
-                }
-            }
+        numbers!(enum FrictionLaw { None, $($variant(friction)),* });
 
+        impl<T: Real> FrictionLaw<T> {
             /// F_T, N (see [`Friction::force_n`]).
             #[inline(always)]
             pub fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
@@ -121,14 +113,6 @@ macro_rules! friction_laws {
                     $(Self::$variant(friction) => friction.largest_deflection_m()),*
                 }
             }
-
-            /// Shows every number of the law.
-            pub fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-                match self {
-                    Self::None => {}
-                    $(Self::$variant(friction) => friction.visit(visit)),*
-                }
-            }
         }
     };
 }
@@ -150,6 +134,7 @@ pub fn friction_law(name: &str) -> Option<&'static FrictionDescription> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use loosepin_math::Numbers;
 
     #[test]
     fn identity_a_law_is_found_by_name_takes_its_numbers_and_shows_them_in_order() {

@@ -1,6 +1,6 @@
 //! Stribeck's curve.
 
-use super::law::{Friction, FrictionDescription, FrictionNumber};
+use super::law::{Friction, FrictionDescription, FrictionNumber, friction_numbers};
 use loosepin_math::{Real, exponential, hyperbolic_tangent};
 
 /// Friction that falls from its static to its dynamic value (Stribeck 1902, as Bo and Pavelescu 1982 write it):
@@ -21,6 +21,14 @@ pub struct StribeckFriction<T> {
     pub viscous_s_m: T,
 }
 
+friction_numbers!(StribeckFriction {
+    coefficient,
+    static_coefficient,
+    stribeck_speed_m_s,
+    transition_speed_m_s,
+    viscous_s_m
+});
+
 impl StribeckFriction<f64> {
     /// How model files know it.
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
@@ -38,16 +46,6 @@ impl StribeckFriction<f64> {
 }
 
 impl<T: Real> Friction<T> for StribeckFriction<T> {
-    fn from_numbers(numbers: &[T]) -> Self {
-        Self {
-            coefficient: numbers[0],
-            static_coefficient: numbers[1],
-            stribeck_speed_m_s: numbers[2],
-            transition_speed_m_s: numbers[3],
-            viscous_s_m: numbers[4],
-        }
-    }
-
     #[inline(always)]
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let v = sliding_velocity_m_s;
@@ -55,14 +53,6 @@ impl<T: Real> Friction<T> for StribeckFriction<T> {
         let peak = (self.static_coefficient - self.coefficient) * exponential(-(share * share));
         let sign = hyperbolic_tangent(T::from_f64(4.0) * v / self.transition_speed_m_s);
         -(((self.coefficient + peak) * sign + self.viscous_s_m * v) * normal_force_n)
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.coefficient);
-        visit(&mut self.static_coefficient);
-        visit(&mut self.stribeck_speed_m_s);
-        visit(&mut self.transition_speed_m_s);
-        visit(&mut self.viscous_s_m);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Threlfall 1978.
 
-use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
+use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds, friction_numbers};
 use loosepin_math::{Real, exponential};
 
 /// Friction that grows steeply and evens out (Threlfall 1978): μ(v) = μ (1 - exp(-3v/v_r)) up to v_r, and from
@@ -12,6 +12,8 @@ pub struct ThrelfallFriction<T> {
     /// v_r, m/s.
     pub transition_speed_m_s: T,
 }
+
+friction_numbers!(ThrelfallFriction { coefficient, transition_speed_m_s });
 
 impl ThrelfallFriction<f64> {
     /// How model files know it.
@@ -27,10 +29,6 @@ impl ThrelfallFriction<f64> {
 }
 
 impl<T: Real> Friction<T> for ThrelfallFriction<T> {
-    fn from_numbers(numbers: &[T]) -> Self {
-        Self { coefficient: numbers[0], transition_speed_m_s: numbers[1] }
-    }
-
     #[inline(always)]
     fn force_n(&self, sliding_velocity_m_s: T, normal_force_n: T) -> T {
         let share = (sliding_velocity_m_s.abs() / self.transition_speed_m_s).min(T::one());
@@ -41,11 +39,6 @@ impl<T: Real> Friction<T> for ThrelfallFriction<T> {
     #[inline(always)]
     fn kink_speeds_m_s(&self) -> KinkSpeeds<T> {
         [Some(self.transition_speed_m_s), None]
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.coefficient);
-        visit(&mut self.transition_speed_m_s);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::contact::NormalContact;
 use super::liu::liu_energy;
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// `F_N = ½ K δ^1.5 (3c + 2δ)/(c + δ)^1.5 (1 + χ δ̇/v0)`, cut at zero.
 #[derive(Debug, Clone, Copy)]
@@ -15,16 +15,7 @@ pub struct BaiZhaoContact<T> {
     pub damping_factor: T,
 }
 
-impl<T: Real> BaiZhaoContact<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &BaiZhaoContact<f64>) -> Self {
-        Self {
-            stiffness_n_m: T::from_f64(from.stiffness_n_m),
-            clearance_m: T::from_f64(from.clearance_m),
-            damping_factor: T::from_f64(from.damping_factor),
-        }
-    }
-}
+numbers!(struct BaiZhaoContact { stiffness_n_m, clearance_m, damping_factor });
 
 impl<T: Real> NormalContact<T> for BaiZhaoContact<T> {
     #[inline(always)]
@@ -57,11 +48,5 @@ impl<T: Real> NormalContact<T> for BaiZhaoContact<T> {
     #[inline(always)]
     fn is_smooth_in_root(&self) -> bool {
         true
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.stiffness_n_m);
-        visit(&mut self.clearance_m);
-        visit(&mut self.damping_factor);
     }
 }

@@ -77,9 +77,6 @@ pub trait NormalContact<T: Real> {
     fn needs_effective_mass(&self) -> bool {
         false
     }
-
-    /// Shows every number of the law, in an order that depends on the law alone.
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T));
 }
 
 /// `F_N = F_el (1 + χ δ̇/v0)`, \[SC16\] eq. (8), the factor cut at zero: the loss that most laws share.

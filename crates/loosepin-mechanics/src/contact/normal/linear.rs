@@ -3,7 +3,7 @@
 use super::contact::{NormalContact, NormalForce};
 use crate::contact::restitution::bisect;
 use crate::contact::state::PlayState;
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// `F_N = K δ + (D + 2ξ √(K m_eff)) δ̇`, cut at zero: D given, or ξ.
 ///
@@ -21,17 +21,9 @@ pub struct LinearContact<T> {
     pub has_ratio: bool,
 }
 
-impl<T: Real> LinearContact<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &LinearContact<f64>) -> Self {
-        Self {
-            stiffness_n_m: T::from_f64(from.stiffness_n_m),
-            damping_n_s_m: T::from_f64(from.damping_n_s_m),
-            damping_ratio: T::from_f64(from.damping_ratio),
-            has_ratio: from.has_ratio,
-        }
-    }
+numbers!(struct LinearContact { stiffness_n_m, damping_n_s_m, damping_ratio; has_ratio });
 
+impl<T: Real> LinearContact<T> {
     #[inline(always)]
     fn damping_n_s_m(&self, state: &PlayState<T>) -> T {
         if self.has_ratio {
@@ -77,12 +69,6 @@ impl<T: Real> NormalContact<T> for LinearContact<T> {
     #[inline(always)]
     fn needs_effective_mass(&self) -> bool {
         self.has_ratio
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.stiffness_n_m);
-        visit(&mut self.damping_n_s_m);
-        visit(&mut self.damping_ratio);
     }
 }
 

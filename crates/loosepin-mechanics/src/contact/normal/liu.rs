@@ -1,7 +1,7 @@
 //! The normal force of Liu's law.
 
 use super::contact::NormalContact;
-use loosepin_math::{Real, logarithm_above_one};
+use loosepin_math::{Real, logarithm_above_one, numbers};
 
 /// `F_N = K δ √(δ/(c + δ)) (1 + χ δ̇/v0)`, cut at zero.
 #[derive(Debug, Clone, Copy)]
@@ -14,16 +14,7 @@ pub struct LiuContact<T> {
     pub damping_factor: T,
 }
 
-impl<T: Real> LiuContact<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &LiuContact<f64>) -> Self {
-        Self {
-            stiffness_n_m: T::from_f64(from.stiffness_n_m),
-            clearance_m: T::from_f64(from.clearance_m),
-            damping_factor: T::from_f64(from.damping_factor),
-        }
-    }
-}
+numbers!(struct LiuContact { stiffness_n_m, clearance_m, damping_factor });
 
 impl<T: Real> NormalContact<T> for LiuContact<T> {
     #[inline(always)]
@@ -53,12 +44,6 @@ impl<T: Real> NormalContact<T> for LiuContact<T> {
     #[inline(always)]
     fn is_smooth_in_root(&self) -> bool {
         true
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.stiffness_n_m);
-        visit(&mut self.clearance_m);
-        visit(&mut self.damping_factor);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The normal force that the logarithmic line-contact laws share.
 
 use super::contact::NormalContact;
-use loosepin_math::{Real, logarithm_above_one, natural_logarithm};
+use loosepin_math::{Real, logarithm_above_one, natural_logarithm, numbers};
 
 /// The force F that δ = s ln(a/s), s = F h/L, gives for a penetration δ, times (1 + χ δ̇/v0), cut at zero.
 ///
@@ -17,16 +17,9 @@ pub struct LogarithmicContact<T> {
     pub damping_factor: T,
 }
 
-impl<T: Real> LogarithmicContact<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &LogarithmicContact<f64>) -> Self {
-        Self {
-            stiffness_n_m: T::from_f64(from.stiffness_n_m),
-            scale_m: T::from_f64(from.scale_m),
-            damping_factor: T::from_f64(from.damping_factor),
-        }
-    }
+numbers!(struct LogarithmicContact { stiffness_n_m, scale_m, damping_factor });
 
+impl<T: Real> LogarithmicContact<T> {
     /// 1/w = s/δ at a penetration δ, m. Beyond the limit of inversion as at it.
     #[inline(always)]
     fn share(&self, depth_m: T) -> T {
@@ -63,12 +56,6 @@ impl<T: Real> NormalContact<T> for LogarithmicContact<T> {
     #[inline(always)]
     fn has_abrupt_onset(&self) -> bool {
         true
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.stiffness_n_m);
-        visit(&mut self.scale_m);
-        visit(&mut self.damping_factor);
     }
 }
 

@@ -19,7 +19,7 @@ pub use pereira::PereiraContact;
 pub use point::PointContact;
 
 use crate::contact::state::PlayState;
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// The enum of all laws, and what it hands on to them.
 macro_rules! normal_laws {
@@ -31,14 +31,7 @@ macro_rules! normal_laws {
             $(#[doc = concat!("The numbers of `", stringify!($contact), "`.")] $variant($contact<T>)),*
         }
 
-        impl<T: Real> NormalLaw<T> {
-            /// The numbers of `from` as constants of `T`.
-            pub fn broadcast(from: &NormalLaw<f64>) -> Self {
-                match from {
-                    $(NormalLaw::$variant(contact) => Self::$variant($contact::broadcast(contact))),*
-                }
-            }
-        }
+        numbers!(enum NormalLaw { $($variant(contact)),* });
 
         impl<T: Real> NormalContact<T> for NormalLaw<T> {
             #[inline(always)]
@@ -106,13 +99,7 @@ macro_rules! normal_laws {
                 match self {
                     $(Self::$variant(contact) => contact.needs_effective_mass()),*
                 }
-            }
-            fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-                match self {
-                    $(Self::$variant(contact) => contact.visit(visit)),*
-                }
-            }
-        }
+            }        }
     };
 }
 

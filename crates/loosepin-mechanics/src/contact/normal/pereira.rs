@@ -1,7 +1,7 @@
 //! The normal force of Pereira's law: a power whose exponent is a number of the run.
 
 use super::contact::NormalContact;
-use loosepin_math::{Real, exponential, natural_logarithm};
+use loosepin_math::{Real, exponential, natural_logarithm, numbers};
 
 /// `F_N = F₁ (δ/1 mm)ⁿ (1 + χ δ̇/v0)`, cut at zero, with an exponent that follows the clearance.
 #[derive(Debug, Clone, Copy)]
@@ -14,16 +14,7 @@ pub struct PereiraContact<T> {
     pub damping_factor: T,
 }
 
-impl<T: Real> PereiraContact<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &PereiraContact<f64>) -> Self {
-        Self {
-            force_at_1_mm_n: T::from_f64(from.force_at_1_mm_n),
-            exponent: T::from_f64(from.exponent),
-            damping_factor: T::from_f64(from.damping_factor),
-        }
-    }
-}
+numbers!(struct PereiraContact { force_at_1_mm_n, exponent, damping_factor });
 
 impl<T: Real> NormalContact<T> for PereiraContact<T> {
     /// F_el, N; zero without penetration.
@@ -48,11 +39,5 @@ impl<T: Real> NormalContact<T> for PereiraContact<T> {
     #[inline(always)]
     fn has_abrupt_onset(&self) -> bool {
         true
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.force_at_1_mm_n);
-        visit(&mut self.exponent);
-        visit(&mut self.damping_factor);
     }
 }

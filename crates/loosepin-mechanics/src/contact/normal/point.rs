@@ -1,7 +1,7 @@
 //! The normal force that every point-contact law shares.
 
 use super::contact::NormalContact;
-use loosepin_math::Real;
+use loosepin_math::{Real, numbers};
 
 /// `F_N = K δⁿ (1 + χ δ̇/v0)`, cut at zero: \[SC16\] eq. (8).
 ///
@@ -16,16 +16,7 @@ pub struct PointContact<T> {
     pub damping_factor: T,
 }
 
-impl<T: Real> PointContact<T> {
-    /// The numbers of `from` as constants of `T`.
-    pub fn broadcast(from: &PointContact<f64>) -> Self {
-        Self {
-            stiffness_n_m_n: T::from_f64(from.stiffness_n_m_n),
-            exponent: from.exponent,
-            damping_factor: T::from_f64(from.damping_factor),
-        }
-    }
-}
+numbers!(struct PointContact { stiffness_n_m_n, damping_factor; exponent });
 
 impl<T: Real> NormalContact<T> for PointContact<T> {
     /// F_el = K δⁿ, N.
@@ -55,11 +46,6 @@ impl<T: Real> NormalContact<T> for PointContact<T> {
     #[inline(always)]
     fn elastic_at_root_n(&self, root: T) -> T {
         self.stiffness_n_m_n * (root * root * root)
-    }
-
-    fn visit(&mut self, visit: &mut impl FnMut(&mut T)) {
-        visit(&mut self.stiffness_n_m_n);
-        visit(&mut self.damping_factor);
     }
 }
 
