@@ -1,6 +1,6 @@
 //! Points, joints and poses of a mechanism, for drawings.
 
-use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Tree, points_of};
+use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Tree};
 use loosepin_mechanics::model::{JointKind, Values};
 use loosepin_result::simulation::{
     Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, PointReference, PoseTable,
@@ -32,7 +32,7 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
         .iter()
         .map(|joint| {
             let [first, second] =
-                points_of(&joint.kind).map(|point| PointReference { body: point.body.0, point: point.point });
+                joint.kind.points().map(|point| PointReference { body: point.body.0, point: point.point });
             let (kind, guide_angle_rad, radial_clearance_m) = match &joint.kind {
                 JointKind::Revolute { clearance, .. } => {
                     let clearance_m = clearance.as_ref().map_or(0.0, |c| values[c.radial_clearance_m]);

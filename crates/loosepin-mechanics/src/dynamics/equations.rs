@@ -7,8 +7,7 @@ use super::joint_friction::JointFrictions;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::mechanism::{
-    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, points_of, room,
-    turned_by,
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
 };
 use crate::model::{Course, FeedForward};
 use loosepin_math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
@@ -104,7 +103,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let play_slots: Vec<[usize; 2]> = mechanism
             .plays
             .iter()
-            .map(|joint| points_of(&mechanism.model.joints[joint.0].kind).map(|point| tree.slot_of_body[point.body.0]))
+            .map(|joint| mechanism.model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0]))
             .collect();
         let plays: Vec<_> = play_slots
             .iter()
@@ -304,12 +303,8 @@ impl<'a, T: Real> Dynamics<'a, T> {
         if let Some(frictions) = &mut self.joint_frictions {
             frictions.take_force(slot, self.kinematics.poses[slot].position_m + arm_m, force_n, moment_n_m);
         }
-        let about_origin = moment_n_m + arm_m.cross(force_n);
-        let partials = self.kinematics.partials(slot);
-        for (dependence, partial) in self.mechanism.real.links[slot - 1].dependences.iter().zip(partials) {
-            let sum = turned_by(self.forces[dependence.coordinate], about_origin, dependence.turning);
-            self.forces[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, sum));
-        }
+        let about_origin_n_m = moment_n_m + arm_m.cross(force_n);
+        self.kinematics.add_push(&self.mechanism.real, slot, force_n, about_origin_n_m, &mut self.forces);
     }
 
     /// M q̈ = h + Jᵀ λ with J q̈ = -γ.

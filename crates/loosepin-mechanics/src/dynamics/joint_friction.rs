@@ -16,7 +16,7 @@
 mod carried;
 mod newton;
 
-use crate::mechanism::{Attachment, JointFriction, Kinematics, Mechanism, Sample};
+use crate::mechanism::{JointFriction, Kinematics, Mechanism, Sample};
 use crate::model::{JointId, JointKind};
 use loosepin_math::{Real, Vec2};
 
@@ -108,7 +108,8 @@ impl<T: Real> JointFrictions<T> {
                 let carrier = carrier.unwrap_or_else(|| {
                     let mut beyond = vec![false; tree.links.len() + 1];
                     for (index, link) in tree.links.iter().enumerate() {
-                        beyond[index + 1] = beyond[link.parent_slot] || hangs_on(link.attachment, joint);
+                        beyond[index + 1] =
+                            beyond[link.parent_slot] || link.attachment.joint().is_some_and(|(own, _)| own == joint);
                     }
                     Carrier::Tree { beyond }
                 });
@@ -227,16 +228,5 @@ impl<T: Real> Entry<T> {
         let size = a.mul_add(a, b * b).sqrt();
         let inverse = T::one() / size.max(T::from_f64(f64::MIN_POSITIVE.sqrt()));
         (size, [a * inverse, b * inverse])
-    }
-}
-
-/// Whether a link hangs on its parent by `joint`.
-fn hangs_on(attachment: Attachment, joint: JointId) -> bool {
-    match attachment {
-        Attachment::Revolute { joint: own, .. }
-        | Attachment::DrivenRevolute { joint: own, .. }
-        | Attachment::Prismatic { joint: own, .. }
-        | Attachment::Rigid { joint: own, .. } => own == joint,
-        Attachment::Free { .. } => false,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
-use crate::mechanism::{Attachment, CutKind, acceleration_at, turned_by};
+use crate::mechanism::{CutKind, acceleration_at};
 use crate::model::JointId;
 use loosepin_math::{Real, Vec2, solve_ldl};
 
@@ -23,14 +23,8 @@ impl<T: Real> Dynamics<'_, T> {
         let journal = (journal, motion.journal_arm_m + reaches_m[1], normal);
         let mut push = vec![T::zero(); tree.coordinates()];
         for (slot, arm, force_n) in [bearing, journal] {
-            if slot == 0 {
-                continue;
-            }
-            let about_origin = arm.cross(force_n);
-            let partials = self.kinematics.partials(slot);
-            for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
-                let turning = turned_by(push[dependence.coordinate], about_origin, dependence.turning);
-                push[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, turning));
+            if slot > 0 {
+                self.kinematics.add_push(tree, slot, force_n, arm.cross(force_n), &mut push);
             }
         }
         let along = |left: &[T], right: &[T]| {
@@ -61,19 +55,11 @@ impl<T: Real> Dynamics<'_, T> {
         if let Some(index) = tree.cuts.iter().position(|cut| cut.joint == joint) {
             return forces[index] + self.actuator_force_n(joint);
         }
-        let Some((root, forward)) = tree.links.iter().enumerate().find_map(|(index, link)| match link.attachment {
-            Attachment::Revolute { joint: own, forward, .. }
-            | Attachment::DrivenRevolute { joint: own, forward, .. }
-            | Attachment::Prismatic { joint: own, forward, .. }
-            | Attachment::Rigid { joint: own, forward }
-                if own == joint =>
-            {
-                Some((index + 1, forward))
-            }
-            _ => None,
-        }) else {
-            return Vec2::zero();
-        };
+        let root = tree.links.iter().enumerate().find_map(|(index, link)| {
+            let (own, forward) = link.attachment.joint()?;
+            (own == joint).then_some((index + 1, forward))
+        });
+        let Some((root, forward)) = root else { return Vec2::zero() };
         // Parents come before children, so one pass marks all bodies beyond the joint.
         let mut beyond = vec![false; tree.links.len() + 1];
         beyond[root] = true;
@@ -109,22 +95,14 @@ impl<T: Real> Dynamics<'_, T> {
             subtract(slots, on_second);
         }
         for load in self.loads() {
-            if beyond[load.slot] {
-                needed -= load.force_n;
-            }
+            subtract([0, load.slot], load.force_n);
         }
         for ((force, places), control) in
             self.actuators.iter().zip(&self.control_places).zip(&self.mechanism.model.controls)
         {
             // The actuator of this very joint is part of what the joint does.
             if control.joint != joint {
-                let [first, second] = places[0].slots;
-                if beyond[second] {
-                    needed -= force.on_second_n;
-                }
-                if beyond[first] {
-                    needed += force.on_second_n;
-                }
+                subtract(places[0].slots, force.on_second_n);
             }
         }
         if forward { needed } else { -needed }

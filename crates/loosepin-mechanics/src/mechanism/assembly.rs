@@ -6,7 +6,7 @@ use super::error::MechanismError;
 use super::geometry::{CutGeometry, Geometry};
 use super::initial::StartEquations;
 use super::kinematics::{Kinematics, Pose};
-use super::tree::{Attachment, Cut, CutKind, Tree, bodies_of};
+use super::tree::{Attachment, Cut, CutKind, Tree};
 use crate::model::{Model, Values};
 use loosepin_math::{factor_ldl, solve_ldl};
 
@@ -270,7 +270,7 @@ fn cut_turn_rad(cut: &Cut, numbers: &CutGeometry<f64>, kinematics: &Kinematics<f
 fn is_turns_on(model: &Model, tree: &Tree, z: &[f64]) -> bool {
     let is_far = |angle_rad: f64| angle_rad.abs() > std::f64::consts::PI;
     let wheels = model.couplings.iter().flat_map(|coupling| [coupling.first, coupling.second]);
-    let wheels: Vec<_> = wheels.flat_map(|joint| bodies_of(&model.joints[joint.0].kind)).collect();
+    let wheels: Vec<_> = wheels.flat_map(|joint| model.joints[joint.0].kind.bodies()).collect();
     let mut turning = tree.links.iter().filter(|link| wheels.contains(&link.body));
     turning.any(|link| matches!(link.attachment, Attachment::Revolute { coordinate, .. } if is_far(z[coordinate])))
 }

@@ -3,7 +3,7 @@
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, acceleration_at, moved};
 use super::tree::Tree;
-use crate::model::{JointId, JointKind, Model, describe_path};
+use crate::model::{JointId, Model, describe_path};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_value};
 use std::fmt;
@@ -226,10 +226,9 @@ impl RowOwner {
     pub fn dimension(self, model: &Model) -> Dimension {
         match self {
             Self::Joint(_) => Dimension::LENGTH,
-            Self::Coupling(index) => match model.joints[model.couplings[index].second.0].kind {
-                JointKind::Prismatic { .. } | JointKind::Slot { .. } => Dimension::LENGTH,
-                _ => Dimension::ANGLE,
-            },
+            Self::Coupling(index) => {
+                model.joints[model.couplings[index].second.0].kind.coordinate().unwrap_or(Dimension::ANGLE)
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::coupling_geometry::CouplingGeometry;
 use super::points::{direction, numbered_point_m};
-use super::tree::{Attachment, CutKind, Tree, points_of};
+use super::tree::{Attachment, CutKind, Tree};
 use crate::model::{JointId, JointKind, Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2, numbers};
 
@@ -94,10 +94,10 @@ impl<T: Real> Geometry<T> {
                     mass_kg: body.mass_kg.map_or(T::zero(), number),
                     inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
                 };
-                if let Some((joint, forward)) = joint_of(link.attachment) {
+                if let Some((joint, forward)) = link.attachment.joint() {
                     let kind = &model.joints[joint.0].kind;
                     let (parent, own) = if forward { (0, 1) } else { (1, 0) };
-                    let arms = points_of(kind).map(|point| numbered_point_m(model, number, point));
+                    let arms = kind.points().map(|point| numbered_point_m(model, number, point));
                     let angles = line_angles_rad(kind, number);
                     geometry.parent_arm_m = arms[parent];
                     geometry.own_arm_m = arms[own];
@@ -115,7 +115,7 @@ impl<T: Real> Geometry<T> {
             .map(|cut| {
                 let kind = &model.joints[cut.joint.0].kind;
                 CutGeometry {
-                    arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
+                    arms_m: kind.points().map(|point| numbered_point_m(model, number, point)),
                     angles_rad: line_angles_rad(kind, number),
                     eccentricity_m: Vec2::zero(),
                 }
@@ -163,17 +163,6 @@ impl<T: Real> Geometry<T> {
                 CutKind::Revolute | CutKind::Rigid => geometry.eccentricity_m = displacement,
             }
         }
-    }
-}
-
-/// The joint that attaches a link, and its direction.
-pub fn joint_of(attachment: Attachment) -> Option<(JointId, bool)> {
-    match attachment {
-        Attachment::Free { .. } => None,
-        Attachment::Revolute { joint, forward, .. }
-        | Attachment::DrivenRevolute { joint, forward, .. }
-        | Attachment::Prismatic { joint, forward, .. }
-        | Attachment::Rigid { joint, forward } => Some((joint, forward)),
     }
 }
 

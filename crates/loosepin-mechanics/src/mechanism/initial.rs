@@ -3,9 +3,9 @@
 use super::constraints;
 use super::drive::Drives;
 use super::error::MechanismError;
-use super::geometry::{Geometry, joint_of};
+use super::geometry::Geometry;
 use super::kinematics::{Kinematics, moved};
-use super::tree::{Tree, points_of};
+use super::tree::Tree;
 use crate::model::{Axis, InitialNumber, InitialOf, InitialValue, JointId, Model, Values};
 use loosepin_math::Vec2;
 
@@ -46,7 +46,7 @@ pub fn value_and_gradient(
     match of {
         InitialOf::BodyAngle(body) => turn(tree.slot_of_body[body.0], 1.0),
         InitialOf::JointAngle(joint) => {
-            let [i, j] = points_of(&model.joints[joint.0].kind).map(|point| tree.slot_of_body[point.body.0]);
+            let [i, j] = model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0]);
             turn(j, 1.0) + turn(i, -1.0)
         }
         InitialOf::BodyPosition(body, axis) => {
@@ -93,8 +93,8 @@ fn guide(
     geometry: &Geometry<f64>,
     joint: JointId,
 ) -> Option<([usize; 2], [Vec2<f64>; 2], f64)> {
-    let slots = points_of(&model.joints[joint.0].kind).map(|point| tree.slot_of_body[point.body.0]);
-    let of_link = tree.links.iter().zip(&geometry.links).find_map(|(link, numbers)| match joint_of(link.attachment) {
+    let slots = model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0]);
+    let of_link = tree.links.iter().zip(&geometry.links).find_map(|(link, numbers)| match link.attachment.joint() {
         Some((own, true)) if own == joint => {
             Some(([numbers.parent_arm_m, numbers.own_arm_m], numbers.parent_angle_rad))
         }

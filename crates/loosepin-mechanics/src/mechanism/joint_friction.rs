@@ -1,7 +1,6 @@
 //! The numbers of friction in ideal joints.
 
 use super::points::point_m;
-use super::tree::points_of;
 use crate::contact::FrictionLaw;
 use crate::model::{JointId, JointKind, Model, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers, sin_cos};
@@ -31,7 +30,7 @@ impl<T: Real> JointFriction<T> {
         with_friction
             .map(|(id, joint, friction)| {
                 let numbers: Vec<f64> = friction.friction.numbers.iter().map(|number| values[*number]).collect();
-                let [_, second] = points_of(&joint.kind);
+                let [_, second] = joint.kind.points();
                 let guide_direction = match joint.kind {
                     JointKind::Prismatic { guide_angle_rad, .. } => {
                         let (sine, cosine) = sin_cos(values[guide_angle_rad]);

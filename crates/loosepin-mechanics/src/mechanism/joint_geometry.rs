@@ -1,7 +1,6 @@
 //! The numbers of a joint of which the coordinate is read.
 
 use super::points::numbered_point_m;
-use super::tree::points_of;
 use crate::model::{JointId, JointKind, Model, QuantityId};
 use loosepin_math::{Real, Vec2, numbers};
 
@@ -26,7 +25,7 @@ impl<T: Real> JointGeometry<T> {
     pub fn new(model: &Model, joint: JointId, number: &dyn Fn(QuantityId) -> T) -> Self {
         let kind = &model.joints[joint.0].kind;
         Self {
-            arms_m: points_of(kind).map(|point| numbered_point_m(model, number, point)),
+            arms_m: kind.points().map(|point| numbered_point_m(model, number, point)),
             line: match kind {
                 JointKind::Prismatic { guide_angle_rad: line_rad, .. }
                 | JointKind::Slot { slot_angle_rad: line_rad, .. } => {

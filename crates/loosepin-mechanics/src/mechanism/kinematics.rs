@@ -113,6 +113,16 @@ impl<T: Real> Kinematics<T> {
         }
     }
 
+    /// Adds the generalised force of a force on the body in `slot` and of its moment about the body's origin to `to`, which has a
+    /// number for each coordinate.
+    #[inline(always)]
+    pub fn add_push(&self, tree: &Tree, slot: usize, force_n: Vec2<T>, about_origin_n_m: T, to: &mut [T]) {
+        for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(self.partials(slot)) {
+            let sum = turned_by(to[dependence.coordinate], about_origin_n_m, dependence.turning);
+            to[dependence.coordinate] = force_n.x.mul_add(partial.x, force_n.y.mul_add(partial.y, sum));
+        }
+    }
+
     /// Poses and partial velocities at `coordinates` (m and rad, free ones first).
     #[inline(always)]
     pub fn set_positions(&mut self, tree: &Tree, geometry: &Geometry<T>, coordinates: &[T]) {

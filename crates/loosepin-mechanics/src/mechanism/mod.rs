@@ -51,5 +51,5 @@ pub use load::{CourseNumbers, LoadGeometry};
 pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};
-pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree, bodies_of, points_of};
+pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree};
 pub use ways_on::WaysOn;

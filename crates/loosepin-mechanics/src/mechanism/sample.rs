@@ -11,7 +11,6 @@ use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
-use super::tree::points_of;
 use crate::contact::{
     Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact,
     compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
@@ -181,7 +180,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     let kind = &model.joints[joint.0].kind;
     let (clearance_m, contact) = kind.play()?;
     let contact = &model.contacts[contact.0];
-    let [bearing, journal] = points_of(kind);
+    let [bearing, journal] = kind.points();
     let clearance_m = values[clearance_m];
     let number = |id: QuantityId| T::from_f64(values[id]);
     let (shape, normal) = match kind {

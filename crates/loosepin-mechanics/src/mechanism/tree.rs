@@ -1,6 +1,7 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
-use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PointId};
+use crate::model::{BodyId, DriveId, JointId, JointKind, Model};
+use loosepin_text::units::Dimension;
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
 /// first) and the child the second one (journal, slider, second).
@@ -49,6 +50,17 @@ pub enum Attachment {
 }
 
 impl Attachment {
+    /// The joint by which a body hangs on its parent, and its direction along the tree; none for a body that hangs on nothing.
+    pub fn joint(&self) -> Option<(JointId, bool)> {
+        match *self {
+            Self::Free { .. } => None,
+            Self::Revolute { joint, forward, .. }
+            | Self::DrivenRevolute { joint, forward, .. }
+            | Self::Prismatic { joint, forward, .. }
+            | Self::Rigid { joint, forward } => Some((joint, forward)),
+        }
+    }
+
     /// Indices of the coordinates that this attachment adds.
     fn own_coordinates(&self) -> std::ops::Range<usize> {
         match *self {
@@ -145,8 +157,8 @@ impl JointPlace {
     pub fn new(model: &Model, tree: &Tree, joint: JointId) -> Self {
         let kind = &model.joints[joint.0].kind;
         Self {
-            slots: points_of(kind).map(|point| tree.slot_of_body[point.body.0]),
-            is_prismatic: matches!(kind, JointKind::Prismatic { .. } | JointKind::Slot { .. }),
+            slots: kind.bodies().map(|body| tree.slot_of_body[body.0]),
+            is_prismatic: kind.coordinate() == Some(Dimension::LENGTH),
         }
     }
 }
@@ -217,7 +229,7 @@ impl Tree {
         let mut component: Vec<usize> = (0..model.bodies.len()).collect();
         let mut in_tree = vec![false; model.joints.len()];
         for &joint in order.iter().filter(|joint| !matches!(model.joints[joint.0].kind, JointKind::Slot { .. })) {
-            let [first, second] = bodies_of(&model.joints[joint.0].kind).map(|body| component[body.0]);
+            let [first, second] = model.joints[joint.0].kind.bodies().map(|body| component[body.0]);
             if first != second {
                 in_tree[joint.0] = true;
                 component.iter_mut().filter(|c| **c == second).for_each(|c| *c = first);
@@ -261,7 +273,7 @@ impl Tree {
             let kind = &model.joints[joint.0].kind;
             tree.cuts.push(Cut {
                 joint,
-                slots: bodies_of(kind).map(|body| tree.slot_of_body[body.0]),
+                slots: kind.bodies().map(|body| tree.slot_of_body[body.0]),
                 kind: match kind {
                     JointKind::Revolute { .. } => CutKind::Revolute,
                     JointKind::Prismatic { .. } => CutKind::Prismatic,
@@ -322,7 +334,7 @@ impl Tree {
             next += 1;
             for joint in (0..model.joints.len()).map(JointId).filter(|joint| in_tree[joint.0]) {
                 let kind = &model.joints[joint.0].kind;
-                let [first, second] = bodies_of(kind);
+                let [first, second] = kind.bodies();
                 let (child, forward) = match (first == parent, second == parent) {
                     (true, _) => (second, true),
                     (_, true) => (first, false),
@@ -394,20 +406,5 @@ impl Tree {
                 Attachment::Revolute { .. } | Attachment::Free { .. } | Attachment::Rigid { .. } => {}
             }
         }
-    }
-}
-
-/// The two bodies that a joint connects: bearing and journal, guide and slider, slot and pin, first and second.
-pub fn bodies_of(kind: &JointKind) -> [BodyId; 2] {
-    points_of(kind).map(|point| point.body)
-}
-
-/// The two points that a joint connects: bearing and journal, guide and slider, slot and pin, first and second.
-pub fn points_of(kind: &JointKind) -> [PointId; 2] {
-    match *kind {
-        JointKind::Revolute { bearing, journal, .. } => [bearing, journal],
-        JointKind::Prismatic { guide, slider, .. } => [guide, slider],
-        JointKind::Slot { slot, pin, .. } => [slot, pin],
-        JointKind::Rigid { first, second, .. } => [first, second],
     }
 }

@@ -29,6 +29,13 @@ pub enum InitialNumber {
     },
 }
 
+impl InitialOf {
+    /// The coordinate of a joint, which is an angle or a length.
+    pub fn joint(joint: JointId, coordinate: Dimension) -> Self {
+        if coordinate == Dimension::LENGTH { Self::JointPosition(joint) } else { Self::JointAngle(joint) }
+    }
+}
+
 impl InitialValue {
     /// Its dimension.
     pub fn dimension(&self) -> Dimension {

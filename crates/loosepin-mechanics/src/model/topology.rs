@@ -231,6 +231,30 @@ pub struct SlotClearance {
 }
 
 impl JointKind {
+    /// The two points that it connects: bearing and journal, guide and slider, slot and pin, first and second.
+    pub fn points(&self) -> [PointId; 2] {
+        match *self {
+            Self::Revolute { bearing, journal, .. } => [bearing, journal],
+            Self::Prismatic { guide, slider, .. } => [guide, slider],
+            Self::Slot { slot, pin, .. } => [slot, pin],
+            Self::Rigid { first, second, .. } => [first, second],
+        }
+    }
+
+    /// The bodies of these points.
+    pub fn bodies(&self) -> [BodyId; 2] {
+        self.points().map(|point| point.body)
+    }
+
+    /// Dimension of its coordinate: an angle, or a position along a line; none of a rigid joint.
+    pub fn coordinate(&self) -> Option<Dimension> {
+        match self {
+            Self::Revolute { .. } => Some(Dimension::ANGLE),
+            Self::Prismatic { .. } | Self::Slot { .. } => Some(Dimension::LENGTH),
+            Self::Rigid { .. } => None,
+        }
+    }
+
     /// The clearance, m, and the contact of a joint that may have play.
     pub fn play(&self) -> Option<(QuantityId, ContactId)> {
         match self {

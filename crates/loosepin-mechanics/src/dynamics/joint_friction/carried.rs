@@ -48,11 +48,7 @@ impl<T: Real> Dynamics<'_, T> {
                 let force = entry.wrench.0 * sign;
                 let arm = entry.place_m - self.kinematics.poses[slot].position_m;
                 let about_origin = entry.wrench.1 * sign + arm.cross(force);
-                let partials = self.kinematics.partials(slot);
-                for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(partials) {
-                    let sum = turned_by(push[dependence.coordinate], about_origin, dependence.turning);
-                    push[dependence.coordinate] = force.x.mul_add(partial.x, force.y.mul_add(partial.y, sum));
-                }
+                self.kinematics.add_push(tree, slot, force, about_origin, push);
             }
             let answer = &mut answers[index * n..(index + 1) * n];
             answer.copy_from_slice(&push[..n]);

@@ -31,7 +31,7 @@ const fn second(doc: &'static str) -> Key {
     required("second", Kind::Reference("joint"), "\"output\"", doc)
 }
 
-pub(in crate::model) static GEARS_KEYS: Keys = Keys::new(
+static GEARS_KEYS: Keys = Keys::new(
     "two gears in mesh, on revolute joints with one body in common, which carries both",
     &[
         required("kind", Kind::Choice(&["gears"]), "\"gears\"", "the kind of coupling"),
@@ -50,7 +50,7 @@ pub(in crate::model) static GEARS_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["radii", "teeth"]]);
 
-pub(in crate::model) static BELT_KEYS: Keys = Keys::new(
+static BELT_KEYS: Keys = Keys::new(
     "a belt or a chain without slip around two wheels, on revolute joints with one body in common, which carries both",
     &[
         required("kind", Kind::Choice(&["belt"]), "\"belt\"", "the kind of coupling"),
@@ -69,7 +69,7 @@ pub(in crate::model) static BELT_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["radii", "teeth"]]);
 
-pub(in crate::model) static RACK_KEYS: Keys = Keys::new(
+static RACK_KEYS: Keys = Keys::new(
     "a rack and its pinion, on a prismatic and a revolute joint with one body in common, which carries both",
     &[
         required("kind", Kind::Choice(&["rack"]), "\"rack\"", "the kind of coupling"),
@@ -86,7 +86,7 @@ pub(in crate::model) static RACK_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static RATIO_KEYS: Keys = Keys::new(
+static RATIO_KEYS: Keys = Keys::new(
     "the angle or position of the second joint is a multiple of that of the first",
     &[
         required("kind", Kind::Choice(&["ratio"]), "\"ratio\"", "the kind of coupling"),

@@ -10,7 +10,7 @@ const fn kind(choice: &'static [&'static str], example: &'static str) -> Key {
     required("kind", Kind::Choice(choice), example, "the kind of motion")
 }
 
-pub(in crate::model) static POLYNOMIAL_KEYS: Keys = Keys::new(
+static POLYNOMIAL_KEYS: Keys = Keys::new(
     "c0 + c1 time + c2 time^2 + ...",
     &[
         kind(&["polynomial"], "\"polynomial\""),
@@ -23,7 +23,7 @@ pub(in crate::model) static POLYNOMIAL_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static HARMONIC_KEYS: Keys = Keys::new(
+static HARMONIC_KEYS: Keys = Keys::new(
     "mean + amplitude sin(360 deg frequency time + phase)",
     &[
         kind(&["harmonic"], "\"harmonic\""),
@@ -39,7 +39,7 @@ pub(in crate::model) static HARMONIC_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static CYCLOIDAL_KEYS: Keys = Keys::new(
+static CYCLOIDAL_KEYS: Keys = Keys::new(
     "a rise without a jump of the acceleration, between two rests",
     &[
         kind(&["cycloidal"], "\"cycloidal\""),
@@ -50,7 +50,7 @@ pub(in crate::model) static CYCLOIDAL_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static TABLE_KEYS: Keys = Keys::new(
+static TABLE_KEYS: Keys = Keys::new(
     "a cubic spline through points, whose acceleration does not jump between them",
     &[
         kind(&["table"], "\"table\""),
@@ -72,7 +72,7 @@ pub(in crate::model) static TABLE_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["points", "csv"]]);
 
-pub(in crate::model) static EXPRESSION_KEYS: Keys = Keys::new(
+static EXPRESSION_KEYS: Keys = Keys::new(
     "an expression over time",
     &[
         kind(&["expression"], "\"expression\""),

@@ -27,7 +27,7 @@ pub(in crate::model) static HARMONIC_TORQUE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static FORCE_KEYS: Keys = Keys::new(
+static FORCE_KEYS: Keys = Keys::new(
     "a force on a point of a body",
     &[
         required("kind", Kind::Choice(&["force"]), "\"force\"", "the kind of load"),
@@ -49,7 +49,7 @@ pub(in crate::model) static FORCE_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static TORQUE_KEYS: Keys = Keys::new(
+static TORQUE_KEYS: Keys = Keys::new(
     "a torque on a body",
     &[
         required("kind", Kind::Choice(&["torque"]), "\"torque\"", "the kind of load"),

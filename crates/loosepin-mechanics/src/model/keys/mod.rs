@@ -232,7 +232,7 @@ pub(in crate::model) static CONTACT_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static REVOLUTE_KEYS: Keys = Keys::new(
+static REVOLUTE_KEYS: Keys = Keys::new(
     "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
     &[
         required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
@@ -303,7 +303,7 @@ pub(in crate::model) static SLIDER_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static PRISMATIC_KEYS: Keys = Keys::new(
+static PRISMATIC_KEYS: Keys = Keys::new(
     "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
@@ -349,7 +349,7 @@ pub(in crate::model) static PRISMATIC_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static SLOT_KEYS: Keys = Keys::new(
+static SLOT_KEYS: Keys = Keys::new(
     "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
     &[
         required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
@@ -382,7 +382,7 @@ pub(in crate::model) static SLOT_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(in crate::model) static RIGID_KEYS: Keys = Keys::new(
+static RIGID_KEYS: Keys = Keys::new(
     "two points coincide and the bodies do not turn against each other",
     &[
         required("kind", Kind::Choice(&["rigid"]), "\"rigid\"", "the kind of joint"),

@@ -12,7 +12,7 @@ const CURVE: Key = optional(
      stiffness' slope",
 );
 
-pub(in crate::model) static LINEAR_SPRING_KEYS: Keys = Keys::new(
+static LINEAR_SPRING_KEYS: Keys = Keys::new(
     "a spring with its damper between points of two bodies; it pulls where it is longer than its free length",
     &[
         required("kind", Kind::Choice(&["linear"]), "\"linear\"", "the kind of spring"),
@@ -49,7 +49,7 @@ pub(in crate::model) static LINEAR_SPRING_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["stiffness", "points", "csv"], &["free_length", "points", "csv"]]);
 
-pub(in crate::model) static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
+static TORSIONAL_SPRING_KEYS: Keys = Keys::new(
     "a spring with its damper that turns two bodies back to their free angle",
     &[
         required("kind", Kind::Choice(&["torsional"]), "\"torsional\"", "the kind of spring"),

@@ -1,9 +1,7 @@
 //! Contacts between pin and hole.
 
 use super::reader::{ModelReader, UNREAD};
-use crate::contact::{
-    FILM_LAWS, FRICTION_LAWS, FilmDescription, FrictionDescription, LinearLaw, NormalDescription, POINT_LAWS, PointLaw,
-};
+use crate::contact::{FILM_LAWS, FRICTION_LAWS, LinearLaw, NormalDescription, POINT_LAWS, PointLaw};
 use crate::contact::{friction_law, point_law};
 use crate::model::ids::ContactId;
 use crate::model::keys::{CONTACT_KEYS, FILM_KEYS, FRICTION_KEYS, POISSON_RATIO, YOUNGS_MODULUS};
@@ -79,14 +77,8 @@ impl ModelReader {
     }
 
     fn law(&mut self, table: &Table<'_>) -> Option<NormalDescription> {
-        match table.get("law") {
-            Some(entry) => {
-                let choices: Vec<(&'static str, NormalDescription)> =
-                    NormalDescription::all().map(|law| (law.name(), law)).collect();
-                self.reader.choice(&entry, &choices)
-            }
-            None => point_law(DEFAULT_LAW).map(NormalDescription::Point),
-        }
+        let laws: Vec<_> = NormalDescription::all().map(|law| (law.name(), law)).collect();
+        self.choice_or(table, "law", &laws, NormalDescription::Point(point_law(DEFAULT_LAW)?))
     }
 
     /// The law whose χ is the energy loss; the outer option is absent after a complaint.
@@ -94,14 +86,10 @@ impl ModelReader {
         match law? {
             NormalDescription::Point(law) => Some(Some(law)),
             NormalDescription::Linear(_) => Some(None),
-            NormalDescription::Line(law) => match table.get("damping") {
-                Some(entry) => {
-                    let choices: Vec<(&'static str, &'static PointLaw)> =
-                        POINT_LAWS.iter().map(|law| (law.name, law)).collect();
-                    self.reader.choice(&entry, &choices).map(Some)
-                }
-                None => Some(point_law(law.default_damping)),
-            },
+            NormalDescription::Line(law) => {
+                let laws: Vec<_> = POINT_LAWS.iter().map(|law| (law.name, law)).collect();
+                self.choice_or(table, "damping", &laws, point_law(law.default_damping)?).map(Some)
+            }
         }
     }
 
@@ -117,11 +105,7 @@ impl ModelReader {
             }
         };
         for key in refused {
-            if let Some(entry) = table.get(key) {
-                let entry_words = table.path.describe();
-                let problem = ModelProblem::KeyWithoutEffect { entry: entry_words, key, beside: law.name() };
-                self.reader.complain(&problem, entry.key_span);
-            }
+            self.refuse_beside(table, key, law.name());
         }
     }
 
@@ -219,22 +203,14 @@ impl ModelReader {
     /// Reads a friction law with its numbers.
     pub(super) fn friction(&mut self, entry: &Entry<'_>, keys: &'static Keys) -> Option<Friction> {
         let table = self.reader.table(entry, keys)?;
-        let law = match table.get("law") {
-            Some(entry) => {
-                let choices: Vec<(&'static str, &'static FrictionDescription)> =
-                    FRICTION_LAWS.iter().map(|law| (law.name, law)).collect();
-                self.reader.choice(&entry, &choices)
-            }
-            None => friction_law(DEFAULT_FRICTION_LAW),
-        };
+        let laws: Vec<_> = FRICTION_LAWS.iter().map(|law| (law.name, law)).collect();
+        let law = self.choice_or(&table, "law", &laws, friction_law(DEFAULT_FRICTION_LAW)?);
         let has_readings = keys.find("sliding_velocity").is_some();
-        let reading = if has_readings { table.get("sliding_velocity") } else { None };
-        let sliding_velocity = match reading {
-            Some(entry) => {
-                let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
-                self.reader.choice(&entry, &readings)
-            }
-            None => Some(SlidingVelocity::Material),
+        let sliding_velocity = if has_readings {
+            let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
+            self.choice_or(&table, "sliding_velocity", &readings, SlidingVelocity::Material)
+        } else {
+            Some(SlidingVelocity::Material)
         };
         let Some(law) = law else {
             // What is wrong with the numbers is said nevertheless.
@@ -244,11 +220,8 @@ impl ModelReader {
             return None;
         };
         for key in keys.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
-            let is_taken = law.numbers.iter().any(|number| number.key == key.name);
-            if let Some(entry) = table.get(key.name).filter(|_| !is_taken) {
-                let entry_words = table.path.describe();
-                let problem = ModelProblem::KeyWithoutEffect { entry: entry_words, key: key.name, beside: law.name };
-                self.reader.complain(&problem, entry.key_span);
+            if law.numbers.iter().all(|number| number.key != key.name) {
+                self.refuse_beside(&table, key.name, law.name);
             }
         }
         let numbers = law.numbers.iter().map(|number| match number.default_si {
@@ -270,12 +243,9 @@ impl ModelReader {
 
     fn film(&mut self, entry: &Entry<'_>) -> Option<Lubrication> {
         let table = self.reader.table(entry, &FILM_KEYS)?;
-        let choices = FILM_LAWS.iter().map(|law| (law.name, law));
-        let choices: Vec<(&'static str, &'static FilmDescription)> = choices.collect();
-        let law = match table.get("law") {
-            Some(entry) => self.reader.choice(&entry, &choices),
-            None => choices.iter().find(|(name, _)| *name == DEFAULT_FILM_LAW).map(|(_, law)| *law),
-        };
+        let laws: Vec<_> = FILM_LAWS.iter().map(|law| (law.name, law)).collect();
+        let default = FILM_LAWS.iter().find(|law| law.name == DEFAULT_FILM_LAW)?;
+        let law = self.choice_or(&table, "law", &laws, default);
         let viscosity_pa_s = self.quantity(&table, "viscosity");
         let roughness_m = self.quantity(&table, "roughness");
         Some(Lubrication { law: law?, viscosity_pa_s: viscosity_pa_s?, roughness_m: roughness_m? })

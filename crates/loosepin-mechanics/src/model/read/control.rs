@@ -1,27 +1,15 @@
 //! Reading controlled joints.
 
 use super::drive::Driven;
-use super::function::Changing;
 use super::reader::ModelReader;
 use crate::model::control::{Control, FeedForward};
 use crate::model::ids::JointId;
 use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
 use crate::model::keys::control::{CONTROL_KEYS, INVERSE_DYNAMICS};
-use crate::model::load::Course;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
-
-/// Dimensions of the coordinate of a joint and of the effort along it; none for a rigid joint.
-fn coordinate_and_effort(kind: &JointKind) -> Option<(Dimension, Dimension)> {
-    match kind {
-        JointKind::Revolute { .. } => Some((Dimension::ANGLE, Dimension::TORQUE)),
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } => Some((Dimension::LENGTH, Dimension::FORCE)),
-        JointKind::Rigid { .. } => None,
-    }
-}
 
 impl ModelReader {
     /// Reads the table of controls.
@@ -36,15 +24,13 @@ impl ModelReader {
     fn control(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Control> {
         let joint_entry = table.get("joint")?;
         let joint = self.moving_joint(&joint_entry)?;
-        let name = self.joints[joint.0].name.clone();
-        if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
-            let other = format!("drive '{}'", other.name);
-            let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
-            self.reader.complain(&problem, joint_entry.span);
-            return None;
-        }
-        if let Some(other) = self.controls.iter().find(|control| control.joint == joint) {
-            let other = format!("control '{}'", other.name);
+        let drive = self.drives.iter().find(|drive| drive.joint == joint);
+        let other = drive.map(|drive| format!("drive '{}'", drive.name)).or_else(|| {
+            let control = self.controls.iter().find(|control| control.joint == joint)?;
+            Some(format!("control '{}'", control.name))
+        });
+        if let Some(other) = other {
+            let name = self.joints[joint.0].name.clone();
             let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
             self.reader.complain(&problem, joint_entry.span);
             return None;
@@ -53,8 +39,8 @@ impl ModelReader {
             Some(entry) => self.moving_joint(&entry)?,
             None => joint,
         };
-        let (_, effort) = coordinate_and_effort(&self.joints[joint.0].kind)?;
-        let (coordinate, _) = coordinate_and_effort(&self.joints[measured.0].kind)?;
+        let [along, coordinate] = [joint, measured].map(|joint| self.coordinate_of(joint));
+        let effort = if along == Dimension::LENGTH { Dimension::FORCE } else { Dimension::TORQUE };
         let mut gain = |key: &str, dimension: Dimension| {
             table.get(key).map(|entry| self.quantity_of(&entry, dimension, Rule::NonNegative))
         };
@@ -84,9 +70,9 @@ impl ModelReader {
 
     /// A joint that has a coordinate.
     pub(super) fn moving_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
-        let name = self.reader.text(entry)?.to_owned();
-        let joint = self.named(entry, "joint", &name, |file| &file.joint_names)?;
-        if coordinate_and_effort(&self.joints[joint.0].kind).is_none() {
+        let joint = self.joint(entry)?;
+        if self.joints[joint.0].kind.coordinate().is_none() {
+            let name = self.joints[joint.0].name.clone();
             let problem = ModelProblem::DoesNotMove { entry: entry.path.describe(), joint: name };
             self.reader.complain(&problem, entry.span);
             return None;
@@ -104,27 +90,19 @@ impl ModelReader {
         let Some(entry) = table.get("feed_forward") else { return Some(FeedForward::None) };
         if entry.is_text() && self.reader.text(&entry) == Some(INVERSE_DYNAMICS) {
             if joint != measured {
-                let (key, beside) = ("measured", "feed_forward = \"inverse dynamics\"");
-                let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key, beside };
-                self.reader.complain(&problem, table.get(key).map_or(entry.span, |found| found.key_span));
+                self.refuse_beside(table, "measured", "feed_forward = \"inverse dynamics\"");
                 return None;
             }
             return Some(FeedForward::InverseDynamics);
         }
         let variables = self.variables(Some(measured));
-        Some(FeedForward::Course(match self.changing(&entry, effort, Rule::Finite, &variables)? {
-            Changing::Constant(id) => Course::Constant(id),
-            Changing::Function(function) => Course::Function(function),
-        }))
+        Some(FeedForward::Course(self.changing(&entry, effort, Rule::Finite, &variables)?.into()))
     }
 
     /// Where nothing is given of the initial state, controlled joints start on their references, and as fast.
     pub fn initial_of_controls(&self) -> Vec<InitialValue> {
         let both = self.controls.iter().enumerate().flat_map(|(index, control)| {
-            let of = match self.joints[control.measured.0].kind {
-                JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(control.measured),
-                _ => InitialOf::JointAngle(control.measured),
-            };
+            let of = InitialOf::joint(control.measured, self.coordinate_of(control.measured));
             let path = format!("control.{}", control.name);
             [false, true].map(|is_rate| InitialValue {
                 path: path.clone(),

@@ -3,10 +3,9 @@
 use super::reader::ModelReader;
 use crate::model::coupling::{Coupling, CouplingLaw, Ratio};
 use crate::model::ids::{BodyId, JointId};
-use crate::model::keys::coupling::{BELT_KEYS, CAM_KEYS, COUPLING_KINDS, GEARS_KEYS, RACK_KEYS, RATIO_KEYS};
+use crate::model::keys::coupling::{CAM_KEYS, COUPLING_KINDS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -21,15 +20,7 @@ impl ModelReader {
     }
 
     fn coupling(&mut self, entry: &Entry<'_>) -> Option<Coupling> {
-        let kinds: Vec<(&'static str, &'static str)> = COUPLING_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
-        let kind = self.reader.tag(entry, "kind", &kinds)?;
-        let keys = match kind {
-            "gears" => &GEARS_KEYS,
-            "belt" => &BELT_KEYS,
-            "rack" => &RACK_KEYS,
-            _ => &RATIO_KEYS,
-        };
-        let table = self.reader.table(entry, keys)?;
+        let (kind, table) = self.table_of_kind(entry, COUPLING_KINDS)?;
         let [first, second] = self.two_joints(&table, ["first", "second"], kind)?;
         let (from, to) = (self.coordinate_of(first), self.coordinate_of(second));
         let ratio = match kind {
@@ -38,10 +29,7 @@ impl ModelReader {
                     let mesh = table.get("mesh");
                     mesh.and_then(|entry| self.reader.choice(&entry, &[("external", true), ("internal", false)]))
                 } else {
-                    match table.get("run") {
-                        Some(entry) => self.reader.choice(&entry, &[("open", false), ("crossed", true)]),
-                        None => Some(false),
-                    }
+                    self.choice_or(&table, "run", &[("open", false), ("crossed", true)], false)
                 };
                 let sizes = self.sizes(&table);
                 let is_turned = self.is_turned(entry, first, second);
@@ -84,11 +72,8 @@ impl ModelReader {
     }
 
     /// Dimension of the coordinate of a joint.
-    fn coordinate_of(&self, joint: JointId) -> Dimension {
-        match self.joints[joint.0].kind {
-            JointKind::Prismatic { .. } | JointKind::Slot { .. } => Dimension::LENGTH,
-            _ => Dimension::ANGLE,
-        }
+    pub(super) fn coordinate_of(&self, joint: JointId) -> Dimension {
+        self.joints[joint.0].kind.coordinate().unwrap_or(Dimension::ANGLE)
     }
 
     /// Two joints that a coupling of a kind may have.

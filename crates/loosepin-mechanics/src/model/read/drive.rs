@@ -5,9 +5,7 @@ use super::reader::ModelReader;
 use crate::model::drive::{Drive, DriveLaw};
 use crate::model::function::TIME;
 use crate::model::ids::{DriveId, JointId};
-use crate::model::keys::drive::{
-    CYCLOIDAL_KEYS, DRIVE_KEYS, EXPRESSION_KEYS, HARMONIC_KEYS, MOTION_KINDS, POLYNOMIAL_KEYS, TABLE_KEYS,
-};
+use crate::model::keys::drive::{DRIVE_KEYS, MOTION_KINDS};
 use crate::model::problem::{HAS_PLAY, HAS_PLAY_IN_GUIDE, IS_RIGID, IS_SLOT, ModelProblem};
 use crate::model::quantity::QuantityId;
 use crate::model::topology::JointKind;
@@ -60,8 +58,8 @@ impl ModelReader {
 
     fn driven_joint(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Driven> {
         let joint_entry = table.get("joint")?;
-        let joint_name = self.reader.text(&joint_entry)?.to_owned();
-        let joint = self.named(&joint_entry, "joint", &joint_name, |file| &file.joint_names)?;
+        let joint = self.joint(&joint_entry)?;
+        let joint_name = self.joints[joint.0].name.clone();
         let words = entry.path.describe();
         if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
             let other = other.name.clone();
@@ -116,14 +114,13 @@ impl ModelReader {
     }
 
     pub(super) fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
-        let kinds: Vec<(&'static str, &'static str)> = MOTION_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
-        match self.reader.tag(entry, "kind", &kinds)? {
-            "polynomial" => self.polynomial(entry, driven.dimension),
-            "harmonic" => self.harmonic(entry, driven.dimension),
-            "cycloidal" => self.cycloidal(entry, driven.dimension),
-            "table" => self.table_motion(entry, driven.dimension),
+        let (kind, table) = self.table_of_kind(entry, MOTION_KINDS)?;
+        match kind {
+            "polynomial" => self.polynomial(&table, driven.dimension),
+            "harmonic" => self.harmonic(&table, driven.dimension),
+            "cycloidal" => self.cycloidal(&table, driven.dimension),
+            "table" => self.table_motion(&table, driven.dimension),
             _ => {
-                let table = self.reader.table(entry, &EXPRESSION_KEYS)?;
                 let entry = table.get("position")?;
                 match self.changing(&entry, driven.dimension, Rule::Finite, &[TIME])? {
                     Changing::Function(function) => Some(DriveLaw::Function(function)),
@@ -134,8 +131,7 @@ impl ModelReader {
         }
     }
 
-    fn polynomial(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let table = self.reader.table(entry, &POLYNOMIAL_KEYS)?;
+    fn polynomial(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
         let list = table.get("coefficients")?;
         let elements = self.reader.list(&list)?;
         if elements.is_empty() {
@@ -152,31 +148,26 @@ impl ModelReader {
         Some(DriveLaw::Polynomial { coefficients: coefficients? })
     }
 
-    fn harmonic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let table = self.reader.table(entry, &HARMONIC_KEYS)?;
+    fn harmonic(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
         let [mean, amplitude] = ["mean", "amplitude"]
             .map(|key| table.get(key).and_then(|entry| self.quantity_of(&entry, dimension, Rule::Finite)));
-        let frequency = self.quantity(&table, "frequency");
-        let phase_rad = self.quantity_or(&table, "phase", 0.0);
+        let frequency = self.quantity(table, "frequency");
+        let phase_rad = self.quantity_or(table, "phase", 0.0);
         Some(DriveLaw::Harmonic { mean: mean?, amplitude: amplitude?, frequency: frequency?, phase_rad: phase_rad? })
     }
 
-    fn cycloidal(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let table = self.reader.table(entry, &CYCLOIDAL_KEYS)?;
+    fn cycloidal(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
         let [from, to] = ["from", "to"]
             .map(|key| table.get(key).and_then(|entry| self.quantity_of(&entry, dimension, Rule::Finite)));
-        let duration_s = self.quantity(&table, "duration");
-        let dwell_s = self.quantity_or(&table, "dwell", 0.0);
+        let duration_s = self.quantity(table, "duration");
+        let dwell_s = self.quantity_or(table, "dwell", 0.0);
         Some(DriveLaw::Cycloidal { from: from?, to: to?, duration_s: duration_s?, dwell_s: dwell_s? })
     }
 
-    fn table_motion(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let table = self.reader.table(entry, &TABLE_KEYS)?;
-        let is_periodic = match table.get("ends") {
-            Some(entry) => self.reader.choice(&entry, &[("clamped", false), ("periodic", true)]),
-            None => None,
-        };
-        let points = self.table_points(&table, [("time", Dimension::TIME), ("position", dimension)])?;
+    fn table_motion(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
+        let ends = table.get("ends");
+        let is_periodic = ends.and_then(|entry| self.reader.choice(&entry, &[("clamped", false), ("periodic", true)]));
+        let points = self.table_points(table, [("time", Dimension::TIME), ("position", dimension)])?;
         let is_periodic = is_periodic?;
         Some(DriveLaw::Table { points, is_periodic })
     }

@@ -1,6 +1,5 @@
 //! The play of a slider in its guide.
 
-use super::joint::is_literal_zero;
 use super::reader::ModelReader;
 use crate::contact::NormalDescription;
 use crate::model::ids::ContactId;
@@ -8,14 +7,16 @@ use crate::model::problem::ModelProblem;
 use crate::model::quantity::{Origin, QuantityId};
 use crate::model::topology::{GuideClearance, SlidingVelocity, Stiffness};
 use loosepin_text::document::Table;
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::units::{Dimension, Expression, Rule, run};
 
-/// Keys of a joint kind that go with its `clearance`.
+/// Keys of a joint kind that go with its clearance.
 pub(super) struct PlayKeys {
+    /// The key of the clearance.
+    pub clearance: &'static str,
     /// Keys that a clearance above zero needs.
     pub needed: &'static [&'static str],
-    /// Keys that have a meaning beside a clearance only.
-    pub further: &'static [&'static str],
+    /// All keys that have a meaning beside a clearance only.
+    pub beside: &'static [&'static str],
 }
 
 impl ModelReader {
@@ -25,8 +26,11 @@ impl ModelReader {
         table: &Table<'_>,
         ends_m: Option<[QuantityId; 2]>,
     ) -> Option<Option<GuideClearance>> {
-        const KEYS: PlayKeys =
-            PlayKeys { needed: &["half_length", "half_height", "contact"], further: &["corner_radius"] };
+        const KEYS: PlayKeys = PlayKeys {
+            clearance: "clearance",
+            needed: &["half_length", "half_height", "contact"],
+            beside: &["half_length", "half_height", "contact", "corner_radius"],
+        };
         let [half_length_m, half_height_m, corner_radius_m] =
             ["half_length", "half_height", "corner_radius"].map(|key| self.quantity(table, key));
         let contact = self.contact_of(table);
@@ -63,12 +67,12 @@ impl ModelReader {
         self.demand_order(start, end, span).then_some(Some([start, end]))
     }
 
-    /// The key `clearance`; the outer option is absent after a complaint, the inner for an ideal joint.
+    /// The clearance of a joint that may have play; the outer option is absent after a complaint, the inner for an ideal joint.
     pub(super) fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>> {
         let missing: Vec<&'static str> = keys.needed.iter().copied().filter(|key| !table.has(key)).collect();
-        let Some(entry) = table.get("clearance") else {
-            if let Some(key) = keys.needed.iter().chain(keys.further).find(|key| table.has(key)) {
-                self.complain_of_missing(table, key, vec!["clearance"]);
+        let Some(entry) = table.get(keys.clearance) else {
+            if let Some(key) = keys.beside.iter().find(|key| table.has(key)) {
+                self.complain_of_missing(table, key, vec![keys.clearance]);
                 return None;
             }
             return Some(None);
@@ -84,7 +88,7 @@ impl ModelReader {
         }
         let clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
         if !missing.is_empty() {
-            self.complain_of_missing(table, "clearance", missing);
+            self.complain_of_missing(table, keys.clearance, missing);
             return None;
         }
         Some(Some(clearance_m))
@@ -122,19 +126,15 @@ impl ModelReader {
                 self.complain_of_missing(table, "contact", vec!["corner_radius"]);
                 None
             }
-            (false, Some(entry)) => {
-                let words = table.path.describe();
-                let problem =
-                    ModelProblem::KeyWithoutEffect { entry: words, key: "corner_radius", beside: "stiffness" };
-                self.reader.complain(&problem, entry.key_span);
+            (false, Some(_)) => {
+                self.refuse_beside(table, "corner_radius", "stiffness");
                 None
             }
             _ => Some(()),
         }
     }
+}
 
-    fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
-        let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
-        self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
-    }
+fn is_literal_zero(expression: &Expression) -> bool {
+    expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
 }

@@ -5,7 +5,6 @@ use crate::model::ids::{Axis, BodyId};
 use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
 use crate::model::keys::{INITIAL_BODY_KEYS, INITIAL_JOINT_KEYS, INITIAL_KEYS};
 use crate::model::problem::ModelProblem;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -63,15 +62,12 @@ impl ModelReader {
         let table = self.reader.table(entry, &INITIAL_JOINT_KEYS);
         let joint = self.named(&entry.at_key(), "joint", entry.name, |file| &file.joint_names);
         let (Some(table), Some(joint)) = (table, joint) else { return };
-        let of = match self.joints[joint.0].kind {
-            JointKind::Revolute { .. } => InitialOf::JointAngle(joint),
-            JointKind::Prismatic { .. } | JointKind::Slot { .. } => InitialOf::JointPosition(joint),
-            JointKind::Rigid { .. } => {
-                let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
-                self.reader.complain(&problem, entry.key_span);
-                return;
-            }
+        let Some(coordinate) = self.joints[joint.0].kind.coordinate() else {
+            let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
+            self.reader.complain(&problem, entry.key_span);
+            return;
         };
+        let of = InitialOf::joint(joint, coordinate);
         for (key, is_rate, dimension) in COORDINATES {
             let fits = matches!(key, "angle" | "angular_velocity") == matches!(of, InitialOf::JointAngle(_));
             match table.get(key) {

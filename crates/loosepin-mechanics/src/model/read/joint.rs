@@ -1,16 +1,15 @@
 //! Joints.
 
+use super::guide::PlayKeys;
 use super::reader::ModelReader;
 use crate::contact::NormalDescription;
-use crate::model::ids::{BodyId, ContactId, JointId, PointId};
-use crate::model::keys::{
-    GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, PRISMATIC_KEYS, REVOLUTE_KEYS, RIGID_KEYS, SLIDER_KEYS, SLOT_KEYS,
-};
+use crate::model::ids::{ContactId, JointId, PointId};
+use crate::model::keys::{GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, SLIDER_KEYS};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, QuantityId};
+use crate::model::quantity::QuantityId;
 use crate::model::topology::{Clearance, Joint, JointFriction, JointKind};
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Expression, Rule, run};
+use loosepin_text::units::{Dimension, Rule};
 
 impl ModelReader {
     /// Reads the table of joints.
@@ -27,21 +26,18 @@ impl ModelReader {
     }
 
     fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>)> {
-        let kinds: Vec<(&'static str, &'static str)> = JOINT_KINDS.iter().map(|(kind, _)| (*kind, *kind)).collect();
-        let kind = self.reader.tag(entry, "kind", &kinds)?;
+        let (kind, table) = self.table_of_kind(entry, JOINT_KINDS)?;
         let (kind, friction) = match kind {
             "revolute" => {
-                let table = self.reader.table(entry, &REVOLUTE_KEYS)?;
                 let friction = self.joint_friction(&table, "pin_radius");
                 (self.revolute(&table), friction)
             }
             "prismatic" => {
-                let table = self.reader.table(entry, &PRISMATIC_KEYS)?;
                 let friction = self.joint_friction(&table, "guide_length");
                 (self.prismatic(&table), friction)
             }
-            "slot" => (self.reader.table(entry, &SLOT_KEYS).and_then(|table| self.slot(&table)), Some(None)),
-            _ => (self.reader.table(entry, &RIGID_KEYS).and_then(|table| self.rigid(&table)), Some(None)),
+            "slot" => (self.slot(&table), Some(None)),
+            _ => (self.rigid(&table), Some(None)),
         };
         let (kind, friction) = kind.zip(friction)?;
         if kind.play().is_some() && friction.is_some() {
@@ -65,8 +61,7 @@ impl ModelReader {
         let friction = table.get("friction").map(|entry| self.friction(&entry, &JOINT_FRICTION_KEYS));
         for (key, needs) in [("friction", key), (key, "friction")] {
             if table.has(key) && !table.has(needs) {
-                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
-                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+                self.complain_of_missing(table, key, vec![needs]);
                 return None;
             }
         }
@@ -84,38 +79,18 @@ impl ModelReader {
 
     /// The clearance of a revolute joint; the outer option is absent after a complaint, the inner for an ideal joint.
     fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
+        const KEYS: PlayKeys = PlayKeys {
+            clearance: "radial_clearance",
+            needed: &["bearing_radius", "contact"],
+            beside: &["bearing_radius", "bearing_length", "contact"],
+        };
         let bearing_radius_m = self.quantity(table, "bearing_radius");
         let bearing_length_m = self.quantity(table, "bearing_length");
         let contact = self.contact_of(table);
-        let missing: Vec<&'static str> =
-            ["bearing_radius", "contact"].into_iter().filter(|key| !table.has(key)).collect();
-        let Some(entry) = table.get("radial_clearance") else {
-            if let Some(key) = ["bearing_radius", "bearing_length", "contact"].into_iter().find(|key| table.has(key)) {
-                let needs = vec!["radial_clearance"];
-                let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
-                self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
-                return None;
-            }
-            return Some(None);
-        };
-        let expression = self.expression(&entry)?;
-        if !self.reader.measures(&entry, expression.dimension, Dimension::LENGTH) {
-            return None;
-        }
-        if !missing.is_empty() && is_literal_zero(&expression) {
-            // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
-            self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
-            return Some(None);
-        }
-        let radial_clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
-        if !missing.is_empty() {
-            let key = "radial_clearance";
-            let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: missing };
-            self.reader.complain(&problem, entry.key_span);
-            return None;
-        }
+        let Some(radial_clearance_m) = self.play_clearance(table, &KEYS)? else { return Some(None) };
         let bearing_radius_m = bearing_radius_m?;
-        if !self.demand_order(radial_clearance_m, bearing_radius_m, entry.span) {
+        let span = table.get(KEYS.clearance).map_or(table.span, |entry| entry.span);
+        if !self.demand_order(radial_clearance_m, bearing_radius_m, span) {
             return None;
         }
         let contact = contact?;
@@ -183,21 +158,5 @@ impl ModelReader {
         let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
         let angle_rad = self.quantity(table, "angle");
         Some(JointKind::Rigid { first: first?, second: second?, angle_rad: angle_rad? })
-    }
-}
-
-pub(super) fn is_literal_zero(expression: &Expression) -> bool {
-    expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
-}
-
-impl JointKind {
-    /// The bodies that it connects: bearing and journal, guide and slider, slot and pin, first and second.
-    pub fn bodies(&self) -> [BodyId; 2] {
-        match self {
-            JointKind::Revolute { bearing, journal, .. } => [bearing.body, journal.body],
-            JointKind::Prismatic { guide, slider, .. } => [guide.body, slider.body],
-            JointKind::Slot { slot, pin, .. } => [slot.body, pin.body],
-            JointKind::Rigid { first, second, .. } => [first.body, second.body],
-        }
     }
 }

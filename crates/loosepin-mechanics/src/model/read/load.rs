@@ -4,10 +4,9 @@ use super::function::Changing;
 use super::reader::ModelReader;
 use crate::model::function::{TIME, Variable};
 use crate::model::ids::{BodyId, JointId};
-use crate::model::keys::load::{FORCE_KEYS, HARMONIC_FORCE_KEYS, HARMONIC_TORQUE_KEYS, LOAD_KINDS, TORQUE_KEYS};
+use crate::model::keys::load::{HARMONIC_FORCE_KEYS, HARMONIC_TORQUE_KEYS, LOAD_KINDS};
 use crate::model::load::{Course, Load, LoadKind};
 use crate::model::problem::ModelProblem;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Keys, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -22,13 +21,12 @@ impl ModelReader {
     }
 
     fn load(&mut self, entry: &Entry<'_>) -> Option<Load> {
-        let kinds: Vec<(&'static str, bool)> = LOAD_KINDS.iter().map(|(kind, _)| (*kind, *kind == "force")).collect();
-        let is_force = self.reader.tag(entry, "kind", &kinds)?;
-        let table = self.reader.table(entry, if is_force { &FORCE_KEYS } else { &TORQUE_KEYS })?;
+        let (kind, table) = self.table_of_kind(entry, LOAD_KINDS)?;
+        let is_force = kind == "force";
         let kind = if is_force { self.force(&table) } else { self.torque(&table) };
         let joint = match table.get("joint") {
             None => Some(None),
-            Some(joint) => self.read_joint(&joint).map(Some),
+            Some(joint) => self.moving_joint(&joint).map(Some),
         };
         let (key, dimension, harmonic) = if is_force {
             ("force", Dimension::FORCE, &HARMONIC_FORCE_KEYS)
@@ -58,10 +56,7 @@ impl ModelReader {
     fn force(&mut self, table: &Table<'_>) -> Option<LoadKind> {
         let point = table.get("point").and_then(|entry| self.point(&entry));
         let direction_rad = self.quantity(table, "direction");
-        let follows_body = match table.get("frame") {
-            Some(entry) => self.reader.choice(&entry, &[("ground", false), ("body", true)]),
-            None => Some(false),
-        };
+        let follows_body = self.choice_or(table, "frame", &[("ground", false), ("body", true)], false);
         Some(LoadKind::Force { point: point?, direction_rad: direction_rad?, follows_body: follows_body? })
     }
 
@@ -71,22 +66,11 @@ impl ModelReader {
         self.body(&entry, &name).map(|body| LoadKind::Torque { body })
     }
 
-    fn read_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
-        let name = self.reader.text(entry)?.to_owned();
-        let joint = self.named(entry, "joint", &name, |file| &file.joint_names)?;
-        if matches!(self.joints[joint.0].kind, JointKind::Rigid { .. }) {
-            let problem = ModelProblem::DoesNotMove { entry: entry.path.describe(), joint: name };
-            self.reader.complain(&problem, entry.span);
-            return None;
-        }
-        Some(joint)
-    }
-
     /// Variables of an expression: the time, and coordinate and rate of a joint.
     pub(super) fn variables(&self, joint: Option<JointId>) -> Vec<Variable> {
         let mut variables = vec![TIME];
-        match joint.map(|joint| &self.joints[joint.0].kind) {
-            Some(JointKind::Prismatic { .. } | JointKind::Slot { .. }) => {
+        match joint.map(|joint| self.coordinate_of(joint)) {
+            Some(along) if along == Dimension::LENGTH => {
                 variables.extend([("position", Dimension::LENGTH), ("speed", Dimension::VELOCITY)]);
             }
             Some(_) => variables.extend([("angle", Dimension::ANGLE), ("speed", Dimension::ANGULAR_VELOCITY)]),
@@ -103,10 +87,7 @@ impl ModelReader {
         variables: &[Variable],
     ) -> Option<Course> {
         if !entry.is_table() {
-            return Some(match self.changing(entry, dimension, Rule::Finite, variables)? {
-                Changing::Constant(id) => Course::Constant(id),
-                Changing::Function(function) => Course::Function(function),
-            });
+            return self.changing(entry, dimension, Rule::Finite, variables).map(Course::from);
         }
         let table = self.reader.table(entry, harmonic)?;
         let mean = self.quantity_or(&table, "mean", 0.0);
@@ -114,5 +95,14 @@ impl ModelReader {
         let frequency = self.quantity(&table, "frequency");
         let phase_rad = self.quantity_or(&table, "phase", 0.0);
         Some(Course::Harmonic { mean: mean?, amplitude: amplitude?, frequency: frequency?, phase_rad: phase_rad? })
+    }
+}
+
+impl From<Changing> for Course {
+    fn from(value: Changing) -> Self {
+        match value {
+            Changing::Constant(id) => Self::Constant(id),
+            Changing::Function(function) => Self::Function(function),
+        }
     }
 }

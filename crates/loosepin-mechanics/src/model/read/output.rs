@@ -86,13 +86,6 @@ impl ModelReader {
         }
     }
 
-    fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str) {
-        if let Some(entry) = table.get(key) {
-            let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key, beside };
-            self.reader.complain(&problem, entry.key_span);
-        }
-    }
-
     fn output_unit(&mut self, table: &Table<'_>, kind: &OutputKind) -> Option<ReadableUnit> {
         let due = kind.dimension();
         let Some(entry) = table.get("unit") else { return Some(ReadableUnit::default_for(due)) };

@@ -14,7 +14,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Complaint, Source, Span, nearest_name};
-use loosepin_text::document::{Entry, EntryPath, Reader, Table, Written};
+use loosepin_text::document::{Entry, EntryPath, Keys, Reader, Table, Written};
 use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Rule, parse_expression, run};
 
 /// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
@@ -193,6 +193,48 @@ impl ModelReader {
             *id = self.quantity_of(&element, Dimension::LENGTH, Rule::Finite).unwrap_or(UNREAD);
         }
         ids
+    }
+
+    /// The table at an entry whose keys depend on its `kind`, and that kind.
+    pub fn table_of_kind<'t>(
+        &mut self,
+        entry: &Entry<'t>,
+        kinds: &[(&'static str, &'static Keys)],
+    ) -> Option<(&'static str, Table<'t>)> {
+        let choices: Vec<_> = kinds.iter().map(|&(kind, keys)| (kind, (kind, keys))).collect();
+        let (kind, keys) = self.reader.tag(entry, "kind", &choices)?;
+        Some((kind, self.reader.table(entry, keys)?))
+    }
+
+    /// Meaning of the word behind a key; `default` where it is not written.
+    pub fn choice_or<T: Copy>(
+        &mut self,
+        table: &Table<'_>,
+        key: &str,
+        choices: &[(&'static str, T)],
+        default: T,
+    ) -> Option<T> {
+        table.get(key).map_or(Some(default), |entry| self.reader.choice(&entry, choices))
+    }
+
+    /// Complains about a key, where it is written, that means nothing beside another.
+    pub fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str) {
+        if let Some(entry) = table.get(key) {
+            let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key, beside };
+            self.reader.complain(&problem, entry.key_span);
+        }
+    }
+
+    /// Complains about a key that needs others.
+    pub fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
+        let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
+        self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
+    }
+
+    /// The joint that an entry names.
+    pub fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
+        let name = self.reader.text(entry)?;
+        self.named(entry, "joint", name, |file| &file.joint_names)
     }
 
     /// The point that an entry names as `body.point`.

@@ -23,7 +23,8 @@ impl ModelReader {
 
     /// The outer option is absent after a complaint, the inner for an ideal joint.
     fn slot_clearance(&mut self, table: &Table<'_>) -> Option<Option<SlotClearance>> {
-        const KEYS: PlayKeys = PlayKeys { needed: &["half_length", "end_radius", "contact"], further: &[] };
+        const NEEDED: &[&str] = &["half_length", "end_radius", "contact"];
+        const KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
         let [half_length_m, end_radius_m] = ["half_length", "end_radius"].map(|key| self.quantity(table, key));
         let contact = self.contact_of(table);
         let Some(clearance_m) = self.play_clearance(table, &KEYS)? else { return Some(None) };

@@ -1,7 +1,7 @@
 //! Reading springs.
 
 use super::reader::ModelReader;
-use crate::model::keys::spring::{LINEAR_SPRING_KEYS, SPRING_KINDS, TORSIONAL_SPRING_KEYS};
+use crate::model::keys::spring::SPRING_KINDS;
 use crate::model::problem::ModelProblem;
 use crate::model::spring::{Elasticity, Spring, SpringCurve, SpringKind};
 use crate::model::topology::JointKind;
@@ -19,11 +19,8 @@ impl ModelReader {
     }
 
     fn spring(&mut self, entry: &Entry<'_>) -> Option<Spring> {
-        let kinds: Vec<(&'static str, bool)> =
-            SPRING_KINDS.iter().map(|(kind, _)| (*kind, *kind == "linear")).collect();
-        let is_linear = self.reader.tag(entry, "kind", &kinds)?;
-        let keys = if is_linear { &LINEAR_SPRING_KEYS } else { &TORSIONAL_SPRING_KEYS };
-        let table = self.reader.table(entry, keys)?;
+        let (kind, table) = self.table_of_kind(entry, SPRING_KINDS)?;
+        let is_linear = kind == "linear";
         let kind = if is_linear { self.linear_spring(&table) } else { self.torsional_spring(&table) };
         let elasticity = self.elasticity(&table, is_linear);
         let damping = self.quantity(&table, "damping");
@@ -40,27 +37,15 @@ impl ModelReader {
     fn elasticity(&mut self, table: &Table<'_>, is_linear: bool) -> Option<Elasticity> {
         let free_key = if is_linear { "free_length" } else { "free_angle" };
         let Some(key) = ["points", "csv"].into_iter().find(|key| table.has(key)) else {
-            if let Some(found) = table.get("curve") {
-                let problem =
-                    ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key: "curve", beside: "stiffness" };
-                self.reader.complain(&problem, found.key_span);
-            }
+            self.refuse_beside(table, "curve", "stiffness");
             let stiffness = self.quantity(table, "stiffness");
             let free = self.quantity(table, free_key);
             let preload = self.quantity_or(table, "preload", 0.0);
             return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
         };
-        if let Some(found) = table.get("preload") {
-            let problem = ModelProblem::KeyWithoutEffect { entry: table.path.describe(), key: "preload", beside: key };
-            self.reader.complain(&problem, found.key_span);
-        }
-        let curve = match table.get("curve") {
-            Some(entry) => {
-                let choices = [("monotone", SpringCurve::Monotone), ("spline", SpringCurve::Spline)];
-                self.reader.choice(&entry, &choices)
-            }
-            None => Some(SpringCurve::Monotone),
-        };
+        self.refuse_beside(table, "preload", key);
+        let curves = [("monotone", SpringCurve::Monotone), ("spline", SpringCurve::Spline)];
+        let curve = self.choice_or(table, "curve", &curves, SpringCurve::Monotone);
         let columns = if is_linear {
             [("length", Dimension::LENGTH), ("force", Dimension::FORCE)]
         } else {
@@ -91,18 +76,15 @@ impl ModelReader {
             return Some(SpringKind::Torsional { first: first?, second: second? });
         };
         for key in ["first", "second"] {
-            if let Some(found) = table.get(key) {
-                let problem = ModelProblem::KeyWithoutEffect { entry: entry.clone(), key, beside: "joint" };
-                self.reader.complain(&problem, found.key_span);
-            }
+            self.refuse_beside(table, key, "joint");
         }
-        let name = self.reader.text(&joint_entry)?.to_owned();
-        let joint = self.named(&joint_entry, "joint", &name, |file| &file.joint_names)?;
+        let joint = self.joint(&joint_entry)?;
         match &self.joints[joint.0].kind {
             JointKind::Revolute { bearing, journal, .. } => {
                 Some(SpringKind::Torsional { first: bearing.body, second: journal.body })
             }
             _ => {
+                let name = self.joints[joint.0].name.clone();
                 self.reader.complain(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span);
                 None
             }
