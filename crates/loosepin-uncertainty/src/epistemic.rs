@@ -178,35 +178,17 @@ impl EpistemicVariable {
     }
 }
 
-impl From<Evidence> for EpistemicVariable {
-    fn from(evidence: Evidence) -> Self {
-        Self::Evidence(evidence)
-    }
+macro_rules! from_known {
+    ($($variant:ident($known:ident)),+) => {
+        $(impl From<$known> for EpistemicVariable {
+            fn from(known: $known) -> Self {
+                Self::$variant(known)
+            }
+        })+
+    };
 }
 
-impl From<SecondOrder> for EpistemicVariable {
-    fn from(parameter: SecondOrder) -> Self {
-        Self::SecondOrder(parameter)
-    }
-}
-
-impl From<FuzzyNumber> for EpistemicVariable {
-    fn from(fuzzy: FuzzyNumber) -> Self {
-        Self::Fuzzy(fuzzy)
-    }
-}
-
-impl From<Interval> for EpistemicVariable {
-    fn from(interval: Interval) -> Self {
-        Self::Interval(interval)
-    }
-}
-
-impl From<Members> for EpistemicVariable {
-    fn from(members: Members) -> Self {
-        Self::OneOf(members)
-    }
-}
+from_known!(Evidence(Evidence), SecondOrder(SecondOrder), Fuzzy(FuzzyNumber), Interval(Interval), OneOf(Members));
 
 #[cfg(test)]
 mod tests {

@@ -3,67 +3,41 @@
 use super::distribution::{Distribution, DistributionError};
 use super::random_variable::RandomVariable;
 
-/// A parameter of a distribution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Parameter {
-    /// Mean.
-    Mean,
-    /// Standard deviation.
-    StandardDeviation,
-    /// Lower end.
-    Lower,
-    /// Most likely value.
-    Mode,
-    /// Upper end.
-    Upper,
-    /// First shape.
-    Alpha,
-    /// Second shape.
-    Beta,
-    /// Shape, where there is one.
-    Shape,
-    /// Scale.
-    Scale,
+macro_rules! parameters {
+    ($($parameter:ident $key:literal $words:literal $doc:literal;)+) => {
+        /// A parameter of a distribution.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Parameter {
+            $(#[doc = $doc] $parameter,)+
+        }
+
+        impl Parameter {
+            /// Every parameter of any distribution.
+            pub const ALL: [Self; [$($key),+].len()] = [$(Self::$parameter),+];
+
+            /// The name by which study files call it.
+            pub fn key(self) -> &'static str {
+                match self { $(Self::$parameter => $key,)+ }
+            }
+
+            /// In words, as in messages, witnesses and reports.
+            pub fn words(self) -> &'static str {
+                match self { $(Self::$parameter => $words,)+ }
+            }
+        }
+    };
 }
 
-impl Parameter {
-    /// Every parameter of any distribution.
-    pub const ALL: [Self; 9] = [
-        Self::Mean,
-        Self::StandardDeviation,
-        Self::Lower,
-        Self::Mode,
-        Self::Upper,
-        Self::Alpha,
-        Self::Beta,
-        Self::Shape,
-        Self::Scale,
-    ];
-
-    /// The name by which study files call it.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Mean => "mean",
-            Self::StandardDeviation => "standard_deviation",
-            Self::Lower => "lower",
-            Self::Mode => "mode",
-            Self::Upper => "upper",
-            Self::Alpha => "alpha",
-            Self::Beta => "beta",
-            Self::Shape => "shape",
-            Self::Scale => "scale",
-        }
-    }
-
-    /// In words, as in messages, witnesses and reports.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::StandardDeviation => "standard deviation",
-            Self::Lower => "lower end",
-            Self::Upper => "upper end",
-            other => other.key(),
-        }
-    }
+parameters! {
+    Mean "mean" "mean" "Mean.";
+    StandardDeviation "standard_deviation" "standard deviation" "Standard deviation.";
+    Lower "lower" "lower end" "Lower end.";
+    Mode "mode" "mode" "Most likely value.";
+    Upper "upper" "upper end" "Upper end.";
+    Alpha "alpha" "alpha" "First shape.";
+    Beta "beta" "beta" "Second shape.";
+    Shape "shape" "shape" "Shape, where there is one.";
+    Scale "scale" "scale" "Scale.";
 }
 
 /// Says that a parameter of a random input is an epistemic input: together with the others of its kind that makes a

@@ -21,11 +21,56 @@ pub struct Dimension {
     pub angle: f64,
 }
 
-/// A dimension that has a name, with the example shown in hints.
-struct Named {
+/// What is said of a dimension that has a constant; nothing is empty text.
+struct Row {
     dimension: Dimension,
+    /// Its SI unit, where that is not written with kg, m, rad and s.
+    si_unit: &'static str,
+    /// The name by which messages call it.
     name: &'static str,
+    /// A value for hints.
     example: &'static str,
+}
+
+macro_rules! dimensions {
+    ($($constant:ident [$($exponent:expr),+] $si_unit:literal, $name:literal, $example:literal, $doc:literal;)+) => {
+        impl Dimension {
+            $(#[doc = $doc] pub const $constant: Dimension = new($($exponent),+);)+
+        }
+
+        static ROWS: &[Row] = &[$(
+            Row { dimension: Dimension::$constant, si_unit: $si_unit, name: $name, example: $example },
+        )+];
+    };
+}
+
+// Exponents of metre, kilogram, second and radian; SI unit; name; example; unit in documentation.
+dimensions! {
+    NUMBER [0.0, 0.0, 0.0, 0.0] "", "a number without unit", "0.5", "A pure number.";
+    LENGTH [1.0, 0.0, 0.0, 0.0] "", "a length", "0.5 mm", "m.";
+    MASS [0.0, 1.0, 0.0, 0.0] "", "a mass", "0.3 kg", "kg.";
+    TIME [0.0, 0.0, 1.0, 0.0] "", "a time", "10 ms", "s.";
+    ANGLE [0.0, 0.0, 0.0, 1.0] "", "an angle", "30 deg", "rad.";
+    VELOCITY [1.0, 0.0, -1.0, 0.0] "", "a velocity", "1 mm/s", "m/s.";
+    ACCELERATION [1.0, 0.0, -2.0, 0.0] "", "an acceleration", "9.81 m/s^2", "m/s².";
+    ANGULAR_VELOCITY [0.0, 0.0, -1.0, 1.0] "", "an angular velocity", "5000 rpm", "rad/s.";
+    ANGULAR_ACCELERATION [0.0, 0.0, -2.0, 1.0] "", "an angular acceleration", "10 rad/s^2", "rad/s².";
+    FORCE [1.0, 1.0, -2.0, 0.0] "N", "a force", "100 N", "N.";
+    TORQUE [2.0, 1.0, -2.0, 0.0] "N m", "a torque or an energy", "1 N m", "N m, J.";
+    POWER [2.0, 1.0, -3.0, 0.0] "W", "a power", "1 kW", "W.";
+    PRESSURE [-1.0, 1.0, -2.0, 0.0] "Pa", "a pressure or a modulus", "207 GPa", "Pa.";
+    DENSITY [-3.0, 1.0, 0.0, 0.0] "", "a density", "7800 kg/m^3", "kg/m³.";
+    INERTIA [2.0, 1.0, 0.0, 0.0] "", "a moment of inertia", "1e-4 kg m^2", "kg m².";
+    AREA [2.0, 0.0, 0.0, 0.0] "", "an area", "1 mm^2", "m².";
+    VOLUME [3.0, 0.0, 0.0, 0.0] "", "a volume", "1 mm^3", "m³.";
+    FREQUENCY [0.0, 0.0, -1.0, 0.0] "", "a frequency", "50 Hz", "Hz.";
+    SPRING_STIFFNESS [0.0, 1.0, -2.0, 0.0] "", "a stiffness in N/m", "20 N/mm", "N/m.";
+    DAMPING [0.0, 1.0, -1.0, 0.0] "N s/m", "a damping", "5 N s/m", "N s/m.";
+    TORSIONAL_STIFFNESS [2.0, 1.0, -2.0, -1.0] "N m/rad", "the stiffness of a torsional spring", "2 N m/rad", "N m/rad.";
+    TORSIONAL_DAMPING [2.0, 1.0, -1.0, -1.0] "N m s/rad", "a torsional damping", "0.01 N m s/rad", "N m s/rad.";
+    VISCOSITY [-1.0, 1.0, -1.0, 0.0] "Pa s", "a dynamic viscosity", "0.02 Pa s", "Pa s.";
+    INVERSE_VELOCITY [-1.0, 0.0, 1.0, 0.0] "", "", "", "One over a velocity.";
+    INVERSE_LENGTH [-1.0, 0.0, 0.0, 0.0] "", "", "", "One over a length.";
 }
 
 const fn new(length: f64, mass: f64, time: f64, angle: f64) -> Dimension {
@@ -33,57 +78,6 @@ const fn new(length: f64, mass: f64, time: f64, angle: f64) -> Dimension {
 }
 
 impl Dimension {
-    /// A pure number.
-    pub const NUMBER: Dimension = new(0.0, 0.0, 0.0, 0.0);
-    /// m.
-    pub const LENGTH: Dimension = new(1.0, 0.0, 0.0, 0.0);
-    /// kg.
-    pub const MASS: Dimension = new(0.0, 1.0, 0.0, 0.0);
-    /// s.
-    pub const TIME: Dimension = new(0.0, 0.0, 1.0, 0.0);
-    /// rad.
-    pub const ANGLE: Dimension = new(0.0, 0.0, 0.0, 1.0);
-    /// m/s.
-    pub const VELOCITY: Dimension = new(1.0, 0.0, -1.0, 0.0);
-    /// m/s².
-    pub const ACCELERATION: Dimension = new(1.0, 0.0, -2.0, 0.0);
-    /// rad/s.
-    pub const ANGULAR_VELOCITY: Dimension = new(0.0, 0.0, -1.0, 1.0);
-    /// rad/s².
-    pub const ANGULAR_ACCELERATION: Dimension = new(0.0, 0.0, -2.0, 1.0);
-    /// N.
-    pub const FORCE: Dimension = new(1.0, 1.0, -2.0, 0.0);
-    /// N m, J.
-    pub const TORQUE: Dimension = new(2.0, 1.0, -2.0, 0.0);
-    /// W.
-    pub const POWER: Dimension = new(2.0, 1.0, -3.0, 0.0);
-    /// Pa.
-    pub const PRESSURE: Dimension = new(-1.0, 1.0, -2.0, 0.0);
-    /// kg/m³.
-    pub const DENSITY: Dimension = new(-3.0, 1.0, 0.0, 0.0);
-    /// kg m².
-    pub const INERTIA: Dimension = new(2.0, 1.0, 0.0, 0.0);
-    /// m².
-    pub const AREA: Dimension = new(2.0, 0.0, 0.0, 0.0);
-    /// m³.
-    pub const VOLUME: Dimension = new(3.0, 0.0, 0.0, 0.0);
-    /// Hz.
-    pub const FREQUENCY: Dimension = new(0.0, 0.0, -1.0, 0.0);
-    /// N/m.
-    pub const SPRING_STIFFNESS: Dimension = new(0.0, 1.0, -2.0, 0.0);
-    /// N s/m.
-    pub const DAMPING: Dimension = new(0.0, 1.0, -1.0, 0.0);
-    /// N m/rad.
-    pub const TORSIONAL_STIFFNESS: Dimension = new(2.0, 1.0, -2.0, -1.0);
-    /// N m s/rad.
-    pub const TORSIONAL_DAMPING: Dimension = new(2.0, 1.0, -1.0, -1.0);
-    /// Pa s.
-    pub const VISCOSITY: Dimension = new(-1.0, 1.0, -1.0, 0.0);
-    /// One over a velocity.
-    pub const INVERSE_VELOCITY: Dimension = new(-1.0, 0.0, 1.0, 0.0);
-    /// One over a length.
-    pub const INVERSE_LENGTH: Dimension = new(-1.0, 0.0, 0.0, 0.0);
-
     /// The dimension of a contact stiffness K in F = K δⁿ: N/m^n, `exponent` is n.
     pub fn contact_stiffness(exponent: f64) -> Dimension {
         new(1.0 - exponent, 1.0, -2.0, 0.0)
@@ -114,26 +108,21 @@ impl Dimension {
         [self.length, self.mass, self.time, self.angle].iter().all(|exponent| exponent.is_finite())
     }
 
+    /// What is said of it; absent for a dimension without a name.
+    fn row(self) -> Option<&'static Row> {
+        ROWS.iter().find(|row| row.dimension == self && !row.name.is_empty())
+    }
+
     /// A value of this dimension as one would write it, for hints; absent for a dimension without a name.
     pub fn example(self) -> Option<&'static str> {
-        NAMED.iter().find(|named| named.dimension == self).map(|named| named.example)
+        self.row().map(|row| row.example)
     }
 
     /// The SI unit, for example `kg m^2` or `rad/s`; empty for a number.
     pub fn si_unit(self) -> String {
-        for (dimension, symbol) in [
-            (Self::FORCE, "N"),
-            (Self::PRESSURE, "Pa"),
-            (Self::POWER, "W"),
-            (Self::TORQUE, "N m"),
-            (Self::DAMPING, "N s/m"),
-            (Self::TORSIONAL_STIFFNESS, "N m/rad"),
-            (Self::TORSIONAL_DAMPING, "N m s/rad"),
-            (Self::VISCOSITY, "Pa s"),
-        ] {
-            if self == dimension {
-                return symbol.to_owned();
-            }
+        let own = ROWS.iter().find(|row| row.dimension == self).map_or("", |row| row.si_unit);
+        if !own.is_empty() {
+            return own.to_owned();
         }
         // A stiffness reads best as N/m^n.
         let stiffness_exponent = 1.0 - self.length;
@@ -184,40 +173,9 @@ impl PartialEq for Dimension {
 /// The name with its article, for example `a length`; `a value in kg m` where there is no name.
 impl fmt::Display for Dimension {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match NAMED.iter().find(|named| named.dimension == *self) {
-            Some(named) => formatter.write_str(named.name),
+        match self.row() {
+            Some(row) => formatter.write_str(row.name),
             None => write!(formatter, "a value in {}", self.si_unit()),
         }
     }
 }
-
-const fn named(dimension: Dimension, name: &'static str, example: &'static str) -> Named {
-    Named { dimension, name, example }
-}
-
-/// The dimensions that messages call by name.
-static NAMED: &[Named] = &[
-    named(Dimension::NUMBER, "a number without unit", "0.5"),
-    named(Dimension::LENGTH, "a length", "0.5 mm"),
-    named(Dimension::MASS, "a mass", "0.3 kg"),
-    named(Dimension::TIME, "a time", "10 ms"),
-    named(Dimension::ANGLE, "an angle", "30 deg"),
-    named(Dimension::VELOCITY, "a velocity", "1 mm/s"),
-    named(Dimension::ACCELERATION, "an acceleration", "9.81 m/s^2"),
-    named(Dimension::ANGULAR_VELOCITY, "an angular velocity", "5000 rpm"),
-    named(Dimension::ANGULAR_ACCELERATION, "an angular acceleration", "10 rad/s^2"),
-    named(Dimension::FORCE, "a force", "100 N"),
-    named(Dimension::TORQUE, "a torque or an energy", "1 N m"),
-    named(Dimension::POWER, "a power", "1 kW"),
-    named(Dimension::PRESSURE, "a pressure or a modulus", "207 GPa"),
-    named(Dimension::DENSITY, "a density", "7800 kg/m^3"),
-    named(Dimension::INERTIA, "a moment of inertia", "1e-4 kg m^2"),
-    named(Dimension::AREA, "an area", "1 mm^2"),
-    named(Dimension::VOLUME, "a volume", "1 mm^3"),
-    named(Dimension::FREQUENCY, "a frequency", "50 Hz"),
-    named(Dimension::SPRING_STIFFNESS, "a stiffness in N/m", "20 N/mm"),
-    named(Dimension::DAMPING, "a damping", "5 N s/m"),
-    named(Dimension::TORSIONAL_STIFFNESS, "the stiffness of a torsional spring", "2 N m/rad"),
-    named(Dimension::TORSIONAL_DAMPING, "a torsional damping", "0.01 N m s/rad"),
-    named(Dimension::VISCOSITY, "a dynamic viscosity", "0.02 Pa s"),
-];
