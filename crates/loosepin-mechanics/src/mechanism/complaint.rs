@@ -105,23 +105,18 @@ impl Problem for SampleError {
     }
 
     fn hint(&self) -> Option<String> {
-        match self {
-            Self::Quantity(error) => error.hint(),
-            Self::ClearanceChangesTopology { .. } => {
-                Some("with and without play are two mechanisms; run them one by one".to_owned())
-            }
-            Self::ClearanceOutsideFit { .. } => Some("take another law for this clearance".to_owned()),
+        let hint = match self {
+            Self::Quantity(error) => return error.hint(),
+            Self::ClearanceChangesTopology { .. } => "with and without play are two mechanisms; run them one by one",
+            Self::ClearanceOutsideFit { .. } => "take another law for this clearance",
             Self::RoughnessOutsideFilm { .. } => {
-                Some("the roughness is the thickness below which the film no longer stiffens".to_owned())
+                "the roughness is the thickness below which the film no longer stiffens"
             }
-            Self::CannotClose { .. } => {
-                Some("the lengths do not allow the whole turn; check them, or drive another joint".to_owned())
-            }
-            Self::StartContradicts { .. } => {
-                Some("leave it out: it follows from the others; or change those".to_owned())
-            }
-            Self::Singular { .. } => Some("drive another joint, or stay away from this position".to_owned()),
-        }
+            Self::CannotClose { .. } => "the lengths do not allow the whole turn; check them, or drive another joint",
+            Self::StartContradicts { .. } => "leave it out: it follows from the others; or change those",
+            Self::Singular { .. } => "drive another joint, or stay away from this position",
+        };
+        Some(hint.to_owned())
     }
 }
 

@@ -32,17 +32,8 @@ enum Step {
     Parameter(usize),
     /// Index in the list of variables that the function was read with.
     Variable(usize),
-    Add(usize, usize),
-    Subtract(usize, usize),
-    Multiply(usize, usize),
-    Divide(usize, usize),
-    Minimum(usize, usize),
-    Maximum(usize, usize),
-    Negate(usize),
-    Absolute(usize),
-    SquareRoot(usize),
-    Sine(usize),
-    Cosine(usize),
+    One(Op, usize),
+    Two(Op, usize, usize),
     /// A power with half this number as its exponent.
     Power(usize, i32),
 }
@@ -77,17 +68,8 @@ impl Function {
                 Step::Number(value) => N::from_f64(value),
                 Step::Parameter(place) => number(parameters[place]),
                 Step::Variable(place) => variables[place],
-                Step::Add(a, b) => room[a] + room[b],
-                Step::Subtract(a, b) => room[a] - room[b],
-                Step::Multiply(a, b) => room[a] * room[b],
-                Step::Divide(a, b) => room[a] / room[b],
-                Step::Minimum(a, b) => room[a].min(room[b]),
-                Step::Maximum(a, b) => room[a].max(room[b]),
-                Step::Negate(a) => -room[a],
-                Step::Absolute(a) => room[a].abs(),
-                Step::SquareRoot(a) => room[a].sqrt(),
-                Step::Sine(a) => room[a].sin_cos().0,
-                Step::Cosine(a) => room[a].sin_cos().1,
+                Step::One(op, a) => of_one(op, room[a]),
+                Step::Two(op, a, b) => of_two(op, room[a], room[b]),
                 Step::Power(a, halves) => half_power(room[a], halves),
             };
         }
@@ -135,12 +117,6 @@ impl Function {
                     self.parameters.len() - 1
                 }))
             }
-            Op::Add => Step::Add(a, b),
-            Op::Subtract => Step::Subtract(a, b),
-            Op::Multiply => Step::Multiply(a, b),
-            Op::Divide => Step::Divide(a, b),
-            Op::Minimum => Step::Minimum(a, b),
-            Op::Maximum => Step::Maximum(a, b),
             Op::Power => {
                 let halves = 2.0 * number(b).ok_or(Beyond::Exponent)?;
                 if !(halves == halves.round() && halves.abs() <= 2.0 * LARGEST_EXPONENT) {
@@ -148,19 +124,16 @@ impl Function {
                 }
                 Step::Power(a, halves as i32)
             }
-            Op::Negate => Step::Negate(a),
-            Op::Absolute => Step::Absolute(a),
-            Op::SquareRoot => Step::SquareRoot(a),
-            Op::Sine => Step::Sine(a),
-            Op::Cosine => Step::Cosine(a),
             Op::Tangent => {
-                let sine = self.push(Step::Sine(a));
-                let cosine = self.push(Step::Cosine(a));
-                Step::Divide(sine, cosine)
+                let sine = self.push(Step::One(Op::Sine, a));
+                let cosine = self.push(Step::One(Op::Cosine, a));
+                Step::Two(Op::Divide, sine, cosine)
             }
             Op::ArcSine | Op::ArcCosine | Op::ArcTangent | Op::ArcTangent2 | Op::Store(_) => {
                 return Err(Beyond::Inverse);
             }
+            _ if op.takes_two() => Step::Two(op, a, b),
+            _ => Step::One(op, a),
         };
         Ok(self.push(step))
     }
@@ -168,6 +141,29 @@ impl Function {
     fn push(&mut self, step: Step) -> usize {
         self.steps.push(step);
         self.steps.len() - 1
+    }
+}
+
+#[inline(always)]
+fn of_one<N: Real>(op: Op, a: N) -> N {
+    match op {
+        Op::Negate => -a,
+        Op::SquareRoot => a.sqrt(),
+        Op::Sine => a.sin_cos().0,
+        Op::Cosine => a.sin_cos().1,
+        _ => a.abs(),
+    }
+}
+
+#[inline(always)]
+fn of_two<N: Real>(op: Op, a: N, b: N) -> N {
+    match op {
+        Op::Add => a + b,
+        Op::Subtract => a - b,
+        Op::Multiply => a * b,
+        Op::Divide => a / b,
+        Op::Minimum => a.min(b),
+        _ => a.max(b),
     }
 }
 

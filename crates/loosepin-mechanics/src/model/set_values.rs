@@ -3,11 +3,11 @@
 use super::ids::ContactId;
 use super::law_choice::LawError;
 use super::quantity::{Origin, QuantityError, QuantityId, Values};
-use super::setting::{Setting, SettingError};
+use super::setting::{Setting, SettingError, measured};
 use super::topology::Model;
 use crate::contact::NormalDescription;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, nearest_name};
-use loosepin_text::units::{Dimension, Rule, format_value, parse_quantity};
+use loosepin_text::units::{Dimension, Rule, format_value};
 
 /// Settings read from text, and the values of the model that follow from them.
 #[derive(Debug, Clone)]
@@ -127,24 +127,13 @@ impl Model {
 /// # Errors
 /// A complaint whose place is in the text of the argument.
 pub fn measured_argument(name: &str, text: &str, due: Dimension, rule: Rule) -> Result<f64, Complaint> {
-    let source = Source::new(name, text);
-    let complain =
-        |error: SettingError, span: std::ops::Range<usize>| Complaint::error(&error, Some(Place::new(&source, span)));
-    let measured = parse_quantity(text).map_err(|error| complain(error.problem.into(), error.span))?;
-    let (path, found) = (name.to_owned(), measured.dimension);
-    let error = if found == due {
-        let value_si = measured.value_si;
+    measured(&Source::new(name, text), 0, text, name, due, |value_si| {
         if rule.allows(value_si) {
-            return Ok(value_si);
+            return Ok(());
         }
         let found = format_value(value_si, due);
-        SettingError::ArgumentBreaksRule { name: path, found, rule: rule.words() }
-    } else if found.is_number() {
-        SettingError::MissingUnit { path, text: text.trim().to_owned(), due }
-    } else {
-        SettingError::WrongDimension { path, found, due }
-    };
-    Err(complain(error, 0..text.len()))
+        Err(SettingError::ArgumentBreaksRule { name: name.to_owned(), found, rule: rule.words() })
+    })
 }
 
 /// The whole text of an argument.

@@ -247,22 +247,32 @@ impl Model {
 
     /// The value of the quantity `id` that stands at `start` in the text of `source`, SI.
     fn value_in(&self, source: &Arc<Source>, id: QuantityId, start: usize, value: &str) -> Result<f64, Complaint> {
-        let complain = |error: SettingError, span: std::ops::Range<usize>| {
-            Complaint::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
-        };
-        let measured = parse_quantity(value).map_err(|error| complain(error.problem.into(), error.span))?;
         let quantity = &self.quantities[id];
-        let (path, due, found) = (quantity.path.clone(), quantity.dimension, measured.dimension);
-        let error = if found == due {
-            quantity.check(measured.value_si).err().map(SettingError::from)
-        } else if found.is_number() {
-            Some(SettingError::MissingUnit { path, text: value.trim().to_owned(), due })
-        } else {
-            Some(SettingError::WrongDimension { path, found, due })
-        };
-        match error {
-            None => Ok(measured.value_si),
-            Some(error) => Err(complain(error, 0..value.len())),
-        }
+        let (path, due) = (quantity.path.as_str(), quantity.dimension);
+        measured(source, start, value, path, due, |value_si| quantity.check(value_si).map_err(SettingError::from))
     }
+}
+
+/// The value with its unit that stands at `start` in the text of `source`, SI: of the dimension that is due, and as `check` wants it.
+pub(super) fn measured(
+    source: &Arc<Source>,
+    start: usize,
+    text: &str,
+    name: &str,
+    due: Dimension,
+    check: impl Fn(f64) -> Result<(), SettingError>,
+) -> Result<f64, Complaint> {
+    let complain = |error: SettingError, span: std::ops::Range<usize>| {
+        Complaint::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
+    };
+    let measured = parse_quantity(text).map_err(|error| complain(error.problem.into(), error.span))?;
+    let (path, found) = (name.to_owned(), measured.dimension);
+    let checked = if found == due {
+        check(measured.value_si)
+    } else if found.is_number() {
+        Err(SettingError::MissingUnit { path, text: text.trim().to_owned(), due })
+    } else {
+        Err(SettingError::WrongDimension { path, found, due })
+    };
+    checked.map(|()| measured.value_si).map_err(|error| complain(error, 0..text.len()))
 }
