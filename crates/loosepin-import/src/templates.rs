@@ -70,21 +70,14 @@ pub fn find_template(name: &str) -> Option<&'static Template> {
 
 /// Why a template cannot be written.
 #[derive(Debug, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum TemplateError {
     /// A file of that name is there.
     #[error("{} is there already; it is not overwritten", path.display())]
-    Exists {
-        /// The file.
-        path: PathBuf,
-    },
+    Exists { path: PathBuf },
     /// The file system refused.
     #[error("cannot write {}: {source}", path.display())]
-    Write {
-        /// The file or folder.
-        path: PathBuf,
-        /// Message of the file system.
-        source: io::Error,
-    },
+    Write { path: PathBuf, source: io::Error },
 }
 
 impl Problem for TemplateError {

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why runs cannot be learned from, or a surrogate gives no value.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum SurrogateError {
     /// Nothing to learn from.
     #[error("no input; a surrogate is a function of at least one input")]
@@ -13,48 +14,21 @@ pub enum SurrogateError {
     NoOutput,
     /// A point has another number of inputs.
     #[error("run {run} has {length} numbers; there are {inputs} inputs")]
-    PointLength {
-        /// Index of the run.
-        run: usize,
-        /// Numbers in its row.
-        length: usize,
-        /// Inputs.
-        inputs: usize,
-    },
+    PointLength { run: usize, length: usize, inputs: usize },
     /// A point lies where its input cannot be.
     #[error("run {run}: input {input} is {value}; it must lie between {lower} and {upper}")]
-    InputOutside {
-        /// Index of the run.
-        run: usize,
-        /// Index of the input.
-        input: usize,
-        /// The value.
-        value: f64,
-        /// Least value of the input.
-        lower: f64,
-        /// Largest value of the input.
-        upper: f64,
-    },
+    InputOutside { run: usize, input: usize, value: f64, lower: f64, upper: f64 },
     /// An output has another number of runs.
     #[error(
         "output '{output}' has {rows} rows; there are {runs} runs\nhint: a run without this output has an empty row"
     )]
-    OutputRows {
-        /// Name of the output.
-        output: String,
-        /// Its rows.
-        rows: usize,
-        /// Runs.
-        runs: usize,
-    },
+    OutputRows { output: String, rows: usize, runs: usize },
     /// A curve has another number of places.
     #[error(
         "output '{output}', run {run}: a curve of {length} values; the first one has {expected}, all must be as long"
     )]
     CurveLength {
-        /// Name of the output.
         output: String,
-        /// Index of the run.
         run: usize,
         /// Values of this curve.
         length: usize,
@@ -63,97 +37,46 @@ pub enum SurrogateError {
     },
     /// An output is infinite or not a number.
     #[error("output '{output}', run {run}: {value}; must be finite\nhint: leave out the output of a run that failed")]
-    OutputNotFinite {
-        /// Name of the output.
-        output: String,
-        /// Index of the run.
-        run: usize,
-        /// The value.
-        value: f64,
-    },
+    OutputNotFinite { output: String, run: usize, value: f64 },
     /// A variance that is none.
     #[error("output '{output}', run {run}: variance of the noise {value}; must be finite and >= 0")]
-    Noise {
-        /// Name of the output.
-        output: String,
-        /// Index of the run.
-        run: usize,
-        /// The value.
-        value: f64,
-    },
+    Noise { output: String, run: usize, value: f64 },
     /// Not enough to learn from.
     #[error(
         "output '{output}': {different} different points among {runs} runs, {missing} of which failed; a surrogate needs at \
          least 4\nhint: make more runs, or give the bounds directly"
     )]
     TooFewRuns {
-        /// Name of the output.
         output: String,
         /// Different points at which it is known, counted up to four.
         different: usize,
-        /// Runs.
         runs: usize,
-        /// Runs without this output.
         missing: usize,
     },
     /// A kind that was asked for does not fit.
     #[error(
         "output '{output}': {kind} cannot be fitted to its {runs} runs\nhint: leave the choice of the kind to the program"
     )]
-    NotFitted {
-        /// Name of the output.
-        output: String,
-        /// The kind in words.
-        kind: &'static str,
-        /// Runs.
-        runs: usize,
-    },
+    NotFitted { output: String, kind: &'static str, runs: usize },
     /// A point with another number of inputs.
     #[error("a point of {length} numbers; the surrogate has {inputs} inputs")]
-    QueryLength {
-        /// Numbers given.
-        length: usize,
-        /// Inputs.
-        inputs: usize,
-    },
+    QueryLength { length: usize, inputs: usize },
     /// Outside what the surrogate has learned.
     #[error(
         "input {input} is {value}; the surrogate has learned from {lower} to {upper} and does not extrapolate\n\
          hint: run the model itself there, or add runs that reach so far"
     )]
-    Extrapolation {
-        /// Index of the input.
-        input: usize,
-        /// The value.
-        value: f64,
-        /// Least value that is answered.
-        lower: f64,
-        /// Largest value that is answered.
-        upper: f64,
-    },
+    Extrapolation { input: usize, value: f64, lower: f64, upper: f64 },
     /// A surrogate that has no form in ONNX.
     #[error(
         "output '{output}' is learned by {kind}; neural networks alone can be written as ONNX\n\
          hint: its coefficients stand in surrogates.json; or learn networks, kind = \"network\" under [surrogate]"
     )]
-    NotNetworks {
-        /// Name of the output.
-        output: String,
-        /// The kind in words.
-        kind: &'static str,
-    },
+    NotNetworks { output: String, kind: &'static str },
     /// Text that is no saved surrogate.
     #[error("no saved surrogate: {reason}")]
-    NotLoaded {
-        /// What the reader says.
-        reason: String,
-    },
+    NotLoaded { reason: String },
     /// A surrogate of another version of the format.
     #[error("a saved surrogate of format {found}; this program reads format {expected}")]
-    OtherFormat {
-        /// The format found.
-        found: u32,
-        /// The format that is read.
-        expected: u32,
-    },
+    OtherFormat { found: u32, expected: u32 },
 }

@@ -119,41 +119,20 @@ pub enum Distribution {
 
 /// Why a distribution is none.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum DistributionError {
     /// A parameter is infinite or not a number.
     #[error("{parameter} {value}; must be finite")]
-    NotFinite {
-        /// Name of the parameter.
-        parameter: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    NotFinite { parameter: &'static str, value: f64 },
     /// A parameter that must be positive is not.
     #[error("{parameter} {value}; must be > 0")]
-    NotPositive {
-        /// Name of the parameter.
-        parameter: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    NotPositive { parameter: &'static str, value: f64 },
     /// The ends coincide or are the wrong way round.
     #[error("lower end {lower}, upper end {upper}; the lower end must be below the upper end")]
-    TurnedRound {
-        /// Lower end.
-        lower: f64,
-        /// Upper end.
-        upper: f64,
-    },
+    TurnedRound { lower: f64, upper: f64 },
     /// The most likely value lies outside the ends.
     #[error("mode {mode}; must lie between the ends {lower} and {upper}")]
-    ModeOutside {
-        /// Most likely value.
-        mode: f64,
-        /// Lower end.
-        lower: f64,
-        /// Upper end.
-        upper: f64,
-    },
+    ModeOutside { mode: f64, lower: f64, upper: f64 },
     /// A truncation keeps nothing that arithmetic could resolve.
     #[error(
         "truncation to [{lower}, {upper}] keeps the share {share} of a normal distribution with mean {mean} and standard \
@@ -161,13 +140,9 @@ pub enum DistributionError {
          hint: cut nearer to the mean, or state a uniform distribution"
     )]
     NothingKept {
-        /// Mean before the cut.
         mean: f64,
-        /// Standard deviation before the cut.
         standard_deviation: f64,
-        /// Lower end.
         lower: f64,
-        /// Upper end.
         upper: f64,
         /// Share of the distribution between the ends.
         share: f64,
@@ -178,49 +153,27 @@ pub enum DistributionError {
          1e-100\nhint: cut nearer to the mean, or state a uniform distribution"
     )]
     NothingLeft {
-        /// The family before the cut.
         family: &'static str,
-        /// Lower end.
         lower: f64,
-        /// Upper end.
         upper: f64,
         /// Share of the distribution between the ends.
         share: f64,
     },
     /// The mean lies at the lower end or below.
     #[error("mean {mean}; must be above the lower end {lower}")]
-    MeanBelowEnd {
-        /// Mean.
-        mean: f64,
-        /// Lower end.
-        lower: f64,
-    },
+    MeanBelowEnd { mean: f64, lower: f64 },
     /// Not as many probabilities as values, or none at all.
     #[error("{values} values, {probabilities} probabilities; each value needs one")]
-    UnequalLists {
-        /// How many values.
-        values: usize,
-        /// How many probabilities.
-        probabilities: usize,
-    },
+    UnequalLists { values: usize, probabilities: usize },
     /// Probabilities that are not all there is.
     #[error("the probabilities sum up to {sum}; must be 1 within 1e-9")]
-    SumNotOne {
-        /// Their sum.
-        sum: f64,
-    },
+    SumNotOne { sum: f64 },
     /// A value of a discrete distribution twice.
     #[error("the value {value} is there twice")]
-    ValueTwice {
-        /// The value.
-        value: f64,
-    },
+    ValueTwice { value: f64 },
     /// A sample without two different values.
     #[error("a sample of {count} without two different values; it says nothing of scatter")]
-    NoScatter {
-        /// How many values.
-        count: usize,
-    },
+    NoScatter { count: usize },
 }
 
 impl Distribution {

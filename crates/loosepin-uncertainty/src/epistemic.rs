@@ -19,25 +19,17 @@ pub struct Members {
 
 /// Why numbers are no list to choose from.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum MembersError {
     /// Nothing to choose from.
     #[error("a list of {count}; must hold at least 2 numbers")]
-    TooFew {
-        /// How many there are.
-        count: usize,
-    },
+    TooFew { count: usize },
     /// A number that is infinite or not a number.
     #[error("{value} in a list; every number must be finite")]
-    NotFinite {
-        /// The number.
-        value: f64,
-    },
+    NotFinite { value: f64 },
     /// The same number again.
     #[error("{value} stands in a list twice")]
-    Twice {
-        /// The number.
-        value: f64,
-    },
+    Twice { value: f64 },
 }
 
 impl Members {

@@ -35,6 +35,7 @@ pub struct Evidence {
 
 /// Why intervals and masses are no evidence.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum EvidenceError {
     /// No element.
     #[error("evidence without an element; give at least one")]
@@ -44,47 +45,22 @@ pub enum EvidenceError {
     Mass {
         /// Position of the element, counted from 1.
         element: usize,
-        /// Its mass.
         mass: f64,
     },
     /// Masses that do not sum to 1.
     #[error("the masses sum to {sum}; must be 1, within {MASS_TOLERANCE}")]
-    Sum {
-        /// Their sum.
-        sum: f64,
-    },
+    Sum { sum: f64 },
     /// Quantiles that do not increase.
     #[error(
         "quantile {second} at probability {second_probability} after {first} at {first_probability}; both must increase"
     )]
-    NotIncreasing {
-        /// Earlier probability.
-        first_probability: f64,
-        /// Earlier value.
-        first: f64,
-        /// Later probability.
-        second_probability: f64,
-        /// Later value.
-        second: f64,
-    },
+    NotIncreasing { first_probability: f64, first: f64, second_probability: f64, second: f64 },
     /// A probability of a quantile outside (0, 1).
     #[error("quantile at probability {probability}; must lie between 0 and 1, both excluded")]
-    Probability {
-        /// The probability.
-        probability: f64,
-    },
+    Probability { probability: f64 },
     /// A number outside the support.
     #[error("{what} {value}; must lie between the ends {lower} and {upper} of the support")]
-    OutsideSupport {
-        /// What it is.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// Lower end.
-        lower: f64,
-        /// Upper end.
-        upper: f64,
-    },
+    OutsideSupport { what: &'static str, value: f64, lower: f64, upper: f64 },
 }
 
 impl Evidence {

@@ -17,56 +17,36 @@ pub struct FuzzyNumber {
 
 /// Why numbers are no fuzzy number.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum FuzzyError {
     /// No cut.
     #[error("a fuzzy number without a cut; give at least one")]
     Empty,
     /// A degree outside [0, 1].
     #[error("cut at {alpha}; must lie between 0 and 1")]
-    Degree {
-        /// The degree.
-        alpha: f64,
-    },
+    Degree { alpha: f64 },
     /// What is possible at all is not among the cuts.
     #[error("the first degree is {alpha}; must be 0, the values that are possible at all")]
-    NoSupport {
-        /// The first degree.
-        alpha: f64,
-    },
+    NoSupport { alpha: f64 },
     /// Degrees that do not increase.
     #[error("cut at {second} after {first}; the degrees must increase")]
-    DegreesNotIncreasing {
-        /// Earlier degree.
-        first: f64,
-        /// Later degree.
-        second: f64,
-    },
+    DegreesNotIncreasing { first: f64, second: f64 },
     /// A cut that is not within the one before.
     #[error(
         "the cut [{lower}, {upper}] at {alpha} is not within [{outer_lower}, {outer_upper}] at {outer_alpha}; cuts must be nested"
     )]
     NotNested {
-        /// Degree of the inner cut.
         alpha: f64,
-        /// Its lower end.
         lower: f64,
-        /// Its upper end.
         upper: f64,
         /// Degree of the outer cut.
         outer_alpha: f64,
-        /// Its lower end.
         outer_lower: f64,
-        /// Its upper end.
         outer_upper: f64,
     },
     /// Corners that do not increase.
     #[error("corners {first} and {second}; each must not lie below the one before")]
-    Corners {
-        /// Earlier corner.
-        first: f64,
-        /// Later corner.
-        second: f64,
-    },
+    Corners { first: f64, second: f64 },
 }
 
 impl FuzzyNumber {

@@ -16,16 +16,14 @@ const FILL_BITS: u32 = 20;
 
 /// Why there are no such points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum SobolError {
     /// More dimensions than direction numbers.
     #[error(
         "{dimensions} dimensions; Sobol' points have at most {MAXIMUM_DIMENSIONS}\n\
          hint: fix the inputs that matter least"
     )]
-    TooManyDimensions {
-        /// Dimensions asked for.
-        dimensions: usize,
-    },
+    TooManyDimensions { dimensions: usize },
 }
 
 /// Sobol' points under Owen's nested uniform scrambling: every point is uniform in (0, 1)^d, and the first 2^m points of

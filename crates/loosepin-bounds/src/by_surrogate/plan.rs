@@ -18,6 +18,7 @@ use loosepin_uncertainty::EpistemicVariable;
 
 /// Why there are no bounds by surrogates.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum SurrogatePlanError {
     /// The problem, or its runs.
     #[error(transparent)]
@@ -27,29 +28,16 @@ pub enum SurrogatePlanError {
     Evaluate(#[from] EvaluateError),
     /// Too few runs to learn from.
     #[error("{training} training runs; must be at least {FEWEST_RUNS}\nhint: 30 for each uncertain input are a start")]
-    TooFewTraining {
-        /// Value given.
-        training: usize,
-    },
+    TooFewTraining { training: usize },
     /// Direct runs that cannot be spread over the replicates.
     #[error(
         "{confirming} confirming runs; must be a multiple of the {replicates} replicates, at least 2 in each, and at most the \
          {inner} inner runs"
     )]
-    Confirming {
-        /// Value given.
-        confirming: usize,
-        /// Replicates.
-        replicates: usize,
-        /// Inner runs.
-        inner: usize,
-    },
+    Confirming { confirming: usize, replicates: usize, inner: usize },
     /// A column that is asked for and not learned.
     #[error("column {column} is asked for and in none of the groups that are learned")]
-    NotLearned {
-        /// The column.
-        column: usize,
-    },
+    NotLearned { column: usize },
 }
 
 /// A checked problem, and what is to be learned of it.

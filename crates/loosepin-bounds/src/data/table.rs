@@ -28,17 +28,11 @@ pub struct Failure(pub u16);
 
 /// Why a row does not fit the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum TableError {
     /// A row has another number of columns than the table.
     #[error("run {run} has {found} columns; the table has {expected}")]
-    WrongColumns {
-        /// Position of the row.
-        run: usize,
-        /// Columns of the row.
-        found: usize,
-        /// Columns of the table.
-        expected: usize,
-    },
+    WrongColumns { run: usize, found: usize, expected: usize },
 }
 
 /// Runs in the order of the plan, one row each: inputs, and columns or the reason for failure.

@@ -7,6 +7,7 @@ use loosepin_uncertainty::{IntervalError, SobolError};
 
 /// Why there is no plan, or no next round.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum PlanError {
     /// The problem breaks a rule.
     #[error(transparent)]
@@ -17,7 +18,6 @@ pub enum PlanError {
     /// A random input has no finite interval between the quantiles at which it is cut.
     #[error("random input {input}, cut at {standard_deviations} standard deviations: {source}")]
     Cut {
-        /// Position of the random input.
         input: usize,
         /// Where it is cut.
         standard_deviations: f64,
@@ -26,12 +26,7 @@ pub enum PlanError {
     },
     /// The table belongs to a response with another number of columns.
     #[error("the table has {found} columns; the problem has {expected}")]
-    OtherColumns {
-        /// Columns of the table.
-        found: usize,
-        /// Columns of the problem.
-        expected: usize,
-    },
+    OtherColumns { found: usize, expected: usize },
     /// A point of an earlier round lacks runs.
     #[error(
         "point {point} has {found} runs; its plan has {expected}\nhint: add all runs of a round before asking for the next"
@@ -39,9 +34,7 @@ pub enum PlanError {
     UnfinishedPoint {
         /// Outer index.
         point: u32,
-        /// Runs in the table.
         found: usize,
-        /// Runs planned.
         expected: usize,
     },
     /// There are no runs at all.

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Why a model cannot be compiled.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum MechanismError {
     /// The nominal values break a rule.
     #[error(transparent)]
@@ -20,7 +21,6 @@ pub enum MechanismError {
     TooFewDrives {
         /// Degrees of freedom with all clearances at zero.
         mobility: usize,
-        /// Number of drives.
         drives: usize,
         /// Bodies that can still move when the drives stand still.
         undetermined: Vec<String>,
@@ -33,35 +33,22 @@ pub enum MechanismError {
     TooManyDrives {
         /// Degrees of freedom with all clearances at zero.
         mobility: usize,
-        /// Number of drives.
         drives: usize,
     },
     /// A loop in which every joint is driven.
     #[error("joint '{joint}' closes a loop in which every joint is driven")]
-    DrivenLoop {
-        /// The driven joint that closes the loop.
-        joint: String,
-    },
+    DrivenLoop { joint: String },
     /// A joint with friction in a mechanism whose constraint forces are not determined.
     #[error(
         "joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints repeat each other"
     )]
-    CarriedNotDetermined {
-        /// The joint.
-        joint: String,
-    },
+    CarriedNotDetermined { joint: String },
     /// No configuration closes all loops.
     #[error("the links cannot close at the start: {open} at best")]
-    CannotClose {
-        /// The constraint that stays open furthest.
-        open: Opening,
-    },
+    CannotClose { open: Opening },
     /// No configuration closes all loops with the given positions.
     #[error("the links cannot close at the start that [initial] gives: {open} at best")]
-    CannotCloseAsGiven {
-        /// The constraint that stays open furthest.
-        open: Opening,
-    },
+    CannotCloseAsGiven { open: Opening },
     /// The initial state leaves something open.
     #[error(
         "the initial state does not determine {}",
@@ -78,18 +65,10 @@ pub enum MechanismError {
     StartNotNeeded,
     /// A control where the drives move everything.
     #[error("control '{control}' has nothing to move: the drives determine the motion")]
-    NothingToControl {
-        /// The control.
-        control: String,
-    },
+    NothingToControl { control: String },
     /// Torques that cannot be fed forward.
     #[error("control '{control}' cannot feed inverse dynamics forward: {reason}")]
-    NoInverseDynamics {
-        /// The control.
-        control: String,
-        /// Why.
-        reason: &'static str,
-    },
+    NoInverseDynamics { control: String, reason: &'static str },
     /// A given position that the loops and the other given positions do not allow.
     #[error(
         "{} cannot be {} at the start; the links and what else is given come no closer than {}",
@@ -98,13 +77,10 @@ pub enum MechanismError {
         format_value(*found_si, *dimension)
     )]
     StartContradicts {
-        /// Path of the value.
         path: String,
-        /// The value, SI.
         given_si: f64,
         /// The nearest one, SI.
         found_si: f64,
-        /// Its dimension.
         dimension: Dimension,
     },
     /// The start is a singular position.
@@ -112,10 +88,7 @@ pub enum MechanismError {
         "the mechanism starts in a singular position: {} can move although every drive stands still",
         if bodies.is_empty() { "a body".to_owned() } else { quoted(bodies) }
     )]
-    SingularStart {
-        /// Bodies that can move there.
-        bodies: Vec<String>,
-    },
+    SingularStart { bodies: Vec<String> },
 }
 
 /// Where bodies are, in words.
@@ -142,6 +115,7 @@ fn undetermined_words(bodies: &[String]) -> String {
 
 /// Why one set of values gives no motion of the ideal mechanism.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum SampleError {
     /// A value breaks its rule.
     #[error(transparent)]
@@ -149,9 +123,7 @@ pub enum SampleError {
     /// A clearance is zero in one and above zero in the other of sample and compiled mechanism.
     #[error("joint '{joint}' has a radial clearance of {}; the compiled mechanism treats it as {}", format_value(*clearance_m, Dimension::LENGTH), if *compiled_with_play { "a joint with play" } else { "ideal" })]
     ClearanceChangesTopology {
-        /// The joint.
         joint: String,
-        /// Its clearance in this sample, m.
         clearance_m: f64,
         /// Whether it had play when the mechanism was compiled.
         compiled_with_play: bool,
@@ -164,11 +136,8 @@ pub enum SampleError {
         format_value(fitted_m[1], Dimension::LENGTH)
     )]
     ClearanceOutsideFit {
-        /// The joint.
         joint: String,
-        /// The law.
         law: &'static str,
-        /// Its clearance in this sample, m.
         clearance_m: f64,
         /// Smallest and largest clearance of the fit, m.
         fitted_m: [f64; 2],
@@ -182,25 +151,16 @@ pub enum SampleError {
         format_value(allowed_m[1], Dimension::LENGTH)
     )]
     RoughnessOutsideFilm {
-        /// The joint.
         joint: String,
-        /// The film.
         law: &'static str,
-        /// The roughness in this sample, m.
         roughness_m: f64,
-        /// The clearance in this sample, m.
         clearance_m: f64,
         /// Smallest and largest roughness at this clearance, m.
         allowed_m: [f64; 2],
     },
     /// The loops cannot be closed at this instant.
     #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
-    CannotClose {
-        /// The constraint that stays open furthest.
-        open: Opening,
-        /// The time, s.
-        time_s: f64,
-    },
+    CannotClose { open: Opening, time_s: f64 },
     /// A given rate that the drives and the other given rates do not allow.
     #[error(
         "{} is {}; the links and what else is given make it {}",
@@ -208,20 +168,8 @@ pub enum SampleError {
         format_value(*given_si, *dimension),
         format_value(*found_si, *dimension)
     )]
-    StartContradicts {
-        /// Path of the value.
-        path: String,
-        /// The value, SI.
-        given_si: f64,
-        /// The value that fits, SI.
-        found_si: f64,
-        /// Its dimension.
-        dimension: Dimension,
-    },
+    StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension },
     /// A singular position is met.
     #[error("singular position at {}: the drives no longer determine the motion", format_value(*time_s, Dimension::TIME))]
-    Singular {
-        /// The time, s.
-        time_s: f64,
-    },
+    Singular { time_s: f64 },
 }

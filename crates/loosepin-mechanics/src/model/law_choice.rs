@@ -10,27 +10,14 @@ use loosepin_text::diagnostics::{Code, Problem, nearest_name};
 
 /// Why a contact cannot have a law.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum LawError {
     /// A key that the law needs and the model does not give.
     #[error("{law} needs {key} of {table}, which the model does not give")]
-    NeedsKey {
-        /// The law.
-        law: &'static str,
-        /// The key.
-        key: &'static str,
-        /// The table in words, for example `joint 'gudgeon'`.
-        table: String,
-    },
+    NeedsKey { law: &'static str, key: &'static str, table: String },
     /// A linear law beside others: its stiffness has another unit and stands in place of the materials.
     #[error("{law} takes its stiffness in another way than {beside}, the law of {table} in the model")]
-    OtherStiffness {
-        /// The law.
-        law: &'static str,
-        /// The law of the model.
-        beside: &'static str,
-        /// The contact in words.
-        table: String,
-    },
+    OtherStiffness { law: &'static str, beside: &'static str, table: String },
 }
 
 impl Problem for LawError {

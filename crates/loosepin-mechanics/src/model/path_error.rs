@@ -6,37 +6,20 @@ use thiserror::Error;
 
 /// Why a path names no quantity that can be set.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum PathError {
     /// The model has no such quantity.
     #[error("the model has no quantity '{path}'")]
-    Unknown {
-        /// The path.
-        path: String,
-        /// The nearest quantity that can be set.
-        nearest: Option<String>,
-    },
+    Unknown { path: String, nearest: Option<String> },
     /// The play of a joint that has none.
     #[error("'{path}': joint '{joint}' has no play")]
-    NoPlay {
-        /// The path.
-        path: String,
-        /// The joint.
-        joint: String,
-    },
+    NoPlay { path: String, joint: String },
     /// The quantity follows from others.
     #[error("'{path}' is given by an expression and cannot be set")]
-    Expression {
-        /// The path.
-        path: String,
-        /// Paths of the quantities that it depends on.
-        depends_on: Vec<String>,
-    },
+    Expression { path: String, depends_on: Vec<String> },
     /// The quantity fixes the unit of others, or the kind of a joint.
     #[error("'{path}' cannot be set")]
-    Fixed {
-        /// The path.
-        path: String,
-    },
+    Fixed { path: String },
 }
 
 impl Problem for PathError {

@@ -8,11 +8,11 @@ use loosepin_text::units::{Dimension, quoted};
 
 /// An error in a model file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum ModelProblem {
     /// A parameter with a name that expressions could not use.
     #[error("a parameter cannot be called '{name}'")]
     BadParameterName {
-        /// The name.
         name: String,
         /// Whether it is the name of a unit or a function.
         is_reserved: bool,
@@ -26,305 +26,129 @@ pub enum ModelProblem {
     /// A reference to something that is not there.
     #[error("{entry}: there is no {what} '{name}'")]
     UnknownReference {
-        /// The entry.
         entry: String,
         /// A body, point, joint, contact or drive.
         what: &'static str,
-        /// The name.
         name: String,
-        /// The nearest name there is.
         nearest: Option<String>,
-        /// The names that there are.
         known: Vec<String>,
     },
     /// A point not written `body.point`.
     #[error("{entry} is '{text}'; must be body.point")]
-    NotAPoint {
-        /// The entry.
-        entry: String,
-        /// The text.
-        text: String,
-    },
+    NotAPoint { entry: String, text: String },
     /// A joint whose points lie on one body.
     #[error("{entry} connects body '{body}' to itself")]
-    SameBody {
-        /// The joint.
-        entry: String,
-        /// The body.
-        body: String,
-    },
+    SameBody { entry: String, body: String },
     /// Contact stiffness both from materials and given.
     #[error(
         "{entry}: '{material}' and '{given}' cannot be used together; the stiffness comes from materials or is given"
     )]
-    StiffnessTwice {
-        /// The contact.
-        entry: String,
-        /// A key of the materials that stands there.
-        material: &'static str,
-        /// A key of a given stiffness that stands there.
-        given: &'static str,
-    },
+    StiffnessTwice { entry: String, material: &'static str, given: &'static str },
     /// Contact stiffness not given at all.
     #[error("{entry}: the stiffness is missing")]
-    NoStiffness {
-        /// The contact.
-        entry: String,
-    },
+    NoStiffness { entry: String },
     /// A material value for both parts and for one of them.
     #[error("{entry}: '{both}' and '{one}' cannot be used together")]
-    MaterialTwice {
-        /// The contact.
-        entry: String,
-        /// The key for both parts.
-        both: &'static str,
-        /// The key for one part.
-        one: &'static str,
-    },
+    MaterialTwice { entry: String, both: &'static str, one: &'static str },
     /// A key that needs others.
     #[error("{entry}: '{key}' needs {}", quoted(.needs))]
-    NeedsKeys {
-        /// The table.
-        entry: String,
-        /// The key.
-        key: &'static str,
-        /// The missing keys.
-        needs: Vec<&'static str>,
-    },
+    NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str> },
     /// A film of oil in a bearing without a length.
     #[error("{entry}: 'contact' needs 'bearing_length'")]
-    FilmNeedsLength {
-        /// The joint.
-        entry: String,
-    },
+    FilmNeedsLength { entry: String },
     /// A key without effect in this combination.
     #[error("{entry}: '{key}' cannot be used with '{beside}'")]
-    KeyWithoutEffect {
-        /// The table.
-        entry: String,
-        /// The key.
-        key: &'static str,
-        /// The entry that makes it meaningless.
-        beside: &'static str,
-    },
+    KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str },
     /// A torsional spring without the two bodies that it turns.
     #[error("{entry}: the two bodies are missing")]
-    NoBodies {
-        /// The spring.
-        entry: String,
-    },
+    NoBodies { entry: String },
     /// A joint without an angle where one is needed.
     #[error("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint")]
-    DoesNotTurn {
-        /// The spring.
-        entry: String,
-        /// The joint.
-        joint: String,
-    },
+    DoesNotTurn { entry: String, joint: String },
     /// A load on the ground.
     #[error("{entry} acts on the ground, which does not move")]
-    LoadOnGround {
-        /// The load.
-        entry: String,
-    },
+    LoadOnGround { entry: String },
     /// A rigid joint where a coordinate is needed.
     #[error("{entry}: joint '{joint}' is rigid; it has neither angle nor position")]
-    DoesNotMove {
-        /// The entry.
-        entry: String,
-        /// The joint.
-        joint: String,
-    },
+    DoesNotMove { entry: String, joint: String },
     /// A joint that nothing reads.
     #[error("{entry}: 'joint' has no effect here; '{key}' is no expression over its angle, position or speed")]
-    JointNotRead {
-        /// The load.
-        entry: String,
-        /// The key that could read it.
-        key: &'static str,
-    },
+    JointNotRead { entry: String, key: &'static str },
     /// A variable with the name of a parameter.
     #[error("{entry}: '{name}' is a parameter of this file and a variable of this expression")]
-    NameTaken {
-        /// The entry.
-        entry: String,
-        /// The name.
-        name: &'static str,
-    },
+    NameTaken { entry: String, name: &'static str },
     /// An inverse trigonometric function of something that changes.
     #[error("{entry}: inverse trigonometric functions cannot be used together with what changes in time")]
-    InverseFunction {
-        /// The entry.
-        entry: String,
-    },
+    InverseFunction { entry: String },
     /// An exponent that a changing expression cannot have.
     #[error("{entry}: exponents of what changes in time are whole or half numbers, written out, up to 32")]
-    ExponentOfFunction {
-        /// The entry.
-        entry: String,
-    },
+    ExponentOfFunction { entry: String },
     /// A contact that only a pin in a hole can have.
     #[error("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}")]
     NotForPlanes {
-        /// The joint.
         entry: String,
-        /// The contact.
         contact: String,
         /// The numbers of it that do not apply, in words.
         what: String,
-        /// The part that touches a plane.
         what_touches: &'static str,
     },
     /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
-    NotDrivable {
-        /// The drive.
-        entry: String,
-        /// The joint.
-        joint: String,
-        /// Why.
-        why: &'static str,
-    },
+    NotDrivable { entry: String, joint: String, why: &'static str },
     /// A start that does not fit the kind of joint.
     #[error("{entry}: '{found}' does not fit the {kind} joint '{joint}'")]
-    WrongStart {
-        /// The drive.
-        entry: String,
-        /// The key.
-        found: &'static str,
-        /// The key that fits.
-        due: &'static str,
-        /// Revolute or prismatic.
-        kind: &'static str,
-        /// The joint.
-        joint: String,
-    },
+    WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String },
     /// Two drives of one joint.
     #[error("{entry}: joint '{joint}' is already driven by '{other}'")]
-    DrivenTwice {
-        /// The second drive.
-        entry: String,
-        /// The joint.
-        joint: String,
-        /// The first drive.
-        other: String,
-    },
+    DrivenTwice { entry: String, joint: String, other: String },
     /// A CSV file with other than two columns.
     #[error("a row has {found} {}; expected two", if *found == 1 { "column" } else { "columns" })]
-    CsvColumns {
-        /// Columns of the row.
-        found: usize,
-    },
+    CsvColumns { found: usize },
     /// A header without units.
     #[error("the header is '{text}'; must be a name with a unit in brackets")]
-    CsvHeader {
-        /// The cell.
-        text: String,
-    },
+    CsvHeader { text: String },
     /// A unit of something else.
     #[error("the column '{text}' must hold {due}")]
-    CsvDimension {
-        /// The cell.
-        text: String,
-        /// The dimension that is due.
-        due: Dimension,
-    },
+    CsvDimension { text: String, due: Dimension },
     /// A cell that is no number.
     #[error("'{text}' is not a number")]
-    CsvNumber {
-        /// The cell.
-        text: String,
-    },
+    CsvNumber { text: String },
     /// A coupling of a joint to itself.
     #[error("{entry} couples joint '{joint}' to itself")]
-    SameJoint {
-        /// The coupling.
-        entry: String,
-        /// The joint.
-        joint: String,
-    },
+    SameJoint { entry: String, joint: String },
     /// A joint of another kind than a coupling needs.
     #[error("{entry}: joint '{joint}' is not {due}")]
-    WrongJoint {
-        /// The entry.
-        entry: String,
-        /// The joint.
-        joint: String,
-        /// Revolute or prismatic.
-        due: &'static str,
-    },
+    WrongJoint { entry: String, joint: String, due: &'static str },
     /// Wheels without a common carrier.
     #[error("{entry}: joints '{first}' and '{second}' must have exactly one body in common, which carries both wheels")]
-    NoCarrier {
-        /// The coupling.
-        entry: String,
-        /// The first joint.
-        first: String,
-        /// The second joint.
-        second: String,
-    },
+    NoCarrier { entry: String, first: String, second: String },
     /// A control of a joint that is moved already.
     #[error("{entry}: joint '{joint}' is already moved by {other}")]
-    ControlledTwice {
-        /// The control.
-        entry: String,
-        /// The joint.
-        joint: String,
-        /// The drive or control that moves it, in words.
-        other: String,
-    },
+    ControlledTwice { entry: String, joint: String, other: String },
     /// A cycle over a drive that does not turn.
     #[error("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted")]
-    CycleNeedsTurns {
-        /// The drive.
-        drive: String,
-    },
+    CycleNeedsTurns { drive: String },
     /// A cycle over a motion that does not repeat itself.
     #[error("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to count")]
-    CycleNeedsPeriod {
-        /// The drive.
-        drive: String,
-        /// The kind of its motion.
-        kind: &'static str,
-    },
+    CycleNeedsPeriod { drive: String, kind: &'static str },
     /// A list that is too short.
     #[error("{entry} has too few entries; must be at least {least}")]
-    TooFewPoints {
-        /// The list.
-        entry: String,
-        /// The least.
-        least: usize,
-    },
+    TooFewPoints { entry: String, least: usize },
     /// An initial state of the ground.
     #[error("initial: the ground does not move; it has no initial state")]
     InitialOfGround,
     /// A coordinate that a joint does not have.
     #[error("{entry}: '{key}' does not fit this kind of joint")]
-    WrongCoordinate {
-        /// The joint.
-        entry: String,
-        /// The key.
-        key: &'static str,
-    },
+    WrongCoordinate { entry: String, key: &'static str },
     /// A guess for the ground.
     #[error("assembly: the ground does not move; its angle cannot be guessed")]
     GuessOfGround,
     /// A unit that an output cannot be shown in.
     #[error("{entry} is '{unit}'; must be a unit of {due}")]
-    WrongUnit {
-        /// The entry.
-        entry: String,
-        /// The unit.
-        unit: String,
-        /// Dimension of the output.
-        due: loosepin_text::units::Dimension,
-    },
+    WrongUnit { entry: String, unit: String, due: loosepin_text::units::Dimension },
     /// A parameter or contact that nothing refers to.
     #[error("{entry} is not used")]
-    Unused {
-        /// The entry.
-        entry: String,
-    },
+    Unused { entry: String },
 }
 
 impl Problem for ModelProblem {

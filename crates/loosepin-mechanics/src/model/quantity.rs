@@ -75,19 +75,11 @@ impl std::ops::Index<QuantityId> for Values {
 
 /// Why a set of values is physically impossible.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum QuantityError {
     /// A value breaks its rule.
     #[error("{} {}; must be {rule}", describe_path(.path), format_value(*.value_si, *.dimension))]
-    BreaksRule {
-        /// Path of the quantity.
-        path: String,
-        /// The value, SI.
-        value_si: f64,
-        /// Its dimension.
-        dimension: Dimension,
-        /// The rule in words, for example `> 0`.
-        rule: &'static str,
-    },
+    BreaksRule { path: String, value_si: f64, dimension: Dimension, rule: &'static str },
     /// A value is not below another.
     #[error(
         "{} {}; must be below {} {}",
@@ -96,24 +88,10 @@ pub enum QuantityError {
         describe_path(.limit_path),
         format_value(*.limit_si, *.dimension)
     )]
-    OutOfOrder {
-        /// Path of the quantity that must be smaller.
-        path: String,
-        /// Its value, SI.
-        value_si: f64,
-        /// Path of the quantity that must be larger.
-        limit_path: String,
-        /// Its value, SI.
-        limit_si: f64,
-        /// Dimension of both.
-        dimension: Dimension,
-    },
+    OutOfOrder { path: String, value_si: f64, limit_path: String, limit_si: f64, dimension: Dimension },
     /// A quantity given by an expression, or one that fixes units, was set.
     #[error("{path} is not a free number of the model; it cannot be set")]
-    NotSettable {
-        /// Path of the quantity.
-        path: String,
-    },
+    NotSettable { path: String },
 }
 
 impl QuantityError {

@@ -33,27 +33,17 @@ pub struct SettingRange {
 
 /// Why a setting cannot be read.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum SettingError {
     /// No equals sign.
     #[error("'{text}' is not written path=value")]
-    NoEqualsSign {
-        /// The text.
-        text: String,
-    },
+    NoEqualsSign { text: String },
     /// No range.
     #[error("'{text}' is not written path=from..to")]
-    NoRange {
-        /// The text.
-        text: String,
-    },
+    NoRange { text: String },
     /// A range without extent.
     #[error("{path} goes from {value} to the same value; must be two values")]
-    EmptyRange {
-        /// The path.
-        path: String,
-        /// The value with its unit.
-        value: String,
-    },
+    EmptyRange { path: String, value: String },
     /// A path that cannot be set.
     #[error(transparent)]
     Path(#[from] PathError),
@@ -62,24 +52,10 @@ pub enum SettingError {
     Value(#[from] ExpressionProblem),
     /// A value without its unit.
     #[error("{path} is {text} without a unit; must be {due}")]
-    MissingUnit {
-        /// The path.
-        path: String,
-        /// The text.
-        text: String,
-        /// The dimension that is due.
-        due: Dimension,
-    },
+    MissingUnit { path: String, text: String, due: Dimension },
     /// A value of another dimension.
     #[error("{path} is {found}; must be {due}")]
-    WrongDimension {
-        /// The path.
-        path: String,
-        /// Its dimension.
-        found: Dimension,
-        /// The dimension that is due.
-        due: Dimension,
-    },
+    WrongDimension { path: String, found: Dimension, due: Dimension },
     /// A value that breaks a rule.
     #[error(transparent)]
     Rule(#[from] QuantityError),
@@ -88,28 +64,13 @@ pub enum SettingError {
     Law(#[from] LawError),
     /// A law that does not exist.
     #[error("there is no law of contact '{name}'")]
-    UnknownLaw {
-        /// The name.
-        name: String,
-        /// The probable meaning.
-        nearest: Option<String>,
-    },
+    UnknownLaw { name: String, nearest: Option<String> },
     /// A quantity set twice.
     #[error("'{path}' is set a second time")]
-    Twice {
-        /// The path.
-        path: String,
-    },
+    Twice { path: String },
     /// An argument outside its range.
     #[error("{name} is {found}; must be {rule}")]
-    ArgumentBreaksRule {
-        /// The argument.
-        name: String,
-        /// Its value with unit.
-        found: String,
-        /// The range.
-        rule: &'static str,
-    },
+    ArgumentBreaksRule { name: String, found: String, rule: &'static str },
 }
 
 impl Problem for SettingError {

@@ -10,214 +10,77 @@ pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
 
 /// An error in a file or an entry of it. `entry` and `table` are paths in words.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum DocumentProblem {
     /// A file that cannot be opened or read.
     #[error("cannot read {file}: {reason}")]
-    NotReadable {
-        /// The file.
-        file: String,
-        /// Message of the operating system.
-        reason: String,
-        /// The probable meaning.
-        hint: Option<String>,
-    },
+    NotReadable { file: String, reason: String, hint: Option<String> },
     /// A byte that is not UTF-8.
     #[error("the file is not UTF-8 text from here on")]
     NotUtf8,
     /// A file too large to be a model.
     #[error("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read")]
-    TooLarge {
-        /// The file.
-        file: String,
-        /// Its size.
-        size_bytes: usize,
-    },
+    TooLarge { file: String, size_bytes: usize },
     /// Not TOML.
     #[error("not TOML here: {reason}")]
-    Syntax {
-        /// Message of the TOML parser.
-        reason: String,
-        /// The line.
-        line: String,
-    },
+    Syntax { reason: String, line: String },
     /// A number with a decimal comma.
     #[error("{entry} has a decimal comma; numbers have a point")]
-    DecimalComma {
-        /// The entry.
-        entry: String,
-        /// The number with a point.
-        written: String,
-    },
+    DecimalComma { entry: String, written: String },
     /// A key or table that stands twice.
     #[error("'{key}' is defined twice")]
-    DuplicateKey {
-        /// The key.
-        key: String,
-    },
+    DuplicateKey { key: String },
     /// A key that the table does not have.
     #[error("{} has no key '{key}'", or_file(.table))]
-    UnknownKey {
-        /// The table.
-        table: String,
-        /// The key.
-        key: String,
-        /// The key that was probably meant.
-        nearest: Option<String>,
-        /// All keys of the table.
-        known: Vec<&'static str>,
-    },
+    UnknownKey { table: String, key: String, nearest: Option<String>, known: Vec<&'static str> },
     /// A key that a later version will know.
     #[error("{entry} is not yet supported by this version")]
-    NotYetSupported {
-        /// The entry.
-        entry: String,
-        /// The way out.
-        instead: String,
-    },
+    NotYetSupported { entry: String, instead: String },
     /// A key of an earlier version.
     #[error("{entry} is not supported any more")]
-    RemovedKey {
-        /// The entry.
-        entry: String,
-        /// The way out.
-        instead: String,
-    },
+    RemovedKey { entry: String, instead: String },
     /// A key that must be there.
     #[error("{}{key} is missing", prefix(.table))]
-    MissingKey {
-        /// The table.
-        table: String,
-        /// The key.
-        key: &'static str,
-        /// How it is written.
-        example: &'static str,
-        /// Its meaning.
-        doc: &'static str,
-    },
+    MissingKey { table: String, key: &'static str, example: &'static str, doc: &'static str },
     /// The key that decides which others there are is missing.
     #[error("{}{key} is missing; must be {}", prefix(.table), one_of(.choices))]
-    MissingTag {
-        /// The table.
-        table: String,
-        /// The key.
-        key: &'static str,
-        /// The possible values.
-        choices: Vec<&'static str>,
-    },
+    MissingTag { table: String, key: &'static str, choices: Vec<&'static str> },
     /// None of several keys of which one must be there.
     #[error("{}one of {} is missing", prefix(.table), quoted(.keys))]
-    MissingOneOf {
-        /// The table.
-        table: String,
-        /// The keys.
-        keys: Vec<&'static str>,
-    },
+    MissingOneOf { table: String, keys: Vec<&'static str> },
     /// More than one of several keys of which one must be there.
     #[error("{}{} cannot be used together; give exactly one of {}", prefix(.table), quoted(.given), quoted(.keys))]
-    MoreThanOneOf {
-        /// The table.
-        table: String,
-        /// Those that stand there.
-        given: Vec<&'static str>,
-        /// All of them.
-        keys: Vec<&'static str>,
-    },
+    MoreThanOneOf { table: String, given: Vec<&'static str>, keys: Vec<&'static str> },
     /// Text where a table is due, and so on.
     #[error("{entry} is {found}; expected {due}")]
-    WrongType {
-        /// The entry.
-        entry: String,
-        /// The value found.
-        found: String,
-        /// The value that is due.
-        due: &'static str,
-    },
+    WrongType { entry: String, found: String, due: &'static str },
     /// A mark where a value is due.
     #[error("{entry} is still to be filled in")]
-    ToFillIn {
-        /// The entry.
-        entry: String,
-    },
+    ToFillIn { entry: String },
     /// A list of the wrong length.
     #[error("{entry} has {found} entries; expected {due}")]
-    WrongLength {
-        /// The entry.
-        entry: String,
-        /// How many there are.
-        found: usize,
-        /// How many should.
-        due: usize,
-    },
+    WrongLength { entry: String, found: usize, due: usize },
     /// A word that is none of those possible.
     #[error("{entry} is '{found}'; must be {}", one_of(.choices))]
-    UnknownChoice {
-        /// The entry.
-        entry: String,
-        /// The value found.
-        found: String,
-        /// The possible values.
-        choices: Vec<&'static str>,
-        /// The nearest of them.
-        nearest: Option<String>,
-    },
+    UnknownChoice { entry: String, found: String, choices: Vec<&'static str>, nearest: Option<String> },
     /// A name with characters that names do not have.
     #[error("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -")]
-    BadName {
-        /// The kind of thing that has this name.
-        what: &'static str,
-        /// The name.
-        name: String,
-    },
+    BadName { what: &'static str, name: String },
     /// A count below its least, negative or with a fraction.
     #[error("{entry} is {found}; must be a whole number from {least} to {most}")]
-    BadCount {
-        /// The entry.
-        entry: String,
-        /// The value found.
-        found: String,
-        /// The least.
-        least: u64,
-        /// The most.
-        most: u64,
-    },
+    BadCount { entry: String, found: String, least: u64, most: u64 },
     /// A bare number where a unit is due.
     #[error("{entry} is {found} without a unit; must be {due}")]
-    MissingUnit {
-        /// The entry.
-        entry: String,
-        /// The value found.
-        found: String,
-        /// The dimension that is due.
-        due: Dimension,
-    },
+    MissingUnit { entry: String, found: String, due: Dimension },
     /// A value of another dimension.
     #[error("{entry} is {found}; must be {due}")]
-    WrongDimension {
-        /// The entry.
-        entry: String,
-        /// Its dimension.
-        found: Dimension,
-        /// The dimension that is due.
-        due: Dimension,
-    },
+    WrongDimension { entry: String, found: Dimension, due: Dimension },
     /// A number that is infinite or no number.
     #[error("{entry} is {found}; must be finite")]
-    NotFinite {
-        /// The entry.
-        entry: String,
-        /// The value found.
-        found: String,
-    },
+    NotFinite { entry: String, found: String },
     /// A number outside its range.
     #[error("{entry} {found}; must be {}", .rule.words())]
-    BreaksRule {
-        /// The entry.
-        entry: String,
-        /// The value with its unit.
-        found: String,
-        /// The range.
-        rule: Rule,
-    },
+    BreaksRule { entry: String, found: String, rule: Rule },
 }
 
 /// A table in front of what is wrong with it; nothing for the top of the file.

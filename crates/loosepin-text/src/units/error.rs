@@ -19,124 +19,59 @@ pub struct ExpressionError {
 
 /// An error in the text of a value.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum ExpressionProblem {
     /// The text is empty.
     #[error("the value is empty")]
     Empty,
     /// The text is longer than an expression may be.
     #[error("the expression has {length_chars} characters; at most {LONGEST_EXPRESSION_CHARS} are read")]
-    TooLong {
-        /// Its length.
-        length_chars: usize,
-    },
+    TooLong { length_chars: usize },
     /// Parentheses, signs or powers nested too deeply.
     #[error("the expression is nested more than {limit} deep")]
-    TooDeep {
-        /// The limit.
-        limit: usize,
-    },
+    TooDeep { limit: usize },
     /// A character that belongs to no expression.
     #[error("'{character}' does not belong in a value")]
-    UnexpectedCharacter {
-        /// The character.
-        character: char,
-    },
+    UnexpectedCharacter { character: char },
     /// A number that is no number.
     #[error("'{text}' is not a number")]
-    BadNumber {
-        /// The text.
-        text: String,
-    },
+    BadNumber { text: String },
     /// A number too large for a double.
     #[error("the number {text} is too large; at most 1.8e308 can be held")]
-    NumberTooLarge {
-        /// The text.
-        text: String,
-    },
+    NumberTooLarge { text: String },
     /// Something else was due here.
     #[error("found {found}; expected {expected}")]
-    Unexpected {
-        /// The text found.
-        found: String,
-        /// The text that is due.
-        expected: &'static str,
-    },
+    Unexpected { found: String, expected: &'static str },
     /// A symbol after a number that is not a unit.
     #[error("'{symbol}' is not a known unit")]
-    UnknownUnit {
-        /// The symbol.
-        symbol: String,
-        /// The nearest known unit.
-        nearest: Option<String>,
-    },
+    UnknownUnit { symbol: String, nearest: Option<String> },
     /// A unit without a number before it.
     #[error("the unit '{symbol}' has no number before it")]
-    UnitWithoutNumber {
-        /// The unit.
-        symbol: String,
-    },
+    UnitWithoutNumber { symbol: String },
     /// `kg/m s` can be read in two ways.
     #[error("the unit '{unit}' can be read in two ways")]
-    AmbiguousUnit {
-        /// The unit up to there.
-        unit: String,
-    },
+    AmbiguousUnit { unit: String },
     /// A name that is no parameter.
     #[error("there is no parameter '{name}'")]
-    UnknownName {
-        /// The name.
-        name: String,
-        /// The nearest known parameter or function.
-        nearest: Option<String>,
-    },
+    UnknownName { name: String, nearest: Option<String> },
     /// A name where only a number with a unit may stand.
     #[error("'{name}' is a name; expected a number with its unit")]
-    NameNotAllowed {
-        /// The name.
-        name: String,
-    },
+    NameNotAllowed { name: String },
     /// A function called with the wrong number of values.
     #[error("{function} takes {due} value(s); {given} given")]
-    WrongArgumentCount {
-        /// The function.
-        function: &'static str,
-        /// How many it takes.
-        due: usize,
-        /// How many stand there.
-        given: usize,
-    },
+    WrongArgumentCount { function: &'static str, due: usize, given: usize },
     /// Two dimensions that cannot be added or compared.
     #[error("{operation} needs two values of one dimension; the first is {first}, the second {second}")]
-    MixedDimensions {
-        /// The operation.
-        operation: &'static str,
-        /// Dimension of the first.
-        first: Dimension,
-        /// Dimension of the second.
-        second: Dimension,
-    },
+    MixedDimensions { operation: &'static str, first: Dimension, second: Dimension },
     /// A function of a value of the wrong dimension.
     #[error("{function} needs {due}; found {found}")]
-    WrongArgument {
-        /// The function or operator.
-        function: &'static str,
-        /// The dimension that it needs.
-        due: Dimension,
-        /// The dimension found.
-        found: Dimension,
-    },
+    WrongArgument { function: &'static str, due: Dimension, found: Dimension },
     /// A power of a value with a unit whose exponent depends on parameters.
     #[error("the exponent of {base} must be a fixed number")]
-    ExponentNotFixed {
-        /// Dimension of the base.
-        base: Dimension,
-    },
+    ExponentNotFixed { base: Dimension },
     /// A value that is not finite.
     #[error("the value is {}; must be finite", super::format_number(*.value))]
-    NotFinite {
-        /// The value.
-        value: f64,
-    },
+    NotFinite { value: f64 },
 }
 
 /// Abbreviations of turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.

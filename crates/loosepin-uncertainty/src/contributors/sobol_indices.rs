@@ -40,34 +40,24 @@ pub struct IndexPlan {
 
 /// Why there are no such runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[allow(missing_docs, reason = "the text of an error names its fields")]
 pub enum IndexPlanError {
     /// More inputs than two halves of a Sobol' point hold.
     #[error(
         "{dimensions} random inputs; Sobol' indices can be had of at most {}\nhint: fix the inputs that matter least",
         MAXIMUM_DIMENSIONS / 2
     )]
-    TooManyInputs {
-        /// Random inputs.
-        dimensions: usize,
-    },
+    TooManyInputs { dimensions: usize },
     /// No spread without several replicates.
     #[error("{replicates} replicates of {pairs} pairs of points; must be at least 2 of each")]
     TooFew {
-        /// Replicates.
         replicates: usize,
         /// Pairs in each.
         pairs: usize,
     },
     /// An input that is in no group or in several, or that does not exist.
     #[error("input {input} of {dimensions} is in {times} groups; must be in one")]
-    Groups {
-        /// The input.
-        input: usize,
-        /// Inputs there are.
-        dimensions: usize,
-        /// How often it is named.
-        times: usize,
-    },
+    Groups { input: usize, dimensions: usize, times: usize },
 }
 
 impl From<SobolError> for IndexPlanError {
