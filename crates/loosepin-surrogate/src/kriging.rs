@@ -123,7 +123,8 @@ impl Kriging {
         best.map(|(_, process)| process)
     }
 
-    fn with(
+    /// A process with given parameters.
+    pub(super) fn with(
         points: &[Vec<f64>],
         values: &[f64],
         noise: &[f64],
@@ -218,17 +219,4 @@ fn search(observations: &Observations, kernel: Kernel, start: &[f64], steps: usi
         Some((value, gradient))
     };
     minimise(function, start, &bounds, steps, TOLERANCE)
-}
-
-/// A process with given parameters; the trend is linear where it has more than one coefficient.
-#[cfg(test)]
-pub(super) fn process_with(
-    points: &[Vec<f64>],
-    values: &[f64],
-    noise: &[f64],
-    trend_inputs: usize,
-    kernel: Kernel,
-    parameters: &[f64],
-) -> Kriging {
-    Kriging::with(points, values, noise, trend_inputs > 0, kernel, parameters.to_vec()).unwrap()
 }

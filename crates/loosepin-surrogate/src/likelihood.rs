@@ -180,6 +180,7 @@ pub(super) fn square_distance(a: &[f64], b: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::kriging::Kriging;
     use super::{Kernel, Observations};
 
     fn points() -> Vec<Vec<f64>> {
@@ -229,7 +230,7 @@ mod tests {
             let (mut others, mut rest) = (points.clone(), values.clone());
             others.remove(i);
             rest.remove(i);
-            let process = super::super::kriging::process_with(&others, &rest, &noise[1..], 1, Kernel::Matern52, &at);
+            let process = Kriging::with(&others, &rest, &noise[1..], true, Kernel::Matern52, at.to_vec()).unwrap();
             let (value, deviation) = process.predict(&points[i]);
             let variance = deviation * deviation + libm::exp(at[3]);
             assert!((values[i] - value - errors[i]).abs() < TOLERANCE);

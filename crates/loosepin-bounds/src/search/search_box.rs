@@ -5,7 +5,7 @@ use loosepin_uncertainty::{EpistemicVariable, Interval};
 /// How the axes of a unit box end: at faces, or where they begin (an angle over a whole turn).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Axes {
-    is_periodic: Vec<bool>,
+    pub(super) is_periodic: Vec<bool>,
 }
 
 /// Where the two vertices of a closed axis lie: with the centre of the box at three equal distances round the circle.
@@ -15,12 +15,6 @@ impl Axes {
     /// Axes that all end at faces.
     pub fn open(dimensions: usize) -> Self {
         Self { is_periodic: vec![false; dimensions] }
-    }
-
-    /// Axes of which some close.
-    #[cfg(test)]
-    pub fn closing(is_periodic: &[bool]) -> Self {
-        Self { is_periodic: is_periodic.to_vec() }
     }
 
     /// Some of the axes.

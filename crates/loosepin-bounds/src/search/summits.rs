@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn analytic_a_climb_goes_on_where_an_angle_closes() {
         const TOLERANCE: f64 = 1e-4;
-        let at = first_beside(&Axes::closing(&[true, false]), [0.998, 0.4], |x, y| {
+        let at = first_beside(&Axes { is_periodic: vec![true, false] }, [0.998, 0.4], |x, y| {
             (core::f64::consts::TAU * (x - 0.003)).cos() - (y - 0.4) * (y - 0.4)
         });
         assert!((at[0] - 0.003).abs() < TOLERANCE && (at[1] - 0.4).abs() < TOLERANCE, "{at:?}");

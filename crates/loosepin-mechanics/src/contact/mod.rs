@@ -24,6 +24,8 @@
 
 mod description;
 mod film;
+#[cfg(test)]
+mod free_impact;
 mod friction;
 mod line;
 mod linear;
@@ -48,7 +50,7 @@ pub use normal::{
     damping_ratio_that_delivers, inverse_logarithmic, restitution_of_damping_ratio,
 };
 pub use point::{POINT_LAWS, PointLaw, point_law};
-pub use restitution::{damping_factor_that_delivers, delivered_restitution, free_impact_penetration_m};
+pub use restitution::{damping_factor_that_delivers, delivered_restitution};
 pub use state::PlayState;
 pub use stiffness::{
     compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,

@@ -55,7 +55,7 @@ impl<T: Real> Friction<T> for BengisuAkayFriction<T> {
 #[cfg(test)]
 mod tests {
     use super::BengisuAkayFriction;
-    use crate::contact::friction::law::assert_coefficient;
+    use crate::contact::friction::coefficient::assert_coefficient;
 
     #[test]
     fn analytic_stick_and_slip() {

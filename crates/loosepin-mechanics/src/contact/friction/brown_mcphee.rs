@@ -50,7 +50,7 @@ impl<T: Real> Friction<T> for BrownMcPheeFriction<T> {
 #[cfg(test)]
 mod tests {
     use super::BrownMcPheeFriction;
-    use crate::contact::friction::law::assert_coefficient;
+    use crate::contact::friction::coefficient::assert_coefficient;
 
     #[test]
     fn analytic_stick_and_slip() {

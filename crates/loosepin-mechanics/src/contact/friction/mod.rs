@@ -4,6 +4,8 @@
 mod ambrosio;
 mod bengisu_akay;
 mod brown_mcphee;
+#[cfg(test)]
+mod coefficient;
 mod law;
 mod lugre;
 mod stribeck;

@@ -59,7 +59,7 @@ impl<T: Real> Friction<T> for StribeckFriction<T> {
 #[cfg(test)]
 mod tests {
     use super::StribeckFriction;
-    use crate::contact::friction::law::assert_coefficient;
+    use crate::contact::friction::coefficient::assert_coefficient;
 
     #[test]
     fn analytic_stick_and_slip() {

@@ -45,7 +45,7 @@ impl<T: Real> Friction<T> for ThrelfallFriction<T> {
 #[cfg(test)]
 mod tests {
     use super::ThrelfallFriction;
-    use crate::contact::friction::law::assert_coefficient;
+    use crate::contact::friction::coefficient::assert_coefficient;
 
     #[test]
     fn analytic_stick_and_slip() {

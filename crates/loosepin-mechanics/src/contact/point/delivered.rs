@@ -1,7 +1,8 @@
 //! The restitution that a point-contact law delivers, for the test of each law.
 
 use super::{PointLaw, point_law};
-use crate::contact::{NormalContact, PlayState, PointContact, delivered_restitution, free_impact_penetration_m};
+use crate::contact::free_impact::free_impact_penetration_m;
+use crate::contact::{NormalContact, PlayState, PointContact, delivered_restitution};
 
 /// Asserts that `law` delivers `expected`, to four digits, for a nominal restitution of 0.5, 0.7 and 0.9: by the identity and by
 /// integrating a free impact. Also that the law is found by its name.
