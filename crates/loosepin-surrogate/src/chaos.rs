@@ -61,7 +61,7 @@ impl Chaos {
             .iter()
             .map(|row| row.iter().zip(&design.families).map(|(x, family)| family.values(*x, HIGHEST_DEGREE)).collect())
             .collect();
-        let mut best = Candidate { error: f64::INFINITY, sets: Vec::new() };
+        let mut best = SparseBasis { error: f64::INFINITY, sets: Vec::new() };
         let mut tried: Vec<usize> = Vec::new();
         for exponent in EXPONENTS {
             let (mut least, mut worse) = (f64::INFINITY, 0);
@@ -89,7 +89,7 @@ impl Chaos {
         Self::with_terms(design, &table, values, best)
     }
 
-    fn with_terms(design: &Design, table: &[Vec<Vec<f64>>], values: &[f64], chosen: Candidate) -> Self {
+    fn with_terms(design: &Design, table: &[Vec<Vec<f64>>], values: &[f64], chosen: SparseBasis) -> Self {
         let count = values.len();
         let mut regression = Regression::new(values);
         let mut kept = Vec::new();
@@ -136,12 +136,12 @@ impl Chaos {
 }
 
 /// Terms in the order in which they entered, and their corrected leave-one-out error.
-struct Candidate {
+struct SparseBasis {
     error: f64,
     sets: Vec<Vec<(usize, usize)>>,
 }
 
-fn best_of(table: &[Vec<Vec<f64>>], values: &[f64], set: &[Vec<(usize, usize)>]) -> Candidate {
+fn best_of(table: &[Vec<Vec<f64>>], values: &[f64], set: &[Vec<(usize, usize)>]) -> SparseBasis {
     let columns: Vec<Vec<f64>> = set.iter().map(|degrees| column(table, degrees)).collect();
     let most = values.len().saturating_sub(2).min(set.len());
     let mut regression = Regression::new(values);
@@ -157,7 +157,7 @@ fn best_of(table: &[Vec<Vec<f64>>], values: &[f64], set: &[Vec<(usize, usize)>])
             (least, length) = (error, kept.len());
         }
     }
-    Candidate { error: least, sets: kept[..length].iter().map(|&index| set[index].clone()).collect() }
+    SparseBasis { error: least, sets: kept[..length].iter().map(|&index| set[index].clone()).collect() }
 }
 
 fn column(table: &[Vec<Vec<f64>>], degrees: &[(usize, usize)]) -> Vec<f64> {

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::learned::LearnedGroup;
-use super::plan::SurrogatePlan;
+use super::learned::{Learned, LearnedGroup};
+use super::plan::{SurrogatePlan, SurrogatePlanError};
 use super::response::{DeviationsOverX, LearnedFunction};
-use super::search::Searched;
+use super::search::{FIRST_REACH, Searched, search_group};
 use super::settings::MOST_WITNESSES;
 use crate::data::bound::Bound;
 use crate::data::direction::Direction;
@@ -27,8 +27,21 @@ pub struct Confirmation {
     pub round: Vec<RunInputs>,
 }
 
-impl Confirmation {
-    pub(crate) fn new(plan: &SurrogatePlan, searched: Vec<Vec<Searched>>, round: u32, table: &SampleTable) -> Self {
+impl SurrogatePlan {
+    /// The double loop on the surrogates, and the direct runs that its bounds are to be held against, as round `round`, without those
+    /// that are in `table`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn confirmation(
+        &self,
+        learned: &Learned,
+        round: u32,
+        table: &SampleTable,
+    ) -> Result<Confirmation, SurrogatePlanError> {
+        let searched = learned.groups.iter().map(|group| search_group(self, group, FIRST_REACH));
+        let searched = searched.collect::<Result<Vec<_>, _>>()?;
         let mut witnesses: Vec<Vec<f64>> = Vec::new();
         for group in &searched {
             for bound in extreme_bounds(group) {
@@ -38,7 +51,7 @@ impl Confirmation {
                 }
             }
         }
-        let per_replicate = plan.settings.confirming / plan.problem().sampling.replicates;
+        let per_replicate = self.settings.confirming / self.problem().sampling.replicates;
         let made = || table.inputs().iter().filter(|inputs| inputs.purpose == Purpose::Confirming);
         let key = |inputs: &RunInputs| {
             let bits: Vec<u64> = inputs.epistemic.iter().map(|value| value.to_bits()).collect();
@@ -47,12 +60,12 @@ impl Confirmation {
         let known: BTreeSet<_> = made().map(key).collect();
         let first = made().map(|inputs| inputs.point + 1).max().unwrap_or(0);
         let runs_at = |(point, epistemic): (usize, &Vec<f64>)| {
-            let runs = plan.direct.runs_at(round, first + point as u32, epistemic.clone());
+            let runs = self.direct.runs_at(round, first + point as u32, epistemic.clone());
             let runs = runs.filter(|inputs| (inputs.index as usize) < per_replicate && !known.contains(&key(inputs)));
             runs.map(|inputs| RunInputs { purpose: Purpose::Confirming, ..inputs }).collect::<Vec<_>>()
         };
         let round = witnesses.iter().enumerate().flat_map(runs_at).collect();
-        Self { searched, witnesses, round }
+        Ok(Confirmation { searched, witnesses, round })
     }
 }
 

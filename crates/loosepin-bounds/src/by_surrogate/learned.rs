@@ -1,8 +1,7 @@
 //! Surrogates of groups of columns.
 
-use super::settings::{ColumnGroup, SurrogateSettings};
-use super::space::TrainingSpace;
-use crate::data::problem::Problem;
+use super::plan::SurrogatePlan;
+use super::settings::ColumnGroup;
 use crate::data::table::{Purpose, SampleTable};
 use loosepin_surrogate::{Options, OutputSurrogate, Surrogate, SurrogateError, TrainingData, TrainingOutput};
 
@@ -27,14 +26,11 @@ pub struct LearnedGroup {
     pub failed: usize,
 }
 
-impl Learned {
+impl SurrogatePlan {
     /// Learns every group from the training runs in `table`.
-    pub(crate) fn new(
-        problem: &Problem,
-        space: &TrainingSpace,
-        settings: &SurrogateSettings,
-        table: &SampleTable,
-    ) -> Self {
+    pub fn learn(&self, table: &SampleTable) -> Learned {
+        let Self { settings, space, .. } = self;
+        let problem = self.problem();
         let runs: Vec<usize> =
             (0..table.len()).filter(|&run| table.inputs()[run].purpose == Purpose::Training).collect();
         let of_group = |group: &ColumnGroup| {
@@ -59,7 +55,7 @@ impl Learned {
                 failed: runs.iter().filter(|&&run| group.row(table, run).is_none()).count(),
             }
         };
-        Self { groups: settings.groups.iter().map(of_group).collect() }
+        Learned { groups: settings.groups.iter().map(of_group).collect() }
     }
 }
 

@@ -44,7 +44,6 @@ mod search;
 mod section;
 mod settings;
 mod space;
-mod steps;
 mod treatments;
 
 pub use confirm::Confirmation;

@@ -11,8 +11,6 @@ use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
 use crate::data::statistic::Statistic;
 
-/// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
-pub(crate) const FIRST_REACH: f64 = 3.0;
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;
 /// The surrogate errs by so many times its largest σ over X in a mean, and σ̄ in a deviation, whatever direct runs have shown.

@@ -3,9 +3,9 @@
 use super::confirm::{Confirmation, Confirmed, confirmed};
 use super::learned::{Learned, LearnedGroup};
 use super::plan::{SurrogatePlan, SurrogatePlanError};
-use super::reach::{FIRST_REACH, MARGIN, SharesOfReach};
+use super::reach::{MARGIN, SharesOfReach};
 use super::response::Aspect;
-use super::search::{Searched, search_group};
+use super::search::{FIRST_REACH, Searched, search_group};
 use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatments};
 use crate::data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee};
 use crate::data::direction::Direction;
@@ -62,23 +62,28 @@ pub struct SurrogateBounds {
     pub failed_runs: usize,
 }
 
-impl SurrogateBounds {
-    pub(crate) fn new(
-        plan: &SurrogatePlan,
+impl SurrogatePlan {
+    /// Bounds from the surrogates without the treatments, with the runs of `confirmation` in `table`.
+    ///
+    /// # Errors
+    ///
+    /// [`SurrogatePlanError::Evaluate`].
+    pub fn results(
+        &self,
         learned: Learned,
         confirmation: &Confirmation,
         table: &SampleTable,
-    ) -> Result<Self, SurrogatePlanError> {
+    ) -> Result<SurrogateBounds, SurrogatePlanError> {
         let count = |purpose: Purpose| table.inputs().iter().filter(|inputs| inputs.purpose == purpose).count();
         let is_own = |run: &usize| matches!(table.inputs()[*run].purpose, Purpose::Training | Purpose::Confirming);
         let groups = learned.groups.into_iter().zip(&confirmation.searched);
-        Ok(Self {
+        Ok(SurrogateBounds {
             groups: groups
                 .map(|(group, searched)| {
-                    let confirmed = confirmed(plan, &group, confirmation, table);
+                    let confirmed = confirmed(self, &group, confirmation, table);
                     let failed =
                         (0..table.len()).filter(is_own).filter(|&run| group.group.row(table, run).is_none()).count();
-                    group_bounds(plan, group, searched, &confirmed, failed)
+                    group_bounds(self, group, searched, &confirmed, failed)
                 })
                 .collect::<Result<_, _>>()?,
             training_runs: count(Purpose::Training),
@@ -87,7 +92,9 @@ impl SurrogateBounds {
             failed_runs: (0..table.len()).filter(is_own).filter(|&run| table.failure(run).is_some()).count(),
         })
     }
+}
 
+impl SurrogateBounds {
     /// These bounds with the three treatments of the numbers that `plan` compares.
     ///
     /// # Errors
@@ -221,16 +228,10 @@ fn group_bounds(
                     (lower, upper) =
                         (not_known(lower, request, Direction::Minimum), not_known(upper, request, Direction::Maximum));
                 }
-                let pair = BoundPair {
-                    column: request.column,
-                    statistic: request.statistic,
-                    lower,
-                    upper,
-                    estimates: pair.estimates.clone(),
-                    failed_runs: missing,
-                    unbounded_by_failures: is_over_finished(request.statistic)
-                        && (missing > 0 || pair.unbounded_by_failures),
-                };
+                let mut pair = BoundPair { lower, upper, failed_runs: missing, ..pair.clone() };
+                (pair.column, pair.statistic) = (request.column, request.statistic);
+                pair.unbounded_by_failures =
+                    is_over_finished(request.statistic) && (missing > 0 || pair.unbounded_by_failures);
                 levels[level].1.push(SurrogatePair { pair, is_confirmed: [is_lower, is_upper] });
             }
         }
@@ -270,13 +271,11 @@ fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
 /// The bounds that say nothing.
 fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
     let error = BoundError { surrogate: nothing_known_error(request.statistic), ..BoundError::default() };
-    let [lower, upper] = Direction::BOTH.map(|direction| {
+    let ends = Direction::BOTH.map(|direction| {
         let value = furthest_possible(request.statistic, direction);
         Bound { value, widened: value, witness: None, error, guarantee: Guarantee::Inner }
     });
-    let Request { column, statistic } = *request;
-    let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
-    BoundPair { column, statistic, lower, upper, estimates: Vec::new(), failed_runs, unbounded_by_failures }
+    BoundPair::new(request.column, request.statistic, ends, failed_runs)
 }
 
 /// By how much a statistic may be off of which nothing is known, to either side.

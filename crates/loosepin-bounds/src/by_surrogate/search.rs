@@ -1,6 +1,6 @@
 //! The double loop on the surrogates of a group.
 
-use super::learned::{Learned, LearnedGroup};
+use super::learned::LearnedGroup;
 use super::plan::SurrogatePlan;
 use super::response::{Aspect, BandResponse, LearnedFunction};
 use crate::data::bound::BoundPair;
@@ -20,6 +20,9 @@ const FREE_SHARE: f64 = 0.25;
 /// Runs of such a double loop, at most, over those that are stated for it; where it would grow beyond them it ends.
 const MOST_GROWTH: usize = 16;
 
+/// k before direct runs have been seen: an error of three standard deviations to the same side everywhere.
+pub(crate) const FIRST_REACH: f64 = 3.0;
+
 /// Bounds on the surrogate for some places of a group.
 pub(crate) struct Searched {
     /// Positions within the group.
@@ -30,17 +33,7 @@ pub(crate) struct Searched {
     pub bounds: Bounds,
 }
 
-/// Searches all groups that were learned; `reach` is k of each of them.
-pub(crate) fn search_all(
-    plan: &SurrogatePlan,
-    learned: &Learned,
-    reach: impl Fn(usize) -> f64,
-) -> Result<Vec<Vec<Searched>>, EvaluateError> {
-    let groups = learned.groups.iter().enumerate();
-    groups.map(|(index, group)| search_group(plan, group, reach(index))).collect()
-}
-
-/// Searches one group, a number of places at a time; nothing where it was not learned.
+/// Searches one group, k of it being `reach`, a number of places at a time; nothing where it was not learned.
 pub(crate) fn search_group(
     plan: &SurrogatePlan,
     group: &LearnedGroup,

@@ -3,6 +3,7 @@
 use super::plan::SurrogatePlan;
 use super::results::GroupBounds;
 use super::space::SurrogateInput;
+use crate::data::direction::range_of;
 use crate::data::table::{Purpose, SampleTable};
 
 /// Values at which the surrogate is drawn.
@@ -59,8 +60,7 @@ impl SurrogatePlan {
         };
         let span = |axis: usize| {
             let values = steps(axis, ASKED).filter_map(|value| Some(at(axis, value)?.0));
-            let (low, high) =
-                values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+            let (low, high) = range_of(values);
             high - low
         };
         let spans: Vec<f64> = (0..inputs.len()).map(span).collect();

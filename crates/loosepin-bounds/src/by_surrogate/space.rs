@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::data::direction::range_of;
 use crate::data::problem::Problem;
 use crate::search::design::corners;
 use crate::search::search_box::{Place, SearchBox};
@@ -104,8 +105,7 @@ impl TrainingSpace {
             }
             SurrogateInput::Random(_) => {
                 let values = points.iter().map(|point| point[axis]);
-                let (low, high) = values
-                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+                let (low, high) = range_of(values);
                 let margin = MARGIN * (high - low);
                 Interval::try_new(low - margin, high + margin).ok().map(Input::Epistemic)
             }

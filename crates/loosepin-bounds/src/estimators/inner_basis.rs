@@ -34,12 +34,12 @@ const MOST_ENTRIES: usize = 1 << 20;
 /// The points of the inner loop, and the polynomials on them.
 #[derive(Debug)]
 pub(crate) struct InnerBasis {
-    designs: Vec<Arc<Design>>,
+    designs: Vec<Arc<DesignMatrix>>,
 }
 
 /// The polynomials up to one degree on the inner points.
 #[derive(Debug)]
-pub(crate) struct Design {
+pub(crate) struct DesignMatrix {
     pub basis: Basis,
     /// Runs of one replicate.
     per_replicate: usize,
@@ -67,20 +67,20 @@ impl InnerBasis {
             .iter()
             .map(|point| point.iter().zip(axes).map(|(&omega, axis)| axis.coordinate(omega)).collect())
             .collect();
-        let designs: Vec<Arc<Design>> = (1..=MOST_DEGREE)
-            .map_while(|degree| Design::new(axes, degree, &coordinates, replicates))
+        let designs: Vec<Arc<DesignMatrix>> = (1..=MOST_DEGREE)
+            .map_while(|degree| DesignMatrix::new(axes, degree, &coordinates, replicates))
             .map(Arc::new)
             .collect();
         (!designs.is_empty()).then_some(Self { designs })
     }
 
     /// From the lowest degree to the highest.
-    pub fn designs(&self) -> &[Arc<Design>] {
+    pub fn designs(&self) -> &[Arc<DesignMatrix>] {
         &self.designs
     }
 }
 
-impl Design {
+impl DesignMatrix {
     /// Polynomials up to `degree` at `coordinates`, replicate by replicate; nothing where the runs are too few.
     pub fn new(axes: &[Axis], degree: usize, coordinates: &[Vec<f64>], replicates: usize) -> Option<Self> {
         let count = coordinates.len();

@@ -6,7 +6,7 @@ use super::estimate::{
     Confidence, Estimate, replicate_error, standard_deviation, variance_of_mean, variance_of_replicates,
 };
 use super::index::{Index, compressed};
-use super::inner_basis::{CrossFit, Design};
+use super::inner_basis::{CrossFit, DesignMatrix};
 use super::orthogonal::Axis;
 use super::preintegration::{AtValue, Conditional};
 use crate::data::statistic::Event;
@@ -26,7 +26,7 @@ const TAIL: f64 = 1e-4;
 /// The polynomials of one sample.
 #[derive(Debug, Clone)]
 pub(crate) struct Smooth {
-    design: Arc<Design>,
+    design: Arc<DesignMatrix>,
     fit: CrossFit,
     conditional: Arc<OnceLock<Conditional>>,
     tails: [OnceLock<(f64, f64)>; 2],
@@ -34,7 +34,7 @@ pub(crate) struct Smooth {
 
 impl Smooth {
     /// The fit of `design` to the `values` of its runs.
-    pub fn new(design: Arc<Design>, values: &[f64]) -> Self {
+    pub fn new(design: Arc<DesignMatrix>, values: &[f64]) -> Self {
         Self { fit: design.fit(values), design, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
     }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::inner_basis::{Design, InnerBasis};
+use super::inner_basis::{DesignMatrix, InnerBasis};
 use super::sample::Sample;
 use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
 
@@ -32,14 +32,14 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
     }
     let allowed = |point: usize| (LARGEST_RESIDUAL * deviations[point]).max(LARGEST_RESIDUAL_OF_ALL * largest);
     // Relative to what is allowed.
-    let left = |design: &Design, point: usize| {
+    let left = |design: &DesignMatrix, point: usize| {
         let residual = largest_magnitude(&design.fit(samples[point].values()).residuals);
         // Of a response that does not scatter at all, round-off is left.
         let round_off = ROUND_OFF * largest_magnitude(samples[point].values());
         (residual - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
     };
     let step = samples.len().div_ceil(TRIAL_POINTS).max(1);
-    let mut chosen: Option<(&Arc<Design>, f64)> = None;
+    let mut chosen: Option<(&Arc<DesignMatrix>, f64)> = None;
     for design in tried_degrees(basis.designs()) {
         let known = chosen.map_or(f64::INFINITY, |(_, most)| CLEARLY_LESS * most);
         let mut most = 0.0_f64;
@@ -71,7 +71,7 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
 }
 
 /// Some of the degrees, the highest first.
-fn tried_degrees(designs: &[Arc<Design>]) -> impl Iterator<Item = &Arc<Design>> {
+fn tried_degrees(designs: &[Arc<DesignMatrix>]) -> impl Iterator<Item = &Arc<DesignMatrix>> {
     designs.iter().rev().step_by(designs.len().div_ceil(TRIED_DEGREES).max(1))
 }
 

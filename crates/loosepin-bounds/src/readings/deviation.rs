@@ -233,8 +233,7 @@ fn least_spread(boxes: &[[f64; 2]], masses: &[f64]) -> f64 {
         let distance = |[low, high]: &[f64; 2]| (low - c).max(c - high).max(0.0);
         boxes.iter().zip(masses).map(|(own, mass)| mass * distance(own) * distance(own)).sum::<f64>()
     };
-    let (low, high) =
-        boxes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| (low.min(own[0]), high.max(own[1])));
+    let (low, high) = (range_of(boxes.iter().map(|own| own[0])).0, range_of(boxes.iter().map(|own| own[1])).1);
     if low.is_finite() && high.is_finite() { spread(golden(low, high, spread)) } else { 0.0 }
 }
 
