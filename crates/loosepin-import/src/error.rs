@@ -9,45 +9,32 @@ use loosepin_text::diagnostics::{Code, Problem};
 
 /// Why a drawing gives no model. Places are coordinates of the drawing, with its unit.
 #[derive(Debug, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum ImportError {
-    /// The drawing cannot be read.
     #[error("the drawing cannot be read as DXF: {reason}")]
     NoDrawing { reason: String },
-    /// A drawing without units, and none given.
     #[error("the drawing does not say its unit: $INSUNITS is not set")]
     NoUnit,
-    /// A unit of the drawing that models do not have.
     #[error("the drawing is in {unit}, which models do not know")]
     ForeignUnit { unit: String },
-    /// A unit given that is none of length.
     #[error("'{text}' is no unit of length")]
     NotAUnit { text: String },
-    /// A coordinate that is no number, or not in the plane.
     #[error("{what} at {place} {why}")]
     NotPlanar { what: &'static str, place: String, why: &'static str },
-    /// No line, or no circle.
     #[error("the drawing has no {what}")]
     Nothing { what: &'static str },
-    /// A line without length, or a circle without radius.
     #[error("the {what} at {place} has no {size}")]
     NoSize { what: &'static str, place: String, size: &'static str },
-    /// Two circles with the same centre.
     #[error("two circles have their centre at {place}")]
     TwoCircles { place: String },
-    /// A circle that no link meets.
     #[error("no link meets the circle at {place}")]
     LooseCircle { place: String },
-    /// A link without a circle.
     #[error("the link from {place} meets no circle")]
     LooseLink { place: String },
-    /// Nothing is joined to the ground.
     #[error("no circle on the layer 'ground' meets a link")]
     NoGround,
-    /// A file of that name is there.
     #[error("{} is there already; it is not overwritten", path.display())]
     Exists { path: PathBuf },
-    /// The file system refused.
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
 }

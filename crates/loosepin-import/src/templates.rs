@@ -70,12 +70,10 @@ pub fn find_template(name: &str) -> Option<&'static Template> {
 
 /// Why a template cannot be written.
 #[derive(Debug, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum TemplateError {
-    /// A file of that name is there.
     #[error("{} is there already; it is not overwritten", path.display())]
     Exists { path: PathBuf },
-    /// The file system refused.
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
 }

@@ -4,26 +4,20 @@ use thiserror::Error;
 
 /// Why runs cannot be learned from, or a surrogate gives no value.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SurrogateError {
-    /// Nothing to learn from.
     #[error("no input; a surrogate is a function of at least one input")]
     NoInput,
-    /// Nothing to learn.
     #[error("no output; a surrogate has at least one output")]
     NoOutput,
-    /// A point has another number of inputs.
     #[error("run {run} has {length} numbers; there are {inputs} inputs")]
     PointLength { run: usize, length: usize, inputs: usize },
-    /// A point lies where its input cannot be.
     #[error("run {run}: input {input} is {value}; it must lie between {lower} and {upper}")]
     InputOutside { run: usize, input: usize, value: f64, lower: f64, upper: f64 },
-    /// An output has another number of runs.
     #[error(
         "output '{output}' has {rows} rows; there are {runs} runs\nhint: a run without this output has an empty row"
     )]
     OutputRows { output: String, rows: usize, runs: usize },
-    /// A curve has another number of places.
     #[error(
         "output '{output}', run {run}: a curve of {length} values; the first one has {expected}, all must be as long"
     )]
@@ -35,13 +29,10 @@ pub enum SurrogateError {
         /// Values of the first curve.
         expected: usize,
     },
-    /// An output is infinite or not a number.
     #[error("output '{output}', run {run}: {value}; must be finite\nhint: leave out the output of a run that failed")]
     OutputNotFinite { output: String, run: usize, value: f64 },
-    /// A variance that is none.
     #[error("output '{output}', run {run}: variance of the noise {value}; must be finite and >= 0")]
     Noise { output: String, run: usize, value: f64 },
-    /// Not enough to learn from.
     #[error(
         "output '{output}': {different} different points among {runs} runs, {missing} of which failed; a surrogate needs at \
          least 4\nhint: make more runs, or give the bounds directly"
@@ -53,30 +44,24 @@ pub enum SurrogateError {
         runs: usize,
         missing: usize,
     },
-    /// A kind that was asked for does not fit.
     #[error(
         "output '{output}': {kind} cannot be fitted to its {runs} runs\nhint: leave the choice of the kind to the program"
     )]
     NotFitted { output: String, kind: &'static str, runs: usize },
-    /// A point with another number of inputs.
     #[error("a point of {length} numbers; the surrogate has {inputs} inputs")]
     QueryLength { length: usize, inputs: usize },
-    /// Outside what the surrogate has learned.
     #[error(
         "input {input} is {value}; the surrogate has learned from {lower} to {upper} and does not extrapolate\n\
          hint: run the model itself there, or add runs that reach so far"
     )]
     Extrapolation { input: usize, value: f64, lower: f64, upper: f64 },
-    /// A surrogate that has no form in ONNX.
     #[error(
         "output '{output}' is learned by {kind}; neural networks alone can be written as ONNX\n\
          hint: its coefficients stand in surrogates.json; or learn networks, kind = \"network\" under [surrogate]"
     )]
     NotNetworks { output: String, kind: &'static str },
-    /// Text that is no saved surrogate.
     #[error("no saved surrogate: {reason}")]
     NotLoaded { reason: String },
-    /// A surrogate of another version of the format.
     #[error("a saved surrogate of format {found}; this program reads format {expected}")]
     OtherFormat { found: u32, expected: u32 },
 }

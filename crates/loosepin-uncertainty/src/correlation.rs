@@ -30,18 +30,15 @@ pub struct Pair {
 
 /// Why there is no such copula.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum CopulaError {
-    /// An input that does not exist, or the same one twice.
     #[error("a correlation of inputs {first} and {second} of {inputs}, counted from 0; must be two different ones")]
     NoSuchPair { first: usize, second: usize, inputs: usize },
-    /// The same pair again.
     #[error("a second correlation of inputs {first} and {second}")]
     PairTwice { first: usize, second: usize },
     /// A correlation that leaves no freedom, or is none.
     #[error("correlation {normal} of the normal variables; must lie between -1 and 1, both excluded")]
     OutOfRange { normal: f64 },
-    /// Correlations that contradict each other.
     #[error(
         "the correlations contradict each other: the least eigenvalue of their matrix is {least_eigenvalue}; must be > 0"
     )]

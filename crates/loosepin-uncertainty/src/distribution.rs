@@ -119,18 +119,14 @@ pub enum Distribution {
 
 /// Why a distribution is none.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum DistributionError {
-    /// A parameter is infinite or not a number.
     #[error("{parameter} {value}; must be finite")]
     NotFinite { parameter: &'static str, value: f64 },
-    /// A parameter that must be positive is not.
     #[error("{parameter} {value}; must be > 0")]
     NotPositive { parameter: &'static str, value: f64 },
-    /// The ends coincide or are the wrong way round.
     #[error("lower end {lower}, upper end {upper}; the lower end must be below the upper end")]
     TurnedRound { lower: f64, upper: f64 },
-    /// The most likely value lies outside the ends.
     #[error("mode {mode}; must lie between the ends {lower} and {upper}")]
     ModeOutside { mode: f64, lower: f64, upper: f64 },
     /// A truncation keeps nothing that arithmetic could resolve.
@@ -147,7 +143,6 @@ pub enum DistributionError {
         /// Share of the distribution between the ends.
         share: f64,
     },
-    /// A truncation keeps nothing of a distribution that is not normal.
     #[error(
         "truncation to [{lower}, {upper}] keeps the share {share} of a {family} distribution; the share must be at least \
          1e-100\nhint: cut nearer to the mean, or state a uniform distribution"
@@ -159,19 +154,14 @@ pub enum DistributionError {
         /// Share of the distribution between the ends.
         share: f64,
     },
-    /// The mean lies at the lower end or below.
     #[error("mean {mean}; must be above the lower end {lower}")]
     MeanBelowEnd { mean: f64, lower: f64 },
-    /// Not as many probabilities as values, or none at all.
     #[error("{values} values, {probabilities} probabilities; each value needs one")]
     UnequalLists { values: usize, probabilities: usize },
-    /// Probabilities that are not all there is.
     #[error("the probabilities sum up to {sum}; must be 1 within 1e-9")]
     SumNotOne { sum: f64 },
-    /// A value of a discrete distribution twice.
     #[error("the value {value} is there twice")]
     ValueTwice { value: f64 },
-    /// A sample without two different values.
     #[error("a sample of {count} without two different values; it says nothing of scatter")]
     NoScatter { count: usize },
 }

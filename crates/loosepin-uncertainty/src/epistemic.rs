@@ -19,15 +19,12 @@ pub struct Members {
 
 /// Why numbers are no list to choose from.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum MembersError {
-    /// Nothing to choose from.
     #[error("a list of {count}; must hold at least 2 numbers")]
     TooFew { count: usize },
-    /// A number that is infinite or not a number.
     #[error("{value} in a list; every number must be finite")]
     NotFinite { value: f64 },
-    /// The same number again.
     #[error("{value} stands in a list twice")]
     Twice { value: f64 },
 }

@@ -35,30 +35,24 @@ pub struct Evidence {
 
 /// Why intervals and masses are no evidence.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum EvidenceError {
-    /// No element.
     #[error("evidence without an element; give at least one")]
     Empty,
-    /// A mass that is none.
     #[error("mass {mass} of element {element}; must be > 0 and at most 1")]
     Mass {
         /// Position of the element, counted from 1.
         element: usize,
         mass: f64,
     },
-    /// Masses that do not sum to 1.
     #[error("the masses sum to {sum}; must be 1, within {MASS_TOLERANCE}")]
     Sum { sum: f64 },
-    /// Quantiles that do not increase.
     #[error(
         "quantile {second} at probability {second_probability} after {first} at {first_probability}; both must increase"
     )]
     NotIncreasing { first_probability: f64, first: f64, second_probability: f64, second: f64 },
-    /// A probability of a quantile outside (0, 1).
     #[error("quantile at probability {probability}; must lie between 0 and 1, both excluded")]
     Probability { probability: f64 },
-    /// A number outside the support.
     #[error("{what} {value}; must lie between the ends {lower} and {upper} of the support")]
     OutsideSupport { what: &'static str, value: f64, lower: f64, upper: f64 },
 }

@@ -17,21 +17,17 @@ pub struct FuzzyNumber {
 
 /// Why numbers are no fuzzy number.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum FuzzyError {
-    /// No cut.
     #[error("a fuzzy number without a cut; give at least one")]
     Empty,
-    /// A degree outside [0, 1].
     #[error("cut at {alpha}; must lie between 0 and 1")]
     Degree { alpha: f64 },
     /// What is possible at all is not among the cuts.
     #[error("the first degree is {alpha}; must be 0, the values that are possible at all")]
     NoSupport { alpha: f64 },
-    /// Degrees that do not increase.
     #[error("cut at {second} after {first}; the degrees must increase")]
     DegreesNotIncreasing { first: f64, second: f64 },
-    /// A cut that is not within the one before.
     #[error(
         "the cut [{lower}, {upper}] at {alpha} is not within [{outer_lower}, {outer_upper}] at {outer_alpha}; cuts must be nested"
     )]
@@ -44,7 +40,6 @@ pub enum FuzzyError {
         outer_lower: f64,
         outer_upper: f64,
     },
-    /// Corners that do not increase.
     #[error("corners {first} and {second}; each must not lie below the one before")]
     Corners { first: f64, second: f64 },
 }

@@ -13,12 +13,10 @@ pub struct Interval {
 
 /// Why two numbers are no interval.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum IntervalError {
-    /// An end is infinite or not a number.
     #[error("interval [{lower}, {upper}]; both ends must be finite")]
     NotFinite { lower: f64, upper: f64 },
-    /// The ends are the wrong way round.
     #[error("interval [{lower}, {upper}]; the lower end must not exceed the upper end")]
     TurnedRound { lower: f64, upper: f64 },
 }

@@ -52,18 +52,14 @@ pub struct Goodness {
 
 /// Why a family cannot be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SampleFitError {
-    /// Too few values.
     #[error("{count} values; a fit needs at least {FEWEST_FITTED}")]
     TooFew { count: usize },
-    /// Values that are all the same.
     #[error("all values are the same; nothing can be fitted")]
     NoScatter,
-    /// A value that the family cannot have.
     #[error("the value {value}; this family has positive values only")]
     NotPositive { value: f64 },
-    /// A search without an end.
     #[error("no parameters were found")]
     NotFound,
 }

@@ -16,9 +16,8 @@ const FILL_BITS: u32 = 20;
 
 /// Why there are no such points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SobolError {
-    /// More dimensions than direction numbers.
     #[error(
         "{dimensions} dimensions; Sobol' points have at most {MAXIMUM_DIMENSIONS}\n\
          hint: fix the inputs that matter least"

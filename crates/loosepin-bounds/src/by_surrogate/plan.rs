@@ -18,7 +18,7 @@ use loosepin_uncertainty::EpistemicVariable;
 
 /// Why there are no bounds by surrogates.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SurrogatePlanError {
     /// The problem, or its runs.
     #[error(transparent)]
@@ -26,16 +26,13 @@ pub enum SurrogatePlanError {
     /// The double loop on a surrogate.
     #[error(transparent)]
     Evaluate(#[from] EvaluateError),
-    /// Too few runs to learn from.
     #[error("{training} training runs; must be at least {FEWEST_RUNS}\nhint: 30 for each uncertain input are a start")]
     TooFewTraining { training: usize },
-    /// Direct runs that cannot be spread over the replicates.
     #[error(
         "{confirming} confirming runs; must be a multiple of the {replicates} replicates, at least 2 in each, and at most the \
          {inner} inner runs"
     )]
     Confirming { confirming: usize, replicates: usize, inner: usize },
-    /// A column that is asked for and not learned.
     #[error("column {column} is asked for and in none of the groups that are learned")]
     NotLearned { column: usize },
 }

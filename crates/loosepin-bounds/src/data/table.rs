@@ -28,9 +28,8 @@ pub struct Failure(pub u16);
 
 /// Why a row does not fit the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum TableError {
-    /// A row has another number of columns than the table.
     #[error("run {run} has {found} columns; the table has {expected}")]
     WrongColumns { run: usize, found: usize, expected: usize },
 }

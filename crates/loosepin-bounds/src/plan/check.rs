@@ -12,9 +12,8 @@ use loosepin_uncertainty::{EpistemicParameter, EpistemicVariable, MAXIMUM_DIMENS
 
 /// Why a problem cannot be planned.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum ProblemError {
-    /// A request names a column that the response does not have.
     #[error("request {request} asks for column {column}; the response has {columns} columns, counted from 0")]
     NoSuchColumn {
         /// Position of the request, or of the column among the compared ones.
@@ -22,16 +21,12 @@ pub enum ProblemError {
         column: usize,
         columns: usize,
     },
-    /// A quantile outside (0, 1).
     #[error("quantile {probability}; must lie between 0 and 1, both excluded")]
     QuantileOutside { probability: f64 },
-    /// A limit that is not a number, or a negative limit of a magnitude.
     #[error("limit {limit} of a probability; must be finite, and >= 0 where it limits a magnitude")]
     BadLimit { limit: f64 },
-    /// A probability outside (0, 1).
     #[error("{name} {value}; must lie between 0 and 1, both excluded")]
     ProbabilityOutside { name: &'static str, value: f64 },
-    /// A cut that is no positive number.
     #[error("cut at {standard_deviations} standard deviations; must be > 0 and at most 8")]
     BadCut { standard_deviations: f64 },
     /// A parameter with a distribution beside what gives statistics no single value at it.
@@ -43,29 +38,24 @@ pub enum ProblemError {
         /// Evidence; else another reading.
         has_evidence: bool,
     },
-    /// Too few replicates.
     #[error("{replicates} replicates; must be at least 2\nhint: 8 give a useful estimate of the sampling error")]
     TooFewReplicates { replicates: usize },
-    /// A parameter of an input that does not exist.
     #[error(
         "parameter {parameter} belongs to random input {random} of {randoms} and is epistemic input {epistemic} of {epistemics}, \
          counted from 0"
     )]
     NoSuchInput { parameter: usize, random: usize, randoms: usize, epistemic: usize, epistemics: usize },
-    /// A sample that cannot be split evenly.
     #[error(
         "{name} {count}; must be a multiple of the {replicates} replicates, at least 2 runs in each, at most 2^31\n\
          hint: {replicates} times a power of two is best"
     )]
     NotAMultiple { name: &'static str, count: usize, replicates: usize },
-    /// Too few points for the corners and the centre of the box.
     #[error(
         "{name} {count}; the corners and the centre of a box with {} need at least {least}\n\
          hint: {recommended} is a good start",
         inputs_words(*.dimensions)
     )]
     TooFewPoints { name: &'static str, count: usize, dimensions: usize, least: usize, recommended: usize },
-    /// Too few points for the corners and the centre of a box for each combination of the members of lists.
     #[error(
         "{name} {count}; {combinations} combinations of members, each with the corners and the centre of a box with \
          {}, need at least {least}\n\
@@ -81,36 +71,29 @@ pub enum ProblemError {
         least: usize,
         recommended: usize,
     },
-    /// More combinations of members than can be searched one by one.
     #[error(
         "{combinations} combinations of the members of lists; must be at most {MOST_COMBINATIONS}\n\
          hint: shorten the lists, or take numbers that lie close together as an interval"
     )]
     TooManyCombinations { combinations: usize },
-    /// Too few points for the corners and centres of focal elements and cuts.
     #[error(
         "{name} {count}; the corners and centres of all focal elements and cuts need at least {least}\n\
          hint: {recommended} is a good start, and elements that share ends need fewer"
     )]
     TooFewForElements { name: &'static str, count: usize, least: usize, recommended: usize },
-    /// More corners and centres of focal elements and cuts than points that the search can model.
     #[error(
         "the corners and centres of all focal elements and cuts are {least}; must be at most {most}\nhint: fewer elements, cuts or degrees"
     )]
     TooManyParts { least: usize, most: usize },
-    /// More focal elements than are put together.
     #[error(
         "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
          hint: join elements of the inputs that matter least"
     )]
     TooManyElements { elements: usize },
-    /// More points than the search can model.
     #[error("{name} {count}; must be at most {most}\nhint: more inner runs reduce the sampling error")]
     TooManyPoints { name: &'static str, count: usize, most: usize },
-    /// More inputs than Sobol' points have dimensions.
     #[error("{inputs} uncertain inputs; at most {MAXIMUM_DIMENSIONS}\nhint: fix the inputs that matter least")]
     TooManyInputs { inputs: usize },
-    /// A copula of another number of inputs.
     #[error("correlations of {found} random inputs; there are {expected}")]
     OtherCopula { found: usize, expected: usize },
 }

@@ -7,7 +7,7 @@ use loosepin_uncertainty::{IntervalError, SobolError};
 
 /// Why there is no plan, or no next round.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum PlanError {
     /// The problem breaks a rule.
     #[error(transparent)]
@@ -24,10 +24,8 @@ pub enum PlanError {
         /// Reason why the quantiles are no interval.
         source: IntervalError,
     },
-    /// The table belongs to a response with another number of columns.
     #[error("the table has {found} columns; the problem has {expected}")]
     OtherColumns { found: usize, expected: usize },
-    /// A point of an earlier round lacks runs.
     #[error(
         "point {point} has {found} runs; its plan has {expected}\nhint: add all runs of a round before asking for the next"
     )]
@@ -37,7 +35,6 @@ pub enum PlanError {
         found: usize,
         expected: usize,
     },
-    /// There are no runs at all.
     #[error("the table is empty\nhint: run the rounds first")]
     NoRuns,
 }

@@ -7,12 +7,11 @@ use thiserror::Error;
 
 /// Why a model cannot be compiled.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum MechanismError {
     /// The nominal values break a rule.
     #[error(transparent)]
     Quantity(#[from] QuantityError),
-    /// Fewer drives than degrees of freedom.
     #[error(
         "the mechanism has {mobility} degrees of freedom and {drives} {}: {} not determined",
         if *drives == 1 { "drive" } else { "drives" },
@@ -25,7 +24,6 @@ pub enum MechanismError {
         /// Bodies that can still move when the drives stand still.
         undetermined: Vec<String>,
     },
-    /// More drives than degrees of freedom.
     #[error(
         "the mechanism has {mobility} {} of freedom and {drives} drives: they work against each other",
         if *mobility == 1 { "degree" } else { "degrees" }
@@ -35,7 +33,6 @@ pub enum MechanismError {
         mobility: usize,
         drives: usize,
     },
-    /// A loop in which every joint is driven.
     #[error("joint '{joint}' closes a loop in which every joint is driven")]
     DrivenLoop { joint: String },
     /// A joint with friction in a mechanism whose constraint forces are not determined.
@@ -43,13 +40,10 @@ pub enum MechanismError {
         "joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints repeat each other"
     )]
     CarriedNotDetermined { joint: String },
-    /// No configuration closes all loops.
     #[error("the links cannot close at the start: {open} at best")]
     CannotClose { open: Opening },
-    /// No configuration closes all loops with the given positions.
     #[error("the links cannot close at the start that [initial] gives: {open} at best")]
     CannotCloseAsGiven { open: Opening },
-    /// The initial state leaves something open.
     #[error(
         "the initial state does not determine {}",
         if *is_rate { rates_of(bodies) } else { places_of(bodies) }
@@ -60,16 +54,12 @@ pub enum MechanismError {
         /// Bodies that can still be placed, or moved, in more than one way.
         bodies: Vec<String>,
     },
-    /// The initial state says what the drives say already.
     #[error("the drives determine the motion; the initial state under [initial] has nothing to say")]
     StartNotNeeded,
-    /// A control where the drives move everything.
     #[error("control '{control}' has nothing to move: the drives determine the motion")]
     NothingToControl { control: String },
-    /// Torques that cannot be fed forward.
     #[error("control '{control}' cannot feed inverse dynamics forward: {reason}")]
     NoInverseDynamics { control: String, reason: &'static str },
-    /// A given position that the loops and the other given positions do not allow.
     #[error(
         "{} cannot be {} at the start; the links and what else is given come no closer than {}",
         describe_path(path),
@@ -83,7 +73,6 @@ pub enum MechanismError {
         found_si: f64,
         dimension: Dimension,
     },
-    /// The start is a singular position.
     #[error(
         "the mechanism starts in a singular position: {} can move although every drive stands still",
         if bodies.is_empty() { "a body".to_owned() } else { quoted(bodies) }
@@ -115,7 +104,7 @@ fn undetermined_words(bodies: &[String]) -> String {
 
 /// Why one set of values gives no motion of the ideal mechanism.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SampleError {
     /// A value breaks its rule.
     #[error(transparent)]
@@ -128,7 +117,6 @@ pub enum SampleError {
         /// Whether it had play when the mechanism was compiled.
         compiled_with_play: bool,
     },
-    /// A clearance to which the contact law was not fitted.
     #[error(
         "joint '{joint}' has a radial clearance of {}; '{law}' was fitted to clearances from {} to {}",
         format_value(*clearance_m, Dimension::LENGTH),
@@ -142,7 +130,6 @@ pub enum SampleError {
         /// Smallest and largest clearance of the fit, m.
         fitted_m: [f64; 2],
     },
-    /// A roughness that does not go with the film of oil in a clearance.
     #[error(
         "joint '{joint}' has a film by {law} with a roughness of {} at a radial clearance of {}; must lie between {} and {}",
         format_value(*roughness_m, Dimension::LENGTH),
@@ -158,10 +145,8 @@ pub enum SampleError {
         /// Smallest and largest roughness at this clearance, m.
         allowed_m: [f64; 2],
     },
-    /// The loops cannot be closed at this instant.
     #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
     CannotClose { open: Opening, time_s: f64 },
-    /// A given rate that the drives and the other given rates do not allow.
     #[error(
         "{} is {}; the links and what else is given make it {}",
         describe_path(path),
@@ -169,7 +154,6 @@ pub enum SampleError {
         format_value(*found_si, *dimension)
     )]
     StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension },
-    /// A singular position is met.
     #[error("singular position at {}: the drives no longer determine the motion", format_value(*time_s, Dimension::TIME))]
     Singular { time_s: f64 },
 }

@@ -10,9 +10,8 @@ use loosepin_text::diagnostics::{Code, Problem, nearest_name};
 
 /// Why a contact cannot have a law.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum LawError {
-    /// A key that the law needs and the model does not give.
     #[error("{law} needs {key} of {table}, which the model does not give")]
     NeedsKey { law: &'static str, key: &'static str, table: String },
     /// A linear law beside others: its stiffness has another unit and stands in place of the materials.

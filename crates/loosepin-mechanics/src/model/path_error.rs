@@ -6,15 +6,12 @@ use thiserror::Error;
 
 /// Why a path names no quantity that can be set.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum PathError {
-    /// The model has no such quantity.
     #[error("the model has no quantity '{path}'")]
     Unknown { path: String, nearest: Option<String> },
-    /// The play of a joint that has none.
     #[error("'{path}': joint '{joint}' has no play")]
     NoPlay { path: String, joint: String },
-    /// The quantity follows from others.
     #[error("'{path}' is given by an expression and cannot be set")]
     Expression { path: String, depends_on: Vec<String> },
     /// The quantity fixes the unit of others, or the kind of a joint.

@@ -8,22 +8,19 @@ use loosepin_text::units::{Dimension, quoted};
 
 /// An error in a model file. `entry` is a path in words.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum ModelProblem {
-    /// A parameter with a name that expressions could not use.
     #[error("a parameter cannot be called '{name}'")]
     BadParameterName {
         name: String,
         /// Whether it is the name of a unit or a function.
         is_reserved: bool,
     },
-    /// Parameters that need one another.
     #[error("parameters are defined by one another: {}", .circle.join(" -> "))]
     ParameterCycle {
         /// The names, the first again at the end.
         circle: Vec<String>,
     },
-    /// A reference to something that is not there.
     #[error("{entry}: there is no {what} '{name}'")]
     UnknownReference {
         entry: String,
@@ -33,57 +30,42 @@ pub enum ModelProblem {
         nearest: Option<String>,
         known: Vec<String>,
     },
-    /// A point not written `body.point`.
     #[error("{entry} is '{text}'; must be body.point")]
     NotAPoint { entry: String, text: String },
-    /// A joint whose points lie on one body.
     #[error("{entry} connects body '{body}' to itself")]
     SameBody { entry: String, body: String },
-    /// Contact stiffness both from materials and given.
     #[error(
         "{entry}: '{material}' and '{given}' cannot be used together; the stiffness comes from materials or is given"
     )]
     StiffnessTwice { entry: String, material: &'static str, given: &'static str },
-    /// Contact stiffness not given at all.
     #[error("{entry}: the stiffness is missing")]
     NoStiffness { entry: String },
     /// A material value for both parts and for one of them.
     #[error("{entry}: '{both}' and '{one}' cannot be used together")]
     MaterialTwice { entry: String, both: &'static str, one: &'static str },
-    /// A key that needs others.
     #[error("{entry}: '{key}' needs {}", quoted(.needs))]
     NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str> },
-    /// A film of oil in a bearing without a length.
     #[error("{entry}: 'contact' needs 'bearing_length'")]
     FilmNeedsLength { entry: String },
     /// A key without effect in this combination.
     #[error("{entry}: '{key}' cannot be used with '{beside}'")]
     KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str },
-    /// A torsional spring without the two bodies that it turns.
     #[error("{entry}: the two bodies are missing")]
     NoBodies { entry: String },
-    /// A joint without an angle where one is needed.
     #[error("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint")]
     DoesNotTurn { entry: String, joint: String },
-    /// A load on the ground.
     #[error("{entry} acts on the ground, which does not move")]
     LoadOnGround { entry: String },
-    /// A rigid joint where a coordinate is needed.
     #[error("{entry}: joint '{joint}' is rigid; it has neither angle nor position")]
     DoesNotMove { entry: String, joint: String },
-    /// A joint that nothing reads.
     #[error("{entry}: 'joint' has no effect here; '{key}' is no expression over its angle, position or speed")]
     JointNotRead { entry: String, key: &'static str },
-    /// A variable with the name of a parameter.
     #[error("{entry}: '{name}' is a parameter of this file and a variable of this expression")]
     NameTaken { entry: String, name: &'static str },
-    /// An inverse trigonometric function of something that changes.
     #[error("{entry}: inverse trigonometric functions cannot be used together with what changes in time")]
     InverseFunction { entry: String },
-    /// An exponent that a changing expression cannot have.
     #[error("{entry}: exponents of what changes in time are whole or half numbers, written out, up to 32")]
     ExponentOfFunction { entry: String },
-    /// A contact that only a pin in a hole can have.
     #[error("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}")]
     NotForPlanes {
         entry: String,
@@ -92,58 +74,40 @@ pub enum ModelProblem {
         what: String,
         what_touches: &'static str,
     },
-    /// A drive of a joint that has no coordinate to prescribe.
     #[error("{entry}: joint '{joint}' {why} and cannot be driven")]
     NotDrivable { entry: String, joint: String, why: &'static str },
-    /// A start that does not fit the kind of joint.
     #[error("{entry}: '{found}' does not fit the {kind} joint '{joint}'")]
     WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String },
-    /// Two drives of one joint.
     #[error("{entry}: joint '{joint}' is already driven by '{other}'")]
     DrivenTwice { entry: String, joint: String, other: String },
-    /// A CSV file with other than two columns.
     #[error("a row has {found} {}; expected two", if *found == 1 { "column" } else { "columns" })]
     CsvColumns { found: usize },
-    /// A header without units.
     #[error("the header is '{text}'; must be a name with a unit in brackets")]
     CsvHeader { text: String },
-    /// A unit of something else.
     #[error("the column '{text}' must hold {due}")]
     CsvDimension { text: String, due: Dimension },
-    /// A cell that is no number.
     #[error("'{text}' is not a number")]
     CsvNumber { text: String },
-    /// A coupling of a joint to itself.
     #[error("{entry} couples joint '{joint}' to itself")]
     SameJoint { entry: String, joint: String },
-    /// A joint of another kind than a coupling needs.
     #[error("{entry}: joint '{joint}' is not {due}")]
     WrongJoint { entry: String, joint: String, due: &'static str },
-    /// Wheels without a common carrier.
     #[error("{entry}: joints '{first}' and '{second}' must have exactly one body in common, which carries both wheels")]
     NoCarrier { entry: String, first: String, second: String },
-    /// A control of a joint that is moved already.
     #[error("{entry}: joint '{joint}' is already moved by {other}")]
     ControlledTwice { entry: String, joint: String, other: String },
-    /// A cycle over a drive that does not turn.
     #[error("cycle: drive '{drive}' moves a prismatic joint; its turns cannot be counted")]
     CycleNeedsTurns { drive: String },
-    /// A cycle over a motion that does not repeat itself.
     #[error("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to count")]
     CycleNeedsPeriod { drive: String, kind: &'static str },
-    /// A list that is too short.
     #[error("{entry} has too few entries; must be at least {least}")]
     TooFewPoints { entry: String, least: usize },
-    /// An initial state of the ground.
     #[error("initial: the ground does not move; it has no initial state")]
     InitialOfGround,
-    /// A coordinate that a joint does not have.
     #[error("{entry}: '{key}' does not fit this kind of joint")]
     WrongCoordinate { entry: String, key: &'static str },
-    /// A guess for the ground.
     #[error("assembly: the ground does not move; its angle cannot be guessed")]
     GuessOfGround,
-    /// A unit that an output cannot be shown in.
     #[error("{entry} is '{unit}'; must be a unit of {due}")]
     WrongUnit { entry: String, unit: String, due: loosepin_text::units::Dimension },
     /// A parameter or contact that nothing refers to.

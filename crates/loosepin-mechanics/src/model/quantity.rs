@@ -75,12 +75,10 @@ impl std::ops::Index<QuantityId> for Values {
 
 /// Why a set of values is physically impossible.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum QuantityError {
-    /// A value breaks its rule.
     #[error("{} {}; must be {rule}", describe_path(.path), format_value(*.value_si, *.dimension))]
     BreaksRule { path: String, value_si: f64, dimension: Dimension, rule: &'static str },
-    /// A value is not below another.
     #[error(
         "{} {}; must be below {} {}",
         describe_path(.path),
@@ -89,7 +87,6 @@ pub enum QuantityError {
         format_value(*.limit_si, *.dimension)
     )]
     OutOfOrder { path: String, value_si: f64, limit_path: String, limit_si: f64, dimension: Dimension },
-    /// A quantity given by an expression, or one that fixes units, was set.
     #[error("{path} is not a free number of the model; it cannot be set")]
     NotSettable { path: String },
 }

@@ -33,15 +33,12 @@ pub struct SettingRange {
 
 /// Why a setting cannot be read.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum SettingError {
-    /// No equals sign.
     #[error("'{text}' is not written path=value")]
     NoEqualsSign { text: String },
-    /// No range.
     #[error("'{text}' is not written path=from..to")]
     NoRange { text: String },
-    /// A range without extent.
     #[error("{path} goes from {value} to the same value; must be two values")]
     EmptyRange { path: String, value: String },
     /// A path that cannot be set.
@@ -50,10 +47,8 @@ pub enum SettingError {
     /// A value that cannot be read.
     #[error(transparent)]
     Value(#[from] ExpressionProblem),
-    /// A value without its unit.
     #[error("{path} is {text} without a unit; must be {due}")]
     MissingUnit { path: String, text: String, due: Dimension },
-    /// A value of another dimension.
     #[error("{path} is {found}; must be {due}")]
     WrongDimension { path: String, found: Dimension, due: Dimension },
     /// A value that breaks a rule.
@@ -62,13 +57,10 @@ pub enum SettingError {
     /// A law that the contact cannot have.
     #[error(transparent)]
     Law(#[from] LawError),
-    /// A law that does not exist.
     #[error("there is no law of contact '{name}'")]
     UnknownLaw { name: String, nearest: Option<String> },
-    /// A quantity set twice.
     #[error("'{path}' is set a second time")]
     Twice { path: String },
-    /// An argument outside its range.
     #[error("{name} is {found}; must be {rule}")]
     ArgumentBreaksRule { name: String, found: String, rule: &'static str },
 }

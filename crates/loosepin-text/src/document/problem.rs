@@ -10,75 +10,52 @@ pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
 
 /// An error in a file or an entry of it. `entry` and `table` are paths in words.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum DocumentProblem {
-    /// A file that cannot be opened or read.
     #[error("cannot read {file}: {reason}")]
     NotReadable { file: String, reason: String, hint: Option<String> },
-    /// A byte that is not UTF-8.
     #[error("the file is not UTF-8 text from here on")]
     NotUtf8,
-    /// A file too large to be a model.
     #[error("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read")]
     TooLarge { file: String, size_bytes: usize },
-    /// Not TOML.
     #[error("not TOML here: {reason}")]
     Syntax { reason: String, line: String },
-    /// A number with a decimal comma.
     #[error("{entry} has a decimal comma; numbers have a point")]
     DecimalComma { entry: String, written: String },
-    /// A key or table that stands twice.
     #[error("'{key}' is defined twice")]
     DuplicateKey { key: String },
-    /// A key that the table does not have.
     #[error("{} has no key '{key}'", or_file(.table))]
     UnknownKey { table: String, key: String, nearest: Option<String>, known: Vec<&'static str> },
-    /// A key that a later version will know.
     #[error("{entry} is not yet supported by this version")]
     NotYetSupported { entry: String, instead: String },
-    /// A key of an earlier version.
     #[error("{entry} is not supported any more")]
     RemovedKey { entry: String, instead: String },
-    /// A key that must be there.
     #[error("{}{key} is missing", prefix(.table))]
     MissingKey { table: String, key: &'static str, example: &'static str, doc: &'static str },
-    /// The key that decides which others there are is missing.
     #[error("{}{key} is missing; must be {}", prefix(.table), one_of(.choices))]
     MissingTag { table: String, key: &'static str, choices: Vec<&'static str> },
-    /// None of several keys of which one must be there.
     #[error("{}one of {} is missing", prefix(.table), quoted(.keys))]
     MissingOneOf { table: String, keys: Vec<&'static str> },
-    /// More than one of several keys of which one must be there.
     #[error("{}{} cannot be used together; give exactly one of {}", prefix(.table), quoted(.given), quoted(.keys))]
     MoreThanOneOf { table: String, given: Vec<&'static str>, keys: Vec<&'static str> },
-    /// Text where a table is due, and so on.
     #[error("{entry} is {found}; expected {due}")]
     WrongType { entry: String, found: String, due: &'static str },
-    /// A mark where a value is due.
     #[error("{entry} is still to be filled in")]
     ToFillIn { entry: String },
-    /// A list of the wrong length.
     #[error("{entry} has {found} entries; expected {due}")]
     WrongLength { entry: String, found: usize, due: usize },
-    /// A word that is none of those possible.
     #[error("{entry} is '{found}'; must be {}", one_of(.choices))]
     UnknownChoice { entry: String, found: String, choices: Vec<&'static str>, nearest: Option<String> },
-    /// A name with characters that names do not have.
     #[error("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -")]
     BadName { what: &'static str, name: String },
-    /// A count below its least, negative or with a fraction.
     #[error("{entry} is {found}; must be a whole number from {least} to {most}")]
     BadCount { entry: String, found: String, least: u64, most: u64 },
-    /// A bare number where a unit is due.
     #[error("{entry} is {found} without a unit; must be {due}")]
     MissingUnit { entry: String, found: String, due: Dimension },
-    /// A value of another dimension.
     #[error("{entry} is {found}; must be {due}")]
     WrongDimension { entry: String, found: Dimension, due: Dimension },
-    /// A number that is infinite or no number.
     #[error("{entry} is {found}; must be finite")]
     NotFinite { entry: String, found: String },
-    /// A number outside its range.
     #[error("{entry} {found}; must be {}", .rule.words())]
     BreaksRule { entry: String, found: String, rule: Rule },
 }

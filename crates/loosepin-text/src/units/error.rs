@@ -19,57 +19,40 @@ pub struct ExpressionError {
 
 /// An error in the text of a value.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum ExpressionProblem {
-    /// The text is empty.
     #[error("the value is empty")]
     Empty,
-    /// The text is longer than an expression may be.
     #[error("the expression has {length_chars} characters; at most {LONGEST_EXPRESSION_CHARS} are read")]
     TooLong { length_chars: usize },
-    /// Parentheses, signs or powers nested too deeply.
     #[error("the expression is nested more than {limit} deep")]
     TooDeep { limit: usize },
-    /// A character that belongs to no expression.
     #[error("'{character}' does not belong in a value")]
     UnexpectedCharacter { character: char },
-    /// A number that is no number.
     #[error("'{text}' is not a number")]
     BadNumber { text: String },
-    /// A number too large for a double.
     #[error("the number {text} is too large; at most 1.8e308 can be held")]
     NumberTooLarge { text: String },
-    /// Something else was due here.
     #[error("found {found}; expected {expected}")]
     Unexpected { found: String, expected: &'static str },
-    /// A symbol after a number that is not a unit.
     #[error("'{symbol}' is not a known unit")]
     UnknownUnit { symbol: String, nearest: Option<String> },
-    /// A unit without a number before it.
     #[error("the unit '{symbol}' has no number before it")]
     UnitWithoutNumber { symbol: String },
-    /// `kg/m s` can be read in two ways.
     #[error("the unit '{unit}' can be read in two ways")]
     AmbiguousUnit { unit: String },
-    /// A name that is no parameter.
     #[error("there is no parameter '{name}'")]
     UnknownName { name: String, nearest: Option<String> },
-    /// A name where only a number with a unit may stand.
     #[error("'{name}' is a name; expected a number with its unit")]
     NameNotAllowed { name: String },
-    /// A function called with the wrong number of values.
     #[error("{function} takes {due} value(s); {given} given")]
     WrongArgumentCount { function: &'static str, due: usize, given: usize },
-    /// Two dimensions that cannot be added or compared.
     #[error("{operation} needs two values of one dimension; the first is {first}, the second {second}")]
     MixedDimensions { operation: &'static str, first: Dimension, second: Dimension },
-    /// A function of a value of the wrong dimension.
     #[error("{function} needs {due}; found {found}")]
     WrongArgument { function: &'static str, due: Dimension, found: Dimension },
-    /// A power of a value with a unit whose exponent depends on parameters.
     #[error("the exponent of {base} must be a fixed number")]
     ExponentNotFixed { base: Dimension },
-    /// A value that is not finite.
     #[error("the value is {}; must be finite", super::format_number(*.value))]
     NotFinite { value: f64 },
 }

@@ -40,22 +40,19 @@ pub struct IndexPlan {
 
 /// Why there are no such runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[allow(missing_docs, reason = "the text of an error names its fields")]
+#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
 pub enum IndexPlanError {
-    /// More inputs than two halves of a Sobol' point hold.
     #[error(
         "{dimensions} random inputs; Sobol' indices can be had of at most {}\nhint: fix the inputs that matter least",
         MAXIMUM_DIMENSIONS / 2
     )]
     TooManyInputs { dimensions: usize },
-    /// No spread without several replicates.
     #[error("{replicates} replicates of {pairs} pairs of points; must be at least 2 of each")]
     TooFew {
         replicates: usize,
         /// Pairs in each.
         pairs: usize,
     },
-    /// An input that is in no group or in several, or that does not exist.
     #[error("input {input} of {dimensions} is in {times} groups; must be in one")]
     Groups { input: usize, dimensions: usize, times: usize },
 }
