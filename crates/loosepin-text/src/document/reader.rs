@@ -146,6 +146,12 @@ impl Reader {
         self.complaints.push(Complaint::error(problem, Some(place)));
     }
 
+    /// Adds an error at a place of the file from which nothing can be read then.
+    pub fn refuse<T>(&mut self, problem: &dyn Problem, span: Span) -> Option<T> {
+        self.complain(problem, span);
+        None
+    }
+
     /// A table at the top of the file.
     pub fn root<'t>(&mut self, entries: &'t DeTable<'t>, keys: &'static Keys) -> Table<'t> {
         self.checked_table(EntryPath::default(), Span::default(), entries, keys)
@@ -165,8 +171,7 @@ impl Reader {
         let Some((written, value)) = entries.iter().find(|(written, _)| written.get_ref() == key) else {
             let keys = choices.iter().map(|(word, _)| *word).collect();
             let problem = DocumentProblem::MissingTag { table: entry.path.describe(), key, choices: keys };
-            self.complain(&problem, entry.key_span);
-            return None;
+            return self.refuse(&problem, entry.key_span);
         };
         let tag = Entry {
             path: entry.path.join(key),
@@ -319,8 +324,7 @@ impl Reader {
             Err(elements) => {
                 let problem =
                     DocumentProblem::WrongLength { entry: entry.path.describe(), found: elements.len(), due: 2 };
-                self.complain(&problem, entry.span);
-                None
+                self.refuse(&problem, entry.span)
             }
         }
     }
@@ -328,8 +332,7 @@ impl Reader {
     /// Complains that something else is due here.
     pub fn wrong_type<T>(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<T> {
         let problem = DocumentProblem::WrongType { entry: entry.path.describe(), found: entry.found(), due };
-        self.complain(&problem, entry.span);
-        None
+        self.refuse(&problem, entry.span)
     }
 
     /// Text that is not empty.
@@ -342,8 +345,7 @@ impl Reader {
                     found: "empty".to_owned(),
                     due: "text that is not empty",
                 };
-                self.complain(&problem, entry.span);
-                None
+                self.refuse(&problem, entry.span)
             }
             _ => self.wrong_type(entry, "text"),
         }
@@ -359,8 +361,7 @@ impl Reader {
         let nearest = nearest_name(text, choices.iter().copied()).map(str::to_owned);
         let problem =
             DocumentProblem::UnknownChoice { entry: entry.path.describe(), found: shortened(text), choices, nearest };
-        self.complain(&problem, entry.span);
-        None
+        self.refuse(&problem, entry.span)
     }
 
     /// The whole number behind a key, within the limits of the table of keys; absent where it is not written.
@@ -377,8 +378,7 @@ impl Reader {
             DeValue::Float(number) => shortened(number.as_str()),
             _ => return self.wrong_type(&entry, "a whole number"),
         };
-        self.complain(&DocumentProblem::BadCount { entry: entry.path.describe(), found, least, most }, entry.span);
-        None
+        self.refuse(&DocumentProblem::BadCount { entry: entry.path.describe(), found, least, most }, entry.span)
     }
 
     /// The bare number behind a key, keeping the rule of the table of keys; absent where it is not written.
@@ -405,16 +405,14 @@ impl Reader {
             return Some(value);
         }
         let problem = DocumentProblem::NotFinite { entry: entry.path.describe(), found: shortened(&text) };
-        self.complain(&problem, entry.span);
-        None
+        self.refuse(&problem, entry.span)
     }
 
     /// The text or number of a quantity; complains of anything else.
     pub fn written<'t>(&mut self, entry: &Entry<'t>) -> Option<Written<'t>> {
         match entry.value {
             DeValue::String(text) if text.trim() == TO_FILL_IN => {
-                self.complain(&DocumentProblem::ToFillIn { entry: entry.path.describe() }, entry.span);
-                None
+                self.refuse(&DocumentProblem::ToFillIn { entry: entry.path.describe() }, entry.span)
             }
             DeValue::String(text) => Some(Written::Text(text)),
             DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(entry).map(Written::Number),
@@ -431,12 +429,10 @@ impl Reader {
                 Err(error) => {
                     if let Some(written) = with_point(text) {
                         let problem = DocumentProblem::DecimalComma { entry: entry.path.describe(), written };
-                        self.complain(&problem, entry.span);
-                        return None;
+                        return self.refuse(&problem, entry.span);
                     }
                     let span = self.inside(entry, text, &error.span);
-                    self.complain(&error.problem, span);
-                    return None;
+                    return self.refuse(&error.problem, span);
                 }
             },
         };

@@ -136,13 +136,9 @@ impl ModelReader {
             (Some(&material), Some(given)) => {
                 let problem = ModelProblem::StiffnessTwice { entry: table.path.describe(), material, given };
                 let span = table.get(given).map_or(table.span, |entry| entry.key_span);
-                self.reader.complain(&problem, span);
-                None
+                self.reader.refuse(&problem, span)
             }
-            (None, None) => {
-                self.reader.complain(&ModelProblem::NoStiffness { entry: table.path.describe() }, table.span);
-                None
-            }
+            (None, None) => self.reader.refuse(&ModelProblem::NoStiffness { entry: table.path.describe() }, table.span),
             (Some(_), None) => self.material_stiffness(table),
             (None, Some(_)) => self.given_stiffness(table),
         }
@@ -157,8 +153,7 @@ impl ModelReader {
         match (table.has(both), one) {
             (true, Some(one)) => {
                 let span = table.get(one).map_or(table.span, |entry| entry.key_span);
-                self.reader.complain(&ModelProblem::MaterialTwice { entry, both, one }, span);
-                None
+                self.reader.refuse(&ModelProblem::MaterialTwice { entry, both, one }, span)
             }
             (true, None) => for_both.map(|id| [id, id]),
             (false, Some(one)) => {
@@ -166,16 +161,14 @@ impl ModelReader {
                 if missing.is_empty() {
                     return of_bearing.zip(of_journal).map(|(bearing, journal)| [bearing, journal]);
                 }
-                self.reader.complain(&ModelProblem::NeedsKeys { entry, key: one, needs: missing }, table.span);
-                None
+                self.reader.refuse(&ModelProblem::NeedsKeys { entry, key: one, needs: missing }, table.span)
             }
             (false, None) => {
                 // The other material value is there, or we would not be here.
                 let [key, missing] =
                     if both == YOUNGS_MODULUS[0] { [POISSON_RATIO, keys] } else { [YOUNGS_MODULUS, keys] };
                 let key = key.into_iter().find(|key| table.has(key)).unwrap_or(key[0]);
-                self.reader.complain(&ModelProblem::NeedsKeys { entry, key, needs: vec![missing[0]] }, table.span);
-                None
+                self.reader.refuse(&ModelProblem::NeedsKeys { entry, key, needs: vec![missing[0]] }, table.span)
             }
         }
     }
@@ -184,8 +177,7 @@ impl ModelReader {
         for (key, needs) in [("stiffness", "exponent"), ("exponent", "stiffness")] {
             if !table.has(needs) {
                 let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
-                self.reader.complain(&problem, table.span);
-                return None;
+                return self.reader.refuse(&problem, table.span);
             }
         }
         let entry = table.get("exponent")?;

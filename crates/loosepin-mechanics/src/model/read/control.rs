@@ -32,8 +32,7 @@ impl ModelReader {
         if let Some(other) = other {
             let name = self.joints[joint.0].name.clone();
             let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
-            self.reader.complain(&problem, joint_entry.span);
-            return None;
+            return self.reader.refuse(&problem, joint_entry.span);
         }
         let measured = match table.get("measured") {
             Some(entry) => self.moving_joint(&entry)?,
@@ -74,8 +73,7 @@ impl ModelReader {
         if self.joints[joint.0].kind.coordinate().is_none() {
             let name = self.joints[joint.0].name.clone();
             let problem = ModelProblem::DoesNotMove { entry: entry.path.describe(), joint: name };
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.reader.refuse(&problem, entry.span);
         }
         Some(joint)
     }

@@ -91,8 +91,7 @@ impl ModelReader {
         if first == second {
             let name = self.joints[first.0].name.clone();
             let span = table.get(keys[1]).map_or(table.span, |entry| entry.span);
-            self.reader.complain(&ModelProblem::SameJoint { entry: table.path.describe(), joint: name }, span);
-            return None;
+            return self.reader.refuse(&ModelProblem::SameJoint { entry: table.path.describe(), joint: name }, span);
         }
         Some([first, second])
     }
@@ -135,8 +134,7 @@ impl ModelReader {
         let [carrier] = common[..] else {
             let [first, second] = [first, second].map(|joint| self.joints[joint.0].name.clone());
             let problem = ModelProblem::NoCarrier { entry: entry.path.describe(), first, second };
-            self.reader.complain(&problem, entry.key_span);
-            return None;
+            return self.reader.refuse(&problem, entry.key_span);
         };
         Some(sides(carrier, a) != sides(carrier, b))
     }

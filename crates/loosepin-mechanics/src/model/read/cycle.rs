@@ -48,8 +48,7 @@ impl ModelReader {
         } else {
             return Some(CycleSpan::Turns(drive));
         };
-        self.reader.complain(&problem, entry.span);
-        None
+        self.reader.refuse(&problem, entry.span)
     }
 
     /// Whether a joint has an angle, whose turns can be counted.

@@ -64,8 +64,7 @@ impl ModelReader {
         if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
             let other = other.name.clone();
             let problem = ModelProblem::DrivenTwice { entry: words, joint: joint_name, other };
-            self.reader.complain(&problem, joint_entry.span);
-            return None;
+            return self.reader.refuse(&problem, joint_entry.span);
         }
         let why = match &self.joints[joint.0].kind {
             JointKind::Revolute { clearance, .. } => {
@@ -87,8 +86,7 @@ impl ModelReader {
             JointKind::Rigid { .. } => IS_RIGID,
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why };
-        self.reader.complain(&problem, joint_entry.span);
-        None
+        self.reader.refuse(&problem, joint_entry.span)
     }
 
     /// Whether a clearance is zero, by a value of its own.
@@ -135,8 +133,9 @@ impl ModelReader {
         let list = table.get("coefficients")?;
         let elements = self.reader.list(&list)?;
         if elements.is_empty() {
-            self.reader.complain(&ModelProblem::TooFewPoints { entry: list.path.describe(), least: 1 }, list.span);
-            return None;
+            return self
+                .reader
+                .refuse(&ModelProblem::TooFewPoints { entry: list.path.describe(), least: 1 }, list.span);
         }
         let mut due = dimension;
         let mut coefficients = Vec::new();

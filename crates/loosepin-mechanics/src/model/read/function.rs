@@ -48,8 +48,7 @@ impl ModelReader {
             let (name, _) = variables[usize::MAX - slot];
             if self.parameters.find(name).is_some() {
                 let problem = ModelProblem::NameTaken { entry: entry.path.describe(), name };
-                self.reader.complain(&problem, entry.span);
-                return None;
+                return self.reader.refuse(&problem, entry.span);
             }
         }
         let slots: Vec<usize> = expression.reads.iter().copied().filter(|slot| !reads_variables(slot)).collect();
@@ -65,8 +64,7 @@ impl ModelReader {
                     Beyond::Inverse => ModelProblem::InverseFunction { entry: entry_words },
                     Beyond::Exponent => ModelProblem::ExponentOfFunction { entry: entry_words },
                 };
-                self.reader.complain(&problem, entry.span);
-                None
+                self.reader.refuse(&problem, entry.span)
             }
         }
     }

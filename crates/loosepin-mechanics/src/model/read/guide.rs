@@ -112,8 +112,7 @@ impl ModelReader {
         if let Some(what) = what {
             let (entry, contact) = (table.path.describe(), contact.name.clone());
             let problem = ModelProblem::NotForPlanes { entry, contact, what, what_touches };
-            self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.span));
-            return None;
+            return self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span));
         }
         Some(())
     }

@@ -43,16 +43,14 @@ impl ModelReader {
         if kind.play().is_some() && friction.is_some() {
             let beside = if matches!(kind, JointKind::Revolute { .. }) { "radial_clearance" } else { "clearance" };
             let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
-            self.reader.complain(&problem, entry.key_span);
-            return None;
+            return self.reader.refuse(&problem, entry.key_span);
         }
         let [first, second] = kind.bodies();
         if first != second {
             return Some((kind, friction));
         }
         let body = self.bodies[first.0].name.clone();
-        self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
-        None
+        self.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)
     }
 
     /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
@@ -104,8 +102,7 @@ impl ModelReader {
             } else {
                 ModelProblem::FilmNeedsLength { entry }
             };
-            self.reader.complain(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
-            return None;
+            return self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
         }
         Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
     }

@@ -39,16 +39,14 @@ impl ModelReader {
         let course = table.get(key).and_then(|entry| self.course(&entry, dimension, harmonic, &variables));
         let kind = kind?;
         if kind.body() == BodyId(0) {
-            self.reader.complain(&ModelProblem::LoadOnGround { entry: entry.path.describe() }, entry.key_span);
-            return None;
+            return self.reader.refuse(&ModelProblem::LoadOnGround { entry: entry.path.describe() }, entry.key_span);
         }
         let course = course?;
         if let (Some(_), Course::Constant(_) | Course::Harmonic { .. }) = (joint, &course)
             && let Some(found) = table.get("joint")
         {
             let problem = ModelProblem::JointNotRead { entry: table.path.describe(), key };
-            self.reader.complain(&problem, found.key_span);
-            return None;
+            return self.reader.refuse(&problem, found.key_span);
         }
         Some(Load { name: entry.name.to_owned(), kind, course, joint })
     }

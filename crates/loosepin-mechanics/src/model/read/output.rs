@@ -80,8 +80,7 @@ impl ModelReader {
             None => {
                 let doc = if measure == "force_in" { "the component of the force" } else { "the axis of the ground" };
                 let problem = DocumentProblem::MissingKey { table: table.path.describe(), key, example, doc };
-                self.reader.complain(&problem, table.span);
-                None
+                self.reader.refuse(&problem, table.span)
             }
         }
     }

@@ -167,8 +167,7 @@ impl ModelReader {
             self.quantities.add_expression(quantity, expression)
         };
         if let Err(problem) = self.quantities[id].check(self.quantities.nominal_value(id)) {
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.reader.refuse(&problem, entry.span);
         }
         Some(id)
     }
@@ -242,8 +241,7 @@ impl ModelReader {
         let text = self.reader.text(entry)?;
         let Some((body_name, point_name)) = text.split_once('.') else {
             let problem = ModelProblem::NotAPoint { entry: entry.path.describe(), text: text.to_owned() };
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.reader.refuse(&problem, entry.span);
         };
         let body = self.body(entry, body_name)?;
         let points = &self.bodies[body.0].points;

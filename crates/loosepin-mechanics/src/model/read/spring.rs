@@ -28,8 +28,7 @@ impl ModelReader {
         let [first, second] = kind.bodies();
         if first == second {
             let body = self.bodies[first.0].name.clone();
-            self.reader.complain(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
-            return None;
+            return self.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span);
         }
         Some(Spring { name: entry.name.to_owned(), kind, elasticity: elasticity?, damping })
     }
@@ -65,8 +64,7 @@ impl ModelReader {
         let Some(joint_entry) = table.get("joint") else {
             let missing: Vec<&'static str> = ["first", "second"].into_iter().filter(|key| !table.has(key)).collect();
             if !missing.is_empty() {
-                self.reader.complain(&ModelProblem::NoBodies { entry }, table.span);
-                return None;
+                return self.reader.refuse(&ModelProblem::NoBodies { entry }, table.span);
             }
             let [first, second] = ["first", "second"].map(|key| {
                 let entry = table.get(key)?;
@@ -85,8 +83,7 @@ impl ModelReader {
             }
             _ => {
                 let name = self.joints[joint.0].name.clone();
-                self.reader.complain(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span);
-                None
+                self.reader.refuse(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span)
             }
         }
     }

@@ -26,8 +26,7 @@ impl ModelReader {
         let elements = self.reader.list(list)?;
         if elements.len() < LEAST_POINTS {
             let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: LEAST_POINTS };
-            self.reader.complain(&problem, list.span);
-            return None;
+            return self.reader.refuse(&problem, list.span);
         }
         let mut points: Vec<[QuantityId; 2]> = Vec::new();
         let mut is_sound = true;
