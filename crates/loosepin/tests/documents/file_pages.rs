@@ -98,7 +98,7 @@ fn units() -> String {
 /// The point-contact laws with their sources and equations.
 fn point_laws() -> String {
     let mut lines = vec!["| `law` | Source and χ |".to_owned(), "|---|---|".to_owned()];
-    lines.extend(POINT_LAWS.iter().map(|law| format!("| `{}` | {} |", law.name(), law.source())));
+    lines.extend(POINT_LAWS.iter().map(|law| format!("| `{}` | {} |", law.name, law.source)));
     lines.join("\n")
 }
 
