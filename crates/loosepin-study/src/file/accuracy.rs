@@ -3,146 +3,67 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use thiserror::Error;
-
 use super::description::{Ask, Study};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::target::{AccuracyTarget, Budget};
 use super::words::{NUMBERS, statistic_name};
-use loosepin_text::diagnostics::{Code, Complaint, Place, Problem, Source, Span, nearest_name};
+use loosepin_text::diagnostics::{Code, Complaint, Place, Source, Span, nearest_name, problems};
 use loosepin_text::document::{Entry, Table, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
 
-/// What can be wrong with an accuracy or a budget. `what` says what it is of, in words.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum AccuracyProblem {
-    /// A value that cannot be read.
-    #[error(transparent)]
-    Value(#[from] ExpressionProblem),
-    /// An output of which nothing is asked.
-    #[error("nothing is asked of an output '{name}'")]
-    UnknownOutput {
-        /// The name.
-        name: String,
-        /// What was probably meant.
-        nearest: Option<String>,
-        /// Outputs of which something is asked.
-        asked: Vec<String>,
-    },
-    /// A statistic that does not exist or has no bounds of one number.
-    #[error("'{name}' is no statistic with an accuracy")]
-    UnknownStatistic {
-        /// The name.
-        name: String,
-        /// What was probably meant.
-        nearest: Option<String>,
-    },
-    /// A statistic that is not asked of the output.
-    #[error("the {statistic} of '{output}' is not asked for")]
-    NotAsked {
-        /// The statistic.
-        statistic: &'static str,
-        /// The output.
-        output: String,
-        /// Statistics that are.
-        asked: Vec<String>,
-    },
-    /// Nothing that is asked for has such an accuracy.
-    #[error("{what} is {found}; must be {}", listed(.due, "or"))]
-    WrongDimension {
-        /// What the accuracy is of.
-        what: String,
-        /// What the value measures.
-        found: Dimension,
-        /// What the bounds measure.
-        due: Vec<String>,
-    },
-    /// A value without a unit where all bounds have one.
-    #[error("{what} is {text} without a unit; must be {due}")]
-    MissingUnit {
-        /// What the accuracy is of.
-        what: String,
-        /// The value as written.
-        text: String,
-        /// What the bounds measure.
-        due: Dimension,
-    },
-    /// No question is left to which it could apply.
-    #[error("{what}: more runs improve none of the bounds asked for")]
-    NothingAsked {
-        /// What the accuracy is of.
-        what: String,
-    },
-    /// A second value of the same dimension in a list.
-    #[error("{what}: the same bounds already have an accuracy")]
-    Twice {
-        /// What the accuracy is of.
-        what: String,
-    },
-    /// A value that is not positive.
-    #[error("{what} is {found}; must be > 0")]
-    NotPositive {
-        /// What it is.
-        what: String,
-        /// The value with its unit.
-        found: String,
-    },
-    /// A budget that is neither runs, nor a time, nor rounds.
-    #[error("'{text}' is no budget of runs, time or rounds")]
-    Budget {
-        /// The text.
-        text: String,
-    },
-    /// A number of runs or rounds that is not a whole one.
-    #[error("a budget of {found}; must be a whole number from 1 to {most}")]
-    NotWhole {
-        /// The number and what it counts.
-        found: String,
-        /// The most.
-        most: u64,
-    },
-}
-
-impl Problem for AccuracyProblem {
-    fn code(&self) -> Code {
-        match self {
-            Self::Value(problem) => problem.code(),
-            Self::UnknownOutput { .. } | Self::NotAsked { .. } => Code::UnknownReference,
-            Self::UnknownStatistic { .. } => Code::UnknownChoice,
-            Self::WrongDimension { .. } => Code::WrongDimension,
-            Self::MissingUnit { .. } => Code::MissingUnit,
-            Self::NothingAsked { .. } => Code::AskNotPossible,
-            Self::NotPositive { .. } | Self::NotWhole { .. } | Self::Twice { .. } => Code::BreaksRule,
-            Self::Budget { .. } => Code::ExpressionSyntax,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::Value(problem) => problem.hint(),
-            Self::UnknownOutput { nearest: Some(nearest), .. }
-            | Self::UnknownStatistic { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
-            Self::UnknownOutput { asked, .. } if asked.is_empty() => Some("ask for it under [[ask]]".to_owned()),
-            Self::UnknownOutput { asked, .. } => Some(format!("something is asked of {}", listed(asked, "and"))),
-            Self::UnknownStatistic { .. } => Some(format!("there is {}", listed(&NUMBERS.map(str::to_owned), "and"))),
-            Self::NotAsked { asked, .. } if asked.is_empty() => {
-                Some("add it to the statistics of an [[ask]]".to_owned())
-            }
-            Self::NotAsked { asked, .. } => {
-                Some(format!("asked is {}; others go into the statistics of an [[ask]]", listed(asked, "and")))
-            }
-            Self::WrongDimension { .. } => {
-                Some("an accuracy has the unit of the bounds; for probabilities it is a number such as 0.01".to_owned())
-            }
-            Self::MissingUnit { due, .. } => due.example().map(|example| format!("for example {example}")),
-            Self::NothingAsked { .. } => {
-                Some("accuracies are of mean, standard_deviation, quantile and counted probabilities".to_owned())
-            }
-            Self::Twice { .. } => Some("leave one of them out".to_owned()),
-            Self::NotPositive { .. } | Self::NotWhole { .. } => None,
-            Self::Budget { .. } => Some("for example 20000 runs, 30 min or 12 rounds".to_owned()),
-        }
+problems! {
+    /// What can be wrong with an accuracy or a budget. `what` says what it is of, in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum AccuracyProblem | Value(ExpressionProblem) {
+        /// An output of which nothing is asked.
+        UnknownOutput { name: String, nearest: Option<String>, asked: Vec<String> } => Code::UnknownReference,
+            says("nothing is asked of an output '{name}'"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None if asked.is_empty() => "ask for it under [[ask]]".to_owned(),
+                None => format!("something is asked of {}", listed(asked, "and")),
+            }));
+        /// A statistic that does not exist or has no bounds of one number.
+        UnknownStatistic { name: String, nearest: Option<String> } => Code::UnknownChoice,
+            says("'{name}' is no statistic with an accuracy"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => format!("there is {}", listed(&NUMBERS.map(str::to_owned), "and")),
+            }));
+        /// A statistic that is not asked of the output.
+        NotAsked { statistic: &'static str, output: String, asked: Vec<String> } => Code::UnknownReference,
+            says("the {statistic} of '{output}' is not asked for"),
+            hint_of(Some(match asked.is_empty() {
+                true => "add it to the statistics of an [[ask]]".to_owned(),
+                false => format!("asked is {}; others go into the statistics of an [[ask]]", listed(asked, "and")),
+            }));
+        /// Nothing that is asked for has such an accuracy.
+        WrongDimension { what: String, found: Dimension, due: Vec<String> } => Code::WrongDimension,
+            says("{what} is {found}; must be {}", listed(due, "or")),
+            hint("an accuracy has the unit of the bounds; for probabilities it is a number such as 0.01");
+        /// A value without a unit where all bounds have one.
+        MissingUnit { what: String, text: String, due: Dimension } => Code::MissingUnit,
+            says("{what} is {text} without a unit; must be {due}"),
+            hint_of(due.example().map(|example| format!("for example {example}")));
+        /// No question is left to which it could apply.
+        NothingAsked { what: String } => Code::AskNotPossible,
+            says("{what}: more runs improve none of the bounds asked for"),
+            hint("an accuracy is of a statistic of one number, such as a mean or a counted probability");
+        /// A second value of the same dimension in a list.
+        Twice { what: String } => Code::BreaksRule,
+            says("{what}: the same bounds already have an accuracy"),
+            hint("leave one of them out");
+        /// A value that is not positive.
+        NotPositive { what: String, found: String } => Code::BreaksRule,
+            says("{what} is {found}; must be > 0");
+        /// A budget that is neither runs, nor a time, nor rounds.
+        Budget { text: String } => Code::ExpressionSyntax,
+            says("'{text}' is no budget of runs, time or rounds"),
+            hint("for example 20000 runs, 30 min or 12 rounds");
+        /// A number of runs or rounds that is not a whole one.
+        NotWhole { found: String, most: u64 } => Code::BreaksRule,
+            says("a budget of {found}; must be a whole number from 1 to {most}");
     }
 }
 

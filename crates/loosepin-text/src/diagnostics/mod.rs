@@ -6,12 +6,14 @@
 
 mod code;
 mod complaint;
+mod problems;
 mod render;
 mod source;
 mod suggestion;
 
 pub use code::{CODES, Code, CodeEntry};
 pub use complaint::{Complaint, Complaints, Label, Problem, Severity};
+pub use problems::problems;
 pub use render::Colour;
 pub use source::{Place, Source, Span};
 pub use suggestion::nearest_name;
