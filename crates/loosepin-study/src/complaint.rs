@@ -2,11 +2,8 @@
 
 use super::error::StudyError;
 use super::file::Study;
-use super::files::FilesError;
 use super::response::PrepareError;
-use super::saved_surrogates::SavedSurrogateError;
 use loosepin_bounds::{PlanError, SurrogatePlanError};
-use loosepin_surrogate::SurrogateError;
 use loosepin_text::diagnostics::{Code, Complaint, Place, Problem};
 use loosepin_text::document::parse_toml;
 use loosepin_text::units::format_value;
@@ -17,18 +14,8 @@ const MIDDLE_TOLERANCE: f64 = 1e-9;
 impl Problem for StudyError {
     fn code(&self) -> Code {
         match self {
-            Self::Prepare(PrepareError::Mechanism(error)) => error.code(),
-            Self::Prepare(PrepareError::Nominal(failure)) => Problem::code(failure),
-            Self::Prepare(PrepareError::Law(error)) => error.code(),
-            Self::Prepare(
-                PrepareError::UncertainStart { .. }
-                | PrepareError::SpeedThroughZero { .. }
-                | PrepareError::TooManyPoses { .. }
-                | PrepareError::TooManyTurns { .. }
-                | PrepareError::TooManyLaws { .. }
-                | PrepareError::PoseNotRecorded { .. },
-            )
-            | Self::Loosened { .. } => Code::AskNotPossible,
+            Self::Prepare(error) => error.code(),
+            Self::Loosened { .. } => Code::AskNotPossible,
             Self::Plan(_)
             | Self::Contributors(_)
             | Self::Surrogate(_)
@@ -47,25 +34,8 @@ impl Problem for StudyError {
 
     fn hint(&self) -> Option<String> {
         match self {
-            Self::Prepare(PrepareError::Mechanism(error)) => error.hint(),
-            Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => failure.hint(),
-            Self::Prepare(PrepareError::Law(error)) => error.hint(),
-            Self::Prepare(PrepareError::UncertainStart { .. }) => {
-                Some("make the angle of a link uncertain instead, for example by the position of a point".to_owned())
-            }
-            Self::Prepare(PrepareError::SpeedThroughZero { .. }) => {
-                Some("keep the whole range on one side of zero".to_owned())
-            }
-            Self::Prepare(PrepareError::TooManyPoses { .. }) => {
-                Some("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve".to_owned())
-            }
-            Self::Prepare(PrepareError::TooManyTurns { .. }) => {
-                Some("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model".to_owned())
-            }
-            Self::Prepare(PrepareError::TooManyLaws { .. }) => Some("shorten the lists of laws".to_owned()),
-            Self::Prepare(PrepareError::PoseNotRecorded { .. }) => {
-                Some("record at least one whole turn, or ask for an angle that is passed".to_owned())
-            }
+            Self::Prepare(error) => error.hint(),
+            Self::AllFailed { reason, .. } => reason.hint(),
             Self::BudgetTooSmall { least, .. } => Some(format!(
                 "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
             )),
@@ -99,11 +69,11 @@ impl StudyError {
     pub fn complaint(&self, study: &Study) -> Complaint {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => error.complaint(&study.model),
-            Self::Prepare(PrepareError::Nominal(_)) if let Some((place, words)) = middle_of(study) => {
+            Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
                 Complaint { hint, ..Complaint::error(self, Some(place)) }
             }
-            Self::Prepare(PrepareError::Nominal(failure)) | Self::AllFailed { reason: failure, .. } => {
+            Self::Prepare(PrepareError::Nominal { failure }) | Self::AllFailed { reason: failure, .. } => {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
@@ -177,48 +147,4 @@ fn middle_of(study: &Study) -> Option<(Place, String)> {
         let value = format_value(middle, study.model.quantities[quantity].dimension);
         Some((place_within("epistemic", Some(&input.path), study), format!("'{}' at {value}", input.path)))
     })
-}
-
-impl Problem for FilesError {
-    fn code(&self) -> Code {
-        match self {
-            Self::Results(error) => error.code(),
-            Self::Layout { .. }
-            | Self::OtherFormat { .. }
-            | Self::ForeignColumn { .. }
-            | Self::CompressedRuns { .. } => Code::NoResults,
-            Self::Json { .. }
-            | Self::Csv { .. }
-            | Self::UnequalColumns { .. }
-            | Self::RepeatedColumn { .. }
-            | Self::Parquet { .. } => Code::ResultNotStorable,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::CompressedRuns { .. } => Some(
-                "run the study again, or use the version that wrote it; pyarrow and pandas read the file as it is"
-                    .to_owned(),
-            ),
-            Self::Layout { .. } | Self::OtherFormat { .. } | Self::ForeignColumn { .. } => {
-                Some("run the study again, or use the version that wrote it".to_owned())
-            }
-            Self::Results(error) => error.hint(),
-            Self::Json { .. }
-            | Self::Csv { .. }
-            | Self::UnequalColumns { .. }
-            | Self::RepeatedColumn { .. }
-            | Self::Parquet { .. } => None,
-        }
-    }
-}
-
-impl Problem for SavedSurrogateError {
-    fn code(&self) -> Code {
-        match self {
-            Self::Surrogate(SurrogateError::NotNetworks { .. }) => Code::SurrogateNotExported,
-            _ => Code::NoSurrogateAnswer,
-        }
-    }
 }

@@ -4,72 +4,31 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
 use super::files::SURROGATES_FILE;
 use super::saved_surrogates::{SavedSurrogateError, SavedSurrogates};
 use loosepin_store::results::{ResultsError, write_whole};
-use loosepin_text::diagnostics::{Code, Problem};
+use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::quoted;
 
-/// Why surrogates are not written as ONNX.
-#[derive(Debug, Error)]
-pub enum ExportError {
-    /// No file of surrogates.
-    #[error("cannot read {}: {source}", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What the file system said.
-        source: io::Error,
-    },
-    /// The file, or one of its surrogates.
-    #[error("{}: {source}", path.display())]
-    Surrogate {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        source: SavedSurrogateError,
-    },
-    /// No output of that name.
-    #[error("no surrogate of '{asked}'; there are surrogates of {}", quoted(known))]
-    NoSuchOutput {
-        /// What was asked for.
-        asked: String,
-        /// What there is.
-        known: Vec<String>,
-    },
-    /// Another file of that name is there.
-    #[error("{} is there already, and holds something else; it is not overwritten", path.display())]
-    Exists {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The file system refused.
-    #[error(transparent)]
-    Write(#[from] ResultsError),
-}
-
-impl Problem for ExportError {
-    fn code(&self) -> Code {
-        match self {
-            Self::Read { .. } => Code::NoResults,
-            Self::Surrogate { source, .. } => source.code(),
-            Self::NoSuchOutput { .. } => Code::SurrogateNotExported,
-            Self::Exists { .. } => Code::FileExists,
-            Self::Write(error) => error.code(),
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::Read { .. } => Some(format!(
-                "a study that asks for surrogates leaves {SURROGATES_FILE} in the folder of its results: surrogate = \"network\""
-            )),
-            Self::Exists { .. } => Some("give another folder".to_owned()),
-            Self::Write(error) => error.hint(),
-            Self::Surrogate { .. } | Self::NoSuchOutput { .. } => None,
-        }
+problems! {
+    /// Why surrogates are not written as ONNX.
+    #[derive(Debug)]
+    pub enum ExportError | Write(ResultsError) {
+        /// No file of surrogates.
+        Read { path: PathBuf, source: io::Error } => Code::NoResults,
+            says("cannot read {}: {source}", path.display()),
+            hint("a study that asks for surrogates leaves {SURROGATES_FILE} in the folder of its results: surrogate = \
+                  \"network\"");
+        /// The file, or one of its surrogates.
+        Surrogate { path: PathBuf, source: SavedSurrogateError } => source.code(),
+            says("{}: {source}", path.display());
+        /// No output of that name.
+        NoSuchOutput { asked: String, known: Vec<String> } => Code::SurrogateNotExported,
+            says("no surrogate of '{asked}'; there are surrogates of {}", quoted(known));
+        /// Another file of that name is there.
+        Exists { path: PathBuf } => Code::FileExists,
+            says("{} is there already, and holds something else; it is not overwritten", path.display()),
+            hint("give another folder");
     }
 }
 

@@ -2,10 +2,8 @@
 
 use std::path::Path;
 
-use thiserror::Error;
-
 use loosepin_mechanics::model::Model;
-use loosepin_text::diagnostics::{Code, Complaint, Complaints, Place, Problem};
+use loosepin_text::diagnostics::{Code, Complaint, Complaints, Place, problems};
 use loosepin_text::document::{parse_toml, read_source};
 
 use super::Study;
@@ -55,35 +53,21 @@ impl InputFile {
     }
 }
 
-/// A file of the wrong kind.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum InputFileProblem {
-    /// A study where a model is due.
-    #[error("this is a study; expected a model")]
-    StudyForModel {
-        /// The model that the study names.
-        model: String,
-    },
-    /// Nothing in it.
-    #[error("the file says nothing: neither a model nor a study")]
-    Empty,
-    /// A model where a study is due.
-    #[error("this is a model; expected a study")]
-    ModelForStudy,
-}
-
-impl Problem for InputFileProblem {
-    fn code(&self) -> Code {
-        Code::WrongKindOfFile
-    }
-
-    fn hint(&self) -> Option<String> {
-        Some(match self {
-            Self::StudyForModel { model } => format!("its model is {model}"),
-            Self::Empty => "`loosepin new slider-crank` writes both, to start from".to_owned(),
-            Self::ModelForStudy => {
-                "a study names its model by the key `model`; for a single run use `loosepin simulate`".to_owned()
-            }
-        })
+problems! {
+    /// A file of the wrong kind.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub enum InputFileProblem {
+        /// A study where a model is due.
+        StudyForModel { model: String } => Code::WrongKindOfFile,
+            says("this is a study; expected a model"),
+            hint("its model is {model}");
+        /// Nothing in it.
+        Empty => Code::WrongKindOfFile,
+            says("the file says nothing: neither a model nor a study"),
+            hint("`loosepin new slider-crank` writes both, to start from");
+        /// A model where a study is due.
+        ModelForStudy => Code::WrongKindOfFile,
+            says("this is a model; expected a study"),
+            hint("a study names its model by the key `model`; for a single run use `loosepin simulate`");
     }
 }

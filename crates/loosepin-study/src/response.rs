@@ -12,6 +12,7 @@ use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
 };
 use loosepin_simulate::{Arms, IdealReference, RunFailure, Settings, Window};
+use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
 
 /// Poses of a curve, at most: every one has bounds of its own.
@@ -24,66 +25,46 @@ const MOST_RECORDED_TURNS: f64 = 1000.0;
 /// Combinations of contact laws, at most: each is a mechanism of its own.
 const MOST_LAWS: usize = 64;
 
-/// Why a study cannot begin.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum PrepareError {
-    /// The nominal mechanism.
-    #[error(transparent)]
-    Mechanism(#[from] MechanismError),
-    /// A law that a contact cannot have.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    /// The start of the drive is uncertain, so that samples would not be compared at the same input.
-    #[error(
-        "'{path}' is where the drive starts: every sample must start at the same place to be compared with the ideal motion"
-    )]
-    UncertainStart {
-        /// Path of the quantity.
-        path: String,
-    },
-    /// The speed of the drive may change its sign.
-    #[error("'{path}' may be zero or change its direction: the turns of such a drive cannot be counted")]
-    SpeedThroughZero {
-        /// Path of the quantity.
-        path: String,
-    },
-    /// A pose that the recorded part does not reach.
-    #[error("output '{output}' is asked at {angle_deg:.6} deg; the recorded {recorded_turns} turns do not pass there")]
-    PoseNotRecorded {
-        /// The output.
-        output: String,
-        /// The angle asked for, degrees.
-        angle_deg: f64,
-        /// Recorded turns.
-        recorded_turns: f64,
-    },
-    /// More poses than a study can bound.
-    #[error("curves of {poses} poses are asked for; must be at most {LARGEST_POSES}")]
-    TooManyPoses {
-        /// Recorded turns times samples a turn.
-        poses: f64,
-    },
-    /// More turns than a run of a study may have.
-    #[error("{turns} turns are {what}; must be at most {most}")]
-    TooManyTurns {
-        /// Turns of a run.
-        turns: f64,
-        /// What is done with them.
-        what: &'static str,
-        /// How many there may be.
-        most: f64,
-        /// The key under `[cycle]` that says so.
-        key: &'static str,
-    },
-    /// More mechanisms than are made.
-    #[error("{combinations} combinations of contact laws; must be at most {MOST_LAWS}")]
-    TooManyLaws {
-        /// How many there are.
-        combinations: usize,
-    },
-    /// The nominal run.
-    #[error("the nominal mechanism, epistemic inputs in the middle of their intervals: {0}")]
-    Nominal(#[from] RunFailure),
+problems! {
+    /// Why a study cannot begin.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum PrepareError | Mechanism(MechanismError) | Law(LawError) {
+        /// The start of the drive is uncertain, so that samples would not be compared at the same input.
+        UncertainStart { path: String } => Code::AskNotPossible,
+            says("'{path}' is where the drive starts: every sample must start at the same place to be compared with \
+                  the ideal motion"),
+            hint("make the angle of a link uncertain instead, for example by the position of a point");
+        /// The speed of the drive may change its sign.
+        SpeedThroughZero { path: String } => Code::AskNotPossible,
+            says("'{path}' may be zero or change its direction: the turns of such a drive cannot be counted"),
+            hint("keep the whole range on one side of zero");
+        /// A pose that the recorded part does not reach.
+        PoseNotRecorded { output: String, angle_deg: f64, recorded_turns: f64 } => Code::AskNotPossible,
+            says("output '{output}' is asked at {angle_deg:.6} deg; the recorded {recorded_turns} turns do not pass there"),
+            hint("record at least one whole turn, or ask for an angle that is passed");
+        /// More poses than a study can bound.
+        TooManyPoses { poses: f64 } => Code::AskNotPossible,
+            says("curves of {poses} poses are asked for; must be at most {LARGEST_POSES}"),
+            hint("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve");
+        /// More turns than a run of a study may have; `key` under `[cycle]` says so.
+        TooManyTurns { turns: f64, what: &'static str, most: f64, key: &'static str } => Code::AskNotPossible,
+            says("{turns} turns are {what}; must be at most {most}"),
+            hint("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model");
+        /// More mechanisms than are made.
+        TooManyLaws { combinations: usize } => Code::AskNotPossible,
+            says("{combinations} combinations of contact laws; must be at most {MOST_LAWS}"),
+            hint("shorten the lists of laws");
+        /// The nominal run.
+        Nominal { failure: RunFailure } => Problem::code(failure),
+            says("the nominal mechanism, epistemic inputs in the middle of their intervals: {failure}"),
+            hint_of(failure.hint());
+    }
+}
+
+impl From<RunFailure> for PrepareError {
+    fn from(failure: RunFailure) -> Self {
+        Self::Nominal { failure }
+    }
 }
 
 impl From<QuantityError> for PrepareError {

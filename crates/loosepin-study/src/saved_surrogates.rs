@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
 use loosepin_result::study::{Deviation, ResponsePoint, Witness};
 use loosepin_surrogate::{OnnxMetadata, Prediction, Surrogate, SurrogateError, from_versioned_json};
+use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::SiUnit;
 
 /// Version of the file.
@@ -62,41 +62,35 @@ pub struct SavedOutput {
     pub surrogate: Surrogate,
 }
 
-/// Why saved surrogates cannot be loaded, or give no value.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum SavedSurrogateError {
-    /// The text, or the question.
-    #[error(transparent)]
-    Surrogate(#[from] SurrogateError),
-    /// An input without a value.
-    #[error("no value of '{path}'; the surrogates depend on it")]
-    NoValue {
-        /// Its path.
-        path: String,
-    },
-    /// A value of something else.
-    #[error("'{path}' is no input of these surrogates")]
-    NoInput {
-        /// The path.
-        path: String,
-    },
-    /// Outside what was learned.
-    #[error(
-        "'{path}' is {value} {unit}; learned was from {lower} to {upper} {unit}, and nothing is extrapolated\n\
-         hint: run the model itself there, or add runs that reach so far"
-    )]
-    Extrapolation {
-        /// Path of the input.
-        path: String,
-        /// Its value.
-        value: f64,
-        /// Least value that is answered.
-        lower: f64,
-        /// Largest value that is answered.
-        upper: f64,
-        /// Unit of all three.
-        unit: SiUnit,
-    },
+problems! {
+    /// Why saved surrogates cannot be loaded, or give no value.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SavedSurrogateError {
+        /// The text, or the question.
+        Surrogate { error: SurrogateError } => match error {
+                SurrogateError::NotNetworks { .. } => Code::SurrogateNotExported,
+                _ => Code::NoSurrogateAnswer,
+            },
+            says("{error}");
+        /// An input without a value.
+        NoValue { path: String } => Code::NoSurrogateAnswer,
+            says("no value of '{path}'; the surrogates depend on it");
+        /// A value of something else.
+        NoInput { path: String } => Code::NoSurrogateAnswer,
+            says("'{path}' is no input of these surrogates");
+        /// Outside what was learned.
+        Extrapolation { path: String, value: f64, lower: f64, upper: f64, unit: SiUnit } => Code::NoSurrogateAnswer,
+            says(
+                "'{path}' is {value} {unit}; learned was from {lower} to {upper} {unit}, and nothing is extrapolated\n\
+                 hint: run the model itself there, or add runs that reach so far"
+            );
+    }
+}
+
+impl From<SurrogateError> for SavedSurrogateError {
+    fn from(error: SurrogateError) -> Self {
+        Self::Surrogate { error }
+    }
 }
 
 impl SavedSurrogates {

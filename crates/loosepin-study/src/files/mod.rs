@@ -10,12 +10,10 @@ mod timing;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-use thiserror::Error;
-
 pub use bounds_table::{BOUNDS_COLUMNS, bounds_csv};
 pub use json::{read_json, to_json};
 pub use runs_table::{read_runs_parquet, runs_parquet};
+use serde::Deserialize;
 pub use timing::Timing;
 
 use super::runs::RunsTable;
@@ -23,6 +21,7 @@ use super::saved_surrogates::SavedSurrogates;
 use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;
 use loosepin_store::results::{ResultsError, write_whole};
+use loosepin_text::diagnostics::{Code, problems};
 
 /// Name of the file with one bound a row.
 pub const BOUNDS_FILE: &str = "bounds.csv";
@@ -33,80 +32,42 @@ pub const SURROGATES_FILE: &str = "surrogates.json";
 /// Name of the file with everything that does not repeat.
 pub const TIMING_FILE: &str = "timing.json";
 
-/// Why a result file could not be written or read.
-#[derive(Debug, Error)]
-pub enum FilesError {
-    /// The file system refused.
-    #[error(transparent)]
-    Results(#[from] ResultsError),
-    /// The text is not what this version writes.
-    #[error("{what} cannot be read: {source}")]
-    Layout {
-        /// What was read, for example `summary.json`.
-        what: String,
-        /// What does not fit, with line and column.
-        source: serde_json::Error,
-    },
-    /// Another version of the layout.
-    #[error("{} has format {found}; this version reads format {known}", path.display())]
-    OtherFormat {
-        /// The file.
-        path: PathBuf,
-        /// Its format.
-        found: u32,
-        /// The one that is known.
-        known: u32,
-    },
-    /// A value has no form in JSON.
-    #[error("the result cannot be written as JSON: {source}")]
-    Json {
-        /// What does not fit.
-        source: serde_json::Error,
-    },
-    /// A row could not be written as CSV.
-    #[error("the bounds cannot be written as CSV: {source}")]
-    Csv {
-        /// What does not fit.
-        source: csv::Error,
-    },
-    /// The columns of the runs differ in length.
-    #[error("column '{name}' of the runs has {rows} rows; must be {expected}, as in column '{first}'")]
-    UnequalColumns {
-        /// The column.
-        name: String,
-        /// Its rows.
-        rows: usize,
-        /// Rows of the first column.
-        expected: usize,
-        /// Name of the first column.
-        first: String,
-    },
-    /// Two columns of the runs have the same name.
-    #[error("column '{name}' of the runs stands twice; names must differ")]
-    RepeatedColumn {
-        /// The name.
-        name: String,
-    },
-    /// A stored column has a type that this version does not write.
-    #[error("column '{name}' of the runs holds {stored}; must be Float64, UInt64 or Utf8")]
-    ForeignColumn {
-        /// The column.
-        name: String,
-        /// Its type.
-        stored: String,
-    },
-    /// The Parquet library refused.
-    #[error("the runs cannot be stored as Parquet: {source}")]
-    Parquet {
-        /// What it said.
-        source: parquet::errors::ParquetError,
-    },
-    /// The runs are compressed, as earlier versions wrote them.
-    #[error("the runs are compressed by {codec}; this version reads runs that are not compressed")]
-    CompressedRuns {
-        /// What compressed them.
-        codec: String,
-    },
+problems! {
+    /// Why a result file could not be written or read.
+    #[derive(Debug)]
+    pub enum FilesError | Results(ResultsError) {
+        /// The text of a file, for example `summary.json`, is not what this version writes.
+        Layout { what: String, source: serde_json::Error } => Code::NoResults,
+            says("{what} cannot be read: {source}"),
+            hint("run the study again, or use the version that wrote it");
+        /// Another version of the layout.
+        OtherFormat { path: PathBuf, found: u32, known: u32 } => Code::NoResults,
+            says("{} has format {found}; this version reads format {known}", path.display()),
+            hint("run the study again, or use the version that wrote it");
+        /// A value has no form in JSON.
+        Json { source: serde_json::Error } => Code::ResultNotStorable,
+            says("the result cannot be written as JSON: {source}");
+        /// A row could not be written as CSV.
+        Csv { source: csv::Error } => Code::ResultNotStorable,
+            says("the bounds cannot be written as CSV: {source}");
+        /// The columns of the runs differ in length: `name` from `first`.
+        UnequalColumns { name: String, rows: usize, expected: usize, first: String } => Code::ResultNotStorable,
+            says("column '{name}' of the runs has {rows} rows; must be {expected}, as in column '{first}'");
+        /// Two columns of the runs have the same name.
+        RepeatedColumn { name: String } => Code::ResultNotStorable,
+            says("column '{name}' of the runs stands twice; names must differ");
+        /// A stored column has a type that this version does not write.
+        ForeignColumn { name: String, stored: String } => Code::NoResults,
+            says("column '{name}' of the runs holds {stored}; must be Float64, UInt64 or Utf8"),
+            hint("run the study again, or use the version that wrote it");
+        /// The Parquet library refused.
+        Parquet { source: parquet::errors::ParquetError } => Code::ResultNotStorable,
+            says("the runs cannot be stored as Parquet: {source}");
+        /// The runs are compressed, as earlier versions wrote them.
+        CompressedRuns { codec: String } => Code::NoResults,
+            says("the runs are compressed by {codec}; this version reads runs that are not compressed"),
+            hint("run the study again, or use the version that wrote it; pyarrow and pandas read the file as it is");
+    }
 }
 
 /// Writes `summary.json`, `bounds.csv`, `runs.parquet` and `timing.json` into a folder that exists. Each file appears
