@@ -2,56 +2,34 @@
 
 use std::path::{Path, PathBuf};
 
+use loosepin_text::diagnostics::{Code, problems};
 use rusqlite::{ErrorCode, ffi};
-use thiserror::Error;
 
-use loosepin_text::diagnostics::{Code, Problem};
-
-/// Why a store cannot be used.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum StoreError {
-    /// Another process has it open.
-    #[error("{} is in use by another loosepin", path.display())]
-    InUse {
-        /// The store.
-        path: PathBuf,
-    },
-    /// It holds runs of this very study, and nobody said what is to become of them.
-    #[error("{} holds {runs} finished {} of this study", path.display(), if *runs == 1 { "run" } else { "runs" })]
-    HoldsRuns {
-        /// The store.
-        path: PathBuf,
-        /// How many.
-        runs: u64,
-    },
-    /// It holds runs of something else.
-    #[error("{} holds runs of another {what} ({found}; this one is {expected})", path.display())]
-    OfOther {
-        /// The store.
-        path: PathBuf,
-        /// `study`, `version` or `format`.
-        what: &'static str,
-        /// Whose runs it holds.
-        found: String,
-        /// Whose were to be found.
-        expected: String,
-    },
-    /// Its content is not what was written.
-    #[error("{} is damaged: {reason}", path.display())]
-    Damaged {
-        /// The store.
-        path: PathBuf,
-        /// The error.
-        reason: String,
-    },
-    /// The file system refused.
-    #[error("cannot use {}: {reason}", path.display())]
-    NotUsable {
-        /// The store.
-        path: PathBuf,
-        /// Message of the file system.
-        reason: String,
-    },
+problems! {
+    /// Why the store at `path` cannot be used.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub enum StoreError {
+        /// Another process has it open.
+        InUse { path: PathBuf } => Code::StoreInUse,
+            says("{} is in use by another loosepin", path.display()),
+            hint("wait for it to end, or give another folder by --out");
+        /// It holds runs of this very study, and nobody said what is to become of them.
+        HoldsRuns { path: PathBuf, runs: u64 } => Code::StudyStarted,
+            says("{} holds {runs} finished {} of this study", path.display(), if *runs == 1 { "run" } else { "runs" }),
+            hint("--resume goes on with them, --force begins anew");
+        /// It holds runs of something else: of another `study`, `version` or `format`.
+        OfOther { path: PathBuf, what: &'static str, found: String, expected: String } => Code::StoreOfOther,
+            says("{} holds runs of another {what} ({found}; this one is {expected})", path.display()),
+            hint("give another folder by --out; --force begins anew and drops these runs");
+        /// Its content is not what was written.
+        Damaged { path: PathBuf, reason: String } => Code::StoreDamaged,
+            says("{} is damaged: {reason}", path.display()),
+            hint("restore it from a copy; --force begins anew");
+        /// The file system refused.
+        NotUsable { path: PathBuf, reason: String } => Code::FolderNotUsable,
+            says("cannot use {}: {reason}", path.display()),
+            hint("its runs are kept: when there is room again, --resume goes on with them");
+    }
 }
 
 impl StoreError {
@@ -87,27 +65,4 @@ impl StoreError {
 
 fn is_writable(path: &Path) -> bool {
     std::fs::OpenOptions::new().write(true).open(path).is_ok()
-}
-
-impl Problem for StoreError {
-    fn code(&self) -> Code {
-        match self {
-            Self::InUse { .. } => Code::StoreInUse,
-            Self::HoldsRuns { .. } => Code::StudyStarted,
-            Self::OfOther { .. } => Code::StoreOfOther,
-            Self::Damaged { .. } => Code::StoreDamaged,
-            Self::NotUsable { .. } => Code::FolderNotUsable,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        let hint = match self {
-            Self::InUse { .. } => "wait for it to end, or give another folder by --out",
-            Self::HoldsRuns { .. } => "--resume goes on with them, --force begins anew",
-            Self::OfOther { .. } => "give another folder by --out; --force begins anew and drops these runs",
-            Self::Damaged { .. } => "restore it from a copy; --force begins anew",
-            Self::NotUsable { .. } => "its runs are kept: when there is room again, --resume goes on with them",
-        };
-        Some(hint.to_owned())
-    }
 }

@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
 use super::error::ResultsError;
-use loosepin_text::diagnostics::{Code, Problem};
+use loosepin_text::diagnostics::{Code, problems};
 
 /// Name of the file that says what a folder of a shard belongs to.
 pub const SHARD_FILE: &str = "shard.json";
@@ -42,71 +41,48 @@ pub struct ShardFolders {
     pub folders: Vec<PathBuf>,
 }
 
-/// Why folders are not the shards of one study.
-#[derive(Debug, Error)]
-pub enum ShardsError {
-    /// A folder that no shard has written, or that cannot be read.
-    #[error("{} is not the folder of a shard: {source}", folder.display())]
-    NotAShard {
-        /// The folder.
-        folder: PathBuf,
-        /// The error.
-        source: Box<ResultsError>,
-    },
-    /// A shard of something else.
-    #[error("{} belongs to another {what} ({found}) than {} ({expected})", folder.display(), first.display())]
-    OfOther {
-        /// The folder.
-        folder: PathBuf,
-        /// `study`, `version` or `number of shards`.
-        what: &'static str,
-        /// Its own.
-        found: String,
-        /// The folder it is held against.
-        first: PathBuf,
-        /// That of the first folder.
-        expected: String,
-    },
-    /// A shard twice.
-    #[error("shard {shard}/{of} is given twice: {} and {}", folders[0].display(), folders[1].display())]
-    Twice {
-        /// The shard.
-        shard: u32,
-        /// How many there are.
-        of: u32,
-        /// Both folders.
-        folders: [PathBuf; 2],
-    },
-    /// Shards that are not given.
-    #[error("{} of {of} shards {} missing: {}", missing.len(), if missing.len() == 1 { "is" } else { "are" }, listed(missing, *of))]
-    Missing {
-        /// Their numbers.
-        missing: Vec<u32>,
-        /// How many there are.
-        of: u32,
-        /// The study.
-        study: PathBuf,
-    },
-    /// The study is not what the shards were started with.
-    #[error("{} with its model (inputs {found}) is not what the shards were started with (inputs {expected})", study.display())]
-    Changed {
-        /// The study.
-        study: PathBuf,
-        /// The first digits of the hash of its inputs.
-        found: String,
-        /// Those of the shards.
-        expected: String,
-    },
-    /// A folder whose name does not tell where the results go.
-    #[error("{} does not have the name that its shard gave it, NAME.shard-{shard}-of-{of}", folder.display())]
-    Renamed {
-        /// The folder.
-        folder: PathBuf,
-        /// Its shard.
-        shard: u32,
-        /// How many there are.
-        of: u32,
-    },
+problems! {
+    /// Why folders are not the shards of one study.
+    #[derive(Debug)]
+    pub enum ShardsError {
+        /// A folder that no shard has written, or that cannot be read.
+        NotAShard { folder: PathBuf, source: Box<ResultsError> } => Code::ShardsDoNotFit,
+            says("{} is not the folder of a shard: {source}", folder.display()),
+            hint("give the folders that loosepin study --shard i/n has written, RESULTS.shard-i-of-n");
+        /// A shard of something else: of another `study`, `version` or `number of shards` than the first folder.
+        OfOther { folder: PathBuf, what: &'static str, found: String, first: PathBuf, expected: String } =>
+            Code::ShardsDoNotFit,
+            says("{} belongs to another {what} ({found}) than {} ({expected})", folder.display(), first.display()),
+            hint("give the shards of one study, started by one version with the same number");
+        /// A shard twice.
+        Twice { shard: u32, of: u32, folders: [PathBuf; 2] } => Code::ShardsDoNotFit,
+            says("shard {shard}/{of} is given twice: {} and {}", folders[0].display(), folders[1].display()),
+            hint("give each shard once");
+        /// Shards that are not given.
+        Missing { missing: Vec<u32>, of: u32, study: PathBuf } => Code::ShardsDoNotFit,
+            says(
+                "{} of {of} shards {} missing: {}",
+                missing.len(),
+                if missing.len() == 1 { "is" } else { "are" },
+                listed(missing, *of)
+            ),
+            hint(
+                "give their folders too; loosepin study {} --shard {first}/{of} makes the part of shard {first}",
+                study.display(),
+                first = missing.first().copied().unwrap_or(1)
+            );
+        /// The study is not what the shards were started with.
+        Changed { study: PathBuf, found: String, expected: String } => Code::ShardsDoNotFit,
+            says(
+                "{} with its model (inputs {found}) is not what the shards were started with (inputs {expected})",
+                study.display()
+            ),
+            hint("give the study as it was by --study, or run the shards of the study as it is");
+        /// A folder whose name does not tell where the results go.
+        Renamed { folder: PathBuf, shard: u32, of: u32 } => Code::ShardsDoNotFit,
+            says("{} does not have the name that its shard gave it, NAME.shard-{shard}-of-{of}", folder.display()),
+            hint("say by --out where the results go");
+    }
 }
 
 /// `3/7, 5/7`; of many the first ones.
@@ -117,35 +93,6 @@ fn listed(shards: &[u32], of: u32) -> String {
         list.push(format!("and {} more", shards.len() - SHOWN));
     }
     list.join(", ")
-}
-
-impl Problem for ShardsError {
-    fn code(&self) -> Code {
-        Code::ShardsDoNotFit
-    }
-
-    fn hint(&self) -> Option<String> {
-        Some(match self {
-            Self::NotAShard { .. } => {
-                "give the folders that loosepin study --shard i/n has written, RESULTS.shard-i-of-n".to_owned()
-            }
-            Self::OfOther { .. } => {
-                "give the shards of one study, started by one version with the same number".to_owned()
-            }
-            Self::Twice { .. } => "give each shard once".to_owned(),
-            Self::Missing { missing, of, study } => {
-                let first = missing.first().copied().unwrap_or(1);
-                format!(
-                    "give their folders too; loosepin study {} --shard {first}/{of} makes the part of shard {first}",
-                    study.display()
-                )
-            }
-            Self::Changed { .. } => {
-                "give the study as it was by --study, or run the shards of the study as it is".to_owned()
-            }
-            Self::Renamed { .. } => "say by --out where the results go".to_owned(),
-        })
-    }
 }
 
 impl ShardFolders {
