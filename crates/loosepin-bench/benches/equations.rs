@@ -7,6 +7,7 @@
 use loosepin::native::{Kernel, Level, Program};
 use loosepin_bench::batch::Case;
 use loosepin_bench::equations::{blocks, parts};
+use loosepin_bench::named_cases;
 use std::time::Instant;
 
 /// Lanes of a batch: four vectors of eight.
@@ -17,9 +18,7 @@ const CALLS: usize = 2_000;
 const ROUNDS: usize = 300;
 
 fn main() {
-    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
-    let names = if arguments.is_empty() { vec!["slider_crank_5000".to_owned()] } else { arguments };
-    for name in names {
+    for name in named_cases(&["slider_crank_5000"]) {
         measure(&Case::read(&name));
     }
 }

@@ -7,8 +7,7 @@
 
 use loosepin::simulate::{Execution, Settings};
 use loosepin_bench::batch::{Case, Finished, Plan};
-use loosepin_bench::processor_time_s;
-use std::time::Instant;
+use loosepin_bench::{Watch, median, named_cases};
 
 const CASES: [&str; 4] = ["slider_crank_5000", "four_bar_600", "slider_crank_two_clearances", "six_bar"];
 /// Rounds, and runs of each block: those on lanes take about as long as those without.
@@ -26,9 +25,7 @@ struct Way {
 }
 
 fn main() {
-    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
-    let names = if arguments.is_empty() { CASES.map(String::from).to_vec() } else { arguments };
-    for name in names {
+    for name in named_cases(&CASES) {
         measure(&Case::read(&name));
     }
 }
@@ -46,16 +43,13 @@ fn measure(case: &Case) {
         for way in &mut ways {
             let runs = if way.execution == Execution::Scalar { SCALAR_RUNS } else { RUNS };
             let plan = Plan { runs, turns: 2, readings_per_turn: 1000, settings: Settings::for_study() };
-            let (started, started_s) = (Instant::now(), processor_time_s());
+            let watch = Watch::start();
             let finished = match way.threads {
                 // On this thread: the system forgets the time of one that has ended.
                 1 => case.conduct(&plan, way.execution),
                 threads => case.conduct_on_threads(&plan, way.execution, threads),
             };
-            let seconds = match (started_s, processor_time_s()) {
-                (Some(start_s), Some(end_s)) if way.threads == 1 => end_s - start_s,
-                _ => started.elapsed().as_secs_f64(),
-            };
+            let seconds = if way.threads == 1 { watch.processor_s() } else { watch.clock_s() };
             way.seconds_a_run.push(seconds / runs as f64);
             if runs == RUNS {
                 let reference = reference.get_or_insert_with(|| finished.clone());
@@ -95,10 +89,4 @@ fn idle_share(finished: &[Finished]) -> f64 {
     }
     let (busy, longest) = (lanes.iter().sum::<u64>(), lanes.iter().max().copied().unwrap_or(0));
     1.0 - busy as f64 / (LANES as u64 * longest) as f64
-}
-
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted[sorted.len() / 2]
 }

@@ -5,6 +5,7 @@
 use loosepin::bounds::{BoundPair, Statistic, evaluate};
 use loosepin_bench::known_bounds::{self, slider_crank_with_play};
 use loosepin_bench::known_case::KnownCase;
+use loosepin_bench::{largest, median};
 use std::time::Instant;
 
 /// Round-off of numbers about 1.
@@ -97,11 +98,11 @@ fn report(case: &KnownCase, seeds: u64) -> bool {
         }
     }
     let mut is_met = true;
-    for tally in &mut tallies {
-        let (ratio, share) = (median(&mut tally.ratios), tally.held as f64 / seeds as f64);
+    for tally in &tallies {
+        let (ratio, share) = (median(&tally.ratios), tally.held as f64 / seeds as f64);
         is_met &= share >= LEAST_HELD && ratio <= MOST_RATIO;
         let nearly_exact = tally.excess.iter().filter(|share| **share <= NEARLY_EXACT).count();
-        let (excess, compared) = (median(&mut tally.excess), tally.ratios.len());
+        let (excess, compared) = (median(&tally.excess), tally.ratios.len());
         println!(
             "{:32} {:24} [{:9.5}, {:9.5}] {:>5}/{:<5} {ratio:>11.2} {:>13} {nearly_exact:>13} {excess:>17.1e} {:>8.1e} {:>8.1e} {:>8.1e}",
             case.name,
@@ -111,7 +112,7 @@ fn report(case: &KnownCase, seeds: u64) -> bool {
             tally.held,
             seeds,
             format!("{compared}/{}", tally.ends),
-            tally.excess.last().unwrap_or(&0.0),
+            largest(&tally.excess),
             tally.missed[0],
             tally.missed[1],
         );
@@ -136,10 +137,4 @@ impl Tally {
         self.excess.push((pair.upper.widened - pair.lower.widened - (high - low)) / width);
         beyond.iter().all(|beyond| *beyond <= ROUND_OFF)
     }
-}
-
-/// The middle one; sorts them.
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

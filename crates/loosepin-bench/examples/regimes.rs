@@ -11,14 +11,13 @@
 //! ```
 
 use std::fmt::Write as _;
-use std::path::Path;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use loosepin::model::Model;
 use loosepin::report::study_text;
+use loosepin::study::Study;
 use loosepin::study::result::{BoundEnd, BoundRecord, ResponsePoint, Statistic, StudyResult, SurrogateVerdict};
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin_bench::{case_file, largest, median, run};
 
 /// Repetitions of each study by surrogate, if left out; of them, the least number whose bounds agree: 29 of 30.
 const REPETITIONS: usize = 30;
@@ -57,13 +56,6 @@ const REGIMES: [Regime; 3] = [
     Regime { name: "chaotic", friction: 0.0, clearance_mm: [0.1, 0.5], restitution: [0.7, 0.9] },
 ];
 
-/// Nobody watches.
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
-
 /// What all repetitions said of one bound.
 #[derive(Default)]
 struct Tally {
@@ -87,7 +79,7 @@ fn main() {
     let started = Instant::now();
     let mut complaints: Vec<String> = Vec::new();
     for regime in REGIMES.iter().filter(|regime| only.is_none_or(|name| name == regime.name)) {
-        let reference = run(&regime.study(REFERENCE_SEED, INNER * REFERENCE, ""));
+        let reference = run(&regime.study(REFERENCE_SEED, INNER * REFERENCE, "")).result;
         let runs = OUTER * INNER;
         println!(
             "\n{}: friction {}, play {} to {} mm, restitution {} to {}; reference of {} runs ({:.0} s)",
@@ -123,7 +115,7 @@ fn main() {
 impl Regime {
     /// The study; `further` stands beside its tables.
     fn study(&self, seed: u64, inner: usize, further: &str) -> Study {
-        let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/model.toml");
+        let case = case_file("slider_crank_worn_pin", "model.toml");
         let mut model = std::fs::read_to_string(&case).unwrap_or_else(|error| panic!("{}: {error}", case.display()));
         if self.friction > 0.0 {
             let written = format!("friction = {{ law = \"ambrosio\", coefficient = {} }}\ndensity =", self.friction);
@@ -170,18 +162,11 @@ impl Regime {
     }
 }
 
-fn run(study: &Study) -> StudyResult {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    conduct(study, "", &Means { threads, progress: &Silent, stop: &AtomicBool::new(false), store: None })
-        .unwrap_or_else(|error| panic!("{error}"))
-        .result
-}
-
 /// Direct studies of the usual size against the reference.
 fn direct_studies(regime: &Regime, reference: &StudyResult) -> Vec<Tally> {
     let mut tallies = tallies(reference);
     for seed in 1..=DIRECT_STUDIES {
-        let result = run(&regime.study(seed, INNER, ""));
+        let result = run(&regime.study(seed, INNER, "")).result;
         for (tally, (found, exact)) in tallies.iter_mut().zip(result.bounds.iter().zip(&reference.bounds)) {
             tally.add(found, exact, None);
         }
@@ -205,7 +190,7 @@ fn surrogate_studies(
     let mut verdicts: Vec<Vec<SurrogateVerdict>> = vec![Vec::new(); tallies.len()];
     let (mut most_runs, mut all_agree) = (0, 0);
     for seed in 1..=repetitions as u64 {
-        let result = run(&regime.study(seed, INNER_ON_SURROGATE, &further));
+        let result = run(&regime.study(seed, INNER_ON_SURROGATE, &further)).result;
         most_runs = most_runs.max(result.counts.runs);
         let mut is_agreeing = true;
         for (place, (found, exact)) in result.bounds.iter().zip(&reference.bounds).enumerate() {
@@ -307,7 +292,7 @@ fn print_table(title: &str, tallies: &[Tally], repetitions: usize, verdicts: &[V
             tally.unsaid,
             median(&tally.errors),
             median(&tally.distances),
-            tally.distances.iter().copied().fold(0.0, f64::max),
+            largest(&tally.distances),
             median(&tally.widths),
             verdicts.get(place).map_or(String::new(), |said| counted(said))
         );
@@ -362,7 +347,7 @@ fn words(regime: &Regime, complaints: &mut Vec<String>) {
         kind = \"kriging\"
         direct = \"confirming\"
         ";
-    let text = study_text(&run(&regime.study(1, INNER, further)));
+    let text = study_text(&run(&regime.study(1, INNER, further)).result);
     let text: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
     println!("\nwhat it says\n{text}");
     for sentence in ["The surrogate is of no use for this history.", "It is used for statistics of the cycle"] {
@@ -370,10 +355,4 @@ fn words(regime: &Regime, complaints: &mut Vec<String>) {
             complaints.push(format!("chaotic: the program does not say '{sentence}'"));
         }
     }
-}
-
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted[sorted.len() / 2]
 }

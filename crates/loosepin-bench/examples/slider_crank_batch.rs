@@ -5,10 +5,9 @@
 //! runs; `slider_crank_batch --history` prints the nominal run as a table of `time_s,slider_x_m`.
 
 use loosepin::simulate::{Execution, Settings};
+use loosepin_bench::Watch;
 use loosepin_bench::batch::{Case, Plan};
-use loosepin_bench::processor_time_s;
 use std::process::ExitCode;
-use std::time::Instant;
 
 /// Turns of the crank in a run.
 const TURNS: usize = 2;
@@ -39,13 +38,10 @@ fn print_history(case: &Case) {
 
 fn print_batch(case: &Case, runs: usize) {
     std::hint::black_box(case.conduct(&plan(RUNS_AHEAD), Execution::best()));
-    let (started, started_s) = (Instant::now(), processor_time_s());
+    let watch = Watch::start();
     let finished = std::hint::black_box(case.conduct(&plan(runs), Execution::best()));
+    let seconds = watch.processor_s();
     let evaluations: u64 = finished.iter().map(|run| run.counters.evaluations).sum();
-    let seconds = match (started_s, processor_time_s()) {
-        (Some(start_s), Some(end_s)) => end_s - start_s,
-        _ => started.elapsed().as_secs_f64(),
-    };
     let evaluations_per_run = evaluations as f64 / runs as f64;
     println!(r#"{{"runs":{runs},"seconds":{seconds:.6},"evaluations_per_run":{evaluations_per_run:.1}}}"#);
 }

@@ -4,8 +4,8 @@
 use loosepin::bounds::{
     ColumnGroup, Problem, Response, SampleTable, Statistic, SurrogateBounds, SurrogatePlan, SurrogateSettings, execute,
 };
-use loosepin::surrogate::{Choice, Kind};
 use loosepin_bench::known_bounds::slider_crank_with_play;
+use loosepin_bench::{choice, largest, median};
 use std::f64::consts::FRAC_PI_3;
 use std::time::Instant;
 
@@ -31,12 +31,7 @@ fn main() {
     let number =
         |place: usize, otherwise: usize| words.get(place).map_or(otherwise, |word| word.parse().expect("a number"));
     let (seeds, training) = (number(0, 100), number(1, 100));
-    let choice = match words.get(2).map_or("auto", String::as_str) {
-        "chaos" => Choice::Only(Kind::Chaos),
-        "kriging" => Choice::Only(Kind::Kriging),
-        "network" => Choice::Only(Kind::Network),
-        _ => Choice::Auto,
-    };
+    let choice = choice(words.get(2).map_or("auto", String::as_str)).expect("a kind");
     let case = slider_crank_with_play(FRAC_PI_3).cut_open();
     let settings = SurrogateSettings {
         choice,
@@ -85,15 +80,15 @@ fn main() {
         "{:32} {:>26} {:>9} {:>10} {:>10} {:>10} {:>11}",
         "statistic", "exact", "held", "found", "widened", "most", "within 3 %"
     );
-    for tally in &mut tallies {
+    for tally in &tallies {
         println!(
             "{:32} {:>26} {:>5}/{seeds:<4} {:>10.4} {:>10.4} {:>10.4} {:>11}",
             format!("{:?}", tally.statistic),
             format!("{:.6}..{:.6}", tally.exact.0, tally.exact.1),
             tally.held,
-            median(&mut tally.found),
-            median(&mut tally.widened),
-            tally.widened.last().copied().unwrap_or(f64::NAN),
+            median(&tally.found),
+            median(&tally.widened),
+            largest(&tally.widened),
             tally.widened.iter().filter(|&&width| width <= NEAR).count(),
         );
     }
@@ -111,10 +106,4 @@ fn bounds(case: &impl Response, problem: Problem, settings: &SurrogateSettings) 
     let confirmation = plan.confirmation(&learned, 1, &table).expect("the surrogate can be searched");
     execute(confirmation.round.clone(), case, &mut table).expect("rows fit");
     plan.results(learned, &confirmation, &table).expect("the surrogate can be searched")
-}
-
-/// Sorts `values`, so that the last one is the largest.
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }

@@ -4,7 +4,8 @@
 //! one line of JSON for each design and kind. With FOLDER, writes the inputs and outputs of the designs and of the test there.
 
 use loosepin::surrogate::trials::{ishigami, ishigami_inputs, oscillator, oscillator_inputs, points};
-use loosepin::surrogate::{Choice, Input, Kind, Options, Surrogate, SurrogateError, TrainingData, TrainingOutput};
+use loosepin::surrogate::{Input, Options, Surrogate, SurrogateError, TrainingData, TrainingOutput};
+use loosepin_bench::choice;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -41,8 +42,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for kind in kinds.split(',').filter(|kind| !kind.is_empty()) {
             let rows = answers.iter().cloned().map(Some).collect();
             let data = TrainingData::try_new(inputs.clone(), at.clone(), vec![TrainingOutput::curve("y", rows)])?;
+            let choice =
+                choice(kind).ok_or_else(|| format!("no kind '{kind}'; there are auto, chaos, kriging and network"))?;
             let begin = Instant::now();
-            let surrogate = Surrogate::fit(&data, &Options { choice: choice(kind)?, ..Options::default() })?;
+            let surrogate = Surrogate::fit(&data, &Options { choice, ..Options::default() })?;
             let seconds = begin.elapsed().as_secs_f64();
             let output = &surrogate.outputs()[0];
             println!(
@@ -54,16 +57,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     Ok(())
-}
-
-fn choice(kind: &str) -> Result<Choice, String> {
-    match kind {
-        "auto" => Ok(Choice::Auto),
-        "chaos" => Ok(Choice::Only(Kind::Chaos)),
-        "kriging" => Ok(Choice::Only(Kind::Kriging)),
-        "network" => Ok(Choice::Only(Kind::Network)),
-        other => Err(format!("no kind '{other}'; there are auto, chaos, kriging and network")),
-    }
 }
 
 /// 1 - Σ error²/Σ (y - mean)² over points and places.

@@ -6,16 +6,16 @@
 //! has the standard error `sqrt(c (1 - c)/N)` of independent ones.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use loosepin::study::result::{
     ResponsePoint, StudyResult, Treatment, TreatmentBand, TreatmentComparison, WitnessValue,
 };
 use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Ask, Conducted, Deviation, Means, Progress, Study, Where, conduct};
+use loosepin::study::{Ask, Conducted, Deviation, Study, Where};
 use loosepin::uncertainty::{EpistemicVariable, Interval, ScrambledSobol};
+use loosepin_bench::{case_file, run};
 
 /// Values of u, and mechanisms at each if left out.
 const VALUES: u32 = 25;
@@ -36,13 +36,6 @@ const TREATMENTS: [(Treatment, &str); 3] = [
     (Treatment::Mixed, "mixed"),
 ];
 
-/// Nobody watches.
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
-
 /// The finished responses at one value of u, response by response.
 struct Truth {
     at: Vec<f64>,
@@ -60,7 +53,7 @@ fn main() {
         }
     }
     let started = Instant::now();
-    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
+    let case = case_file("slider_crank_worn_pin", "study.toml");
     let study = Study::from_path(&case).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = of_single_numbers(study);
     let result = run(&study).result;
@@ -93,12 +86,6 @@ fn main() {
         std::fs::write(&page, &text).unwrap_or_else(|error| panic!("{}: {error}", page.display()));
     }
     eprintln!("{:.0} s", started.elapsed().as_secs_f64());
-}
-
-fn run(study: &Study) -> Conducted {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    conduct(study, "", &Means { threads, progress: &Silent, stop: &AtomicBool::new(false), store: None })
-        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The same study, asked for single numbers alone, which treatments are compared of: its own, and the deviation at poses, where it has

@@ -1,13 +1,13 @@
 //! Batches of runs of a reference case with varied clearances, on the lanes of one thread.
 
+use crate::compiled;
 use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, Model, QuantityId};
+use loosepin::model::{JointKind, QuantityId};
 use loosepin::simulate::{
     Arms, Counters, Execution, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, columns,
     conduct,
 };
-use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The clearances of a batch lie evenly between 1 - `VARIATION` and 1 + `VARIATION` times the nominal ones.
@@ -55,11 +55,8 @@ impl Case {
     /// # Panics
     /// Where the case is not there or is no mechanism.
     pub fn read(name: &str) -> Self {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
-        let model = Model::from_path(&file).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let nominal = model.quantities.nominal();
-        let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let turn_s = model.cycle_input(&nominal).turn_s();
+        let (mechanism, nominal, turn_s) = compiled(name);
+        let model = &mechanism.model;
         let clearances = mechanism
             .plays
             .iter()

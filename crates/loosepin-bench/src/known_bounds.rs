@@ -1,17 +1,15 @@
 //! Responses whose bounds are known: closed forms, or quadrature and a search that share nothing with [`loosepin::bounds`].
 
 use loosepin::bounds::Statistic;
-use loosepin::uncertainty::{Distribution, EpistemicVariable, Interval, normal_cdf};
+use loosepin::uncertainty::{Distribution, EpistemicVariable, normal_cdf};
 use std::f64::consts::{E, FRAC_PI_3, PI, TAU};
 use std::sync::Arc;
 
-use super::known_case::{KnownCase, USUAL_EXCESS};
+use super::known_case::{KnownCase, USUAL_EXCESS, interval};
 use super::known_pairings::pairings;
 
 /// Between two points on either side of a jump the search concedes all of it; the median of a thousand seeds is 1.3.
 const EXCESS_AT_A_JUMP: f64 = 2.0;
-
-const STANDARD_NORMAL: Distribution = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
 
 /// All cases.
 pub fn all() -> Vec<KnownCase> {
@@ -21,70 +19,49 @@ pub fn all() -> Vec<KnownCase> {
     own.chain(pairings()).collect()
 }
 
-/// Inputs in these intervals.
-fn within(intervals: &[(f64, f64)]) -> Vec<EpistemicVariable> {
-    intervals.iter().map(|&ends| interval(ends).into()).collect()
-}
-
-fn interval((lower, upper): (f64, f64)) -> Interval {
-    Interval::try_new(lower, upper).unwrap_or_else(|error| panic!("[{lower}, {upper}]: {error}"))
-}
-
 /// Y = X + u.
 fn sum() -> KnownCase {
     let quantile = 1.959_963_984_540_054;
     let beyond = |u: f64| normal_cdf(-2.0 - u) + normal_cdf(u - 2.0);
-    KnownCase {
-        name: "X + u".into(),
-        random: vec![STANDARD_NORMAL],
-        epistemic: within(&[(-1.0, 1.0)]),
-        statistics: vec![
+    KnownCase::new(
+        "X + u",
+        &[(-1.0, 1.0)],
+        vec![
             (Statistic::Mean, (-1.0, 1.0)),
             (Statistic::StandardDeviation, (1.0, 1.0)),
             (Statistic::Quantile(0.975), (quantile - 1.0, quantile + 1.0)),
             (Statistic::ProbabilityAbove(2.0), (normal_cdf(-3.0), normal_cdf(-1.0))),
             (Statistic::ProbabilityBeyond(2.0), (beyond(0.0), beyond(1.0))),
         ],
-        function: Arc::new(|x, u| x[0] + u[0]),
-        parameters: Vec::new(),
-        levels: Vec::new(),
-        sampling: [64, 256],
-        most_excess: USUAL_EXCESS,
-    }
+        |x, u| x[0] + u[0],
+    )
 }
 
 /// Y = u X: the least deviation lies inside, off the centre.
 fn product() -> KnownCase {
-    KnownCase {
-        name: "u X".into(),
-        random: vec![STANDARD_NORMAL],
-        epistemic: within(&[(-0.37, 1.0)]),
-        statistics: vec![
+    KnownCase::new(
+        "u X",
+        &[(-0.37, 1.0)],
+        vec![
             (Statistic::Mean, (0.0, 0.0)),
             (Statistic::StandardDeviation, (0.0, 1.0)),
             (Statistic::Quantile(0.975), (0.0, 1.959_963_984_540_054)),
             (Statistic::ProbabilityAbove(1.0), (0.0, normal_cdf(-1.0))),
         ],
-        function: Arc::new(|x, u| u[0] * x[0]),
-        parameters: Vec::new(),
-        levels: Vec::new(),
-        sampling: [64, 256],
-        most_excess: USUAL_EXCESS,
-    }
+        |x, u| u[0] * x[0],
+    )
 }
 
 /// Y = (a + b)^a with two intervals (Oberkampf and others 2004, first problem): \[e^(-1/e), 2\].
 fn power() -> KnownCase {
     KnownCase {
-        name: "(a + b)^a, two intervals".into(),
         random: Vec::new(),
-        epistemic: within(&[(0.1, 1.0), (0.0, 1.0)]),
-        statistics: vec![(Statistic::Mean, (libm::exp(-1.0 / E), 2.0))],
-        function: Arc::new(|_, u| libm::pow(u[0] + u[1], u[0])),
-        parameters: Vec::new(),
-        levels: Vec::new(),
-        sampling: [64, 256],
-        most_excess: USUAL_EXCESS,
+        ..KnownCase::new(
+            "(a + b)^a, two intervals",
+            &[(0.1, 1.0), (0.0, 1.0)],
+            vec![(Statistic::Mean, (libm::exp(-1.0 / E), 2.0))],
+            |_, u| libm::pow(u[0] + u[1], u[0]),
+        )
     }
 }
 
@@ -102,20 +79,18 @@ fn challenge() -> KnownCase {
     };
     let deviations = extremes(&variance, &intervals);
     KnownCase {
-        name: "(a + b)^a, b a probability box".into(),
-        random: vec![STANDARD_NORMAL],
-        statistics: vec![
-            (Statistic::Mean, extremes(&mean, &intervals)),
-            (Statistic::StandardDeviation, (deviations.0.sqrt(), deviations.1.sqrt())),
-            (Statistic::Quantile(0.95), extremes(&quantile, &intervals)),
-            (Statistic::ProbabilityAbove(LIMIT), extremes(&above, &intervals)),
-        ],
-        epistemic: within(&intervals),
-        function: Arc::new(|x, u| libm::pow(u[0] + libm::exp(u[1] + u[2] * x[0]), u[0])),
-        parameters: Vec::new(),
-        levels: Vec::new(),
         sampling: [96, 256],
-        most_excess: USUAL_EXCESS,
+        ..KnownCase::new(
+            "(a + b)^a, b a probability box",
+            &intervals,
+            vec![
+                (Statistic::Mean, extremes(&mean, &intervals)),
+                (Statistic::StandardDeviation, (deviations.0.sqrt(), deviations.1.sqrt())),
+                (Statistic::Quantile(0.95), extremes(&quantile, &intervals)),
+                (Statistic::ProbabilityAbove(LIMIT), extremes(&above, &intervals)),
+            ],
+            |x, u| libm::pow(u[0] + libm::exp(u[1] + u[2] * x[0]), u[0]),
+        )
     }
 }
 
@@ -124,57 +99,43 @@ fn inside_four() -> KnownCase {
     const TOP: [f64; 4] = [0.31, 0.62, 0.45, 0.58];
     let furthest: f64 = TOP.iter().map(|m: &f64| m.max(1.0 - m).powi(2)).sum();
     KnownCase {
-        name: "a hill inside four intervals".into(),
-        random: vec![STANDARD_NORMAL],
-        epistemic: within(&[(0.0, 1.0); 4]),
-        statistics: vec![
-            (Statistic::Mean, (libm::exp(-2.0 * furthest), 1.0)),
-            (Statistic::StandardDeviation, (0.1, 0.1)),
-        ],
-        function: Arc::new(|x, u| {
-            let square: f64 = u.iter().zip(TOP).map(|(u, m)| (u - m) * (u - m)).sum();
-            0.1 * x[0] + libm::exp(-2.0 * square)
-        }),
-        parameters: Vec::new(),
-        levels: Vec::new(),
         sampling: [96, 256],
-        most_excess: USUAL_EXCESS,
+        ..KnownCase::new(
+            "a hill inside four intervals",
+            &[(0.0, 1.0); 4],
+            vec![(Statistic::Mean, (libm::exp(-2.0 * furthest), 1.0)), (Statistic::StandardDeviation, (0.1, 0.1))],
+            |x, u| {
+                let square: f64 = u.iter().zip(TOP).map(|(u, m)| (u - m) * (u - m)).sum();
+                0.1 * x[0] + libm::exp(-2.0 * square)
+            },
+        )
     }
 }
 
 /// Along a curved ridge: minus a hundredth of Rosenbrock's valley on \[-2, 2\]², greatest at (1, 1), least at (-2, -2).
 fn ridge() -> KnownCase {
     KnownCase {
-        name: "a curved ridge".into(),
-        random: vec![STANDARD_NORMAL],
-        epistemic: within(&[(-2.0, 2.0); 2]),
-        statistics: vec![(Statistic::Mean, (-36.09, 0.0))],
-        function: Arc::new(|x, u| {
+        sampling: [96, 256],
+        ..KnownCase::new("a curved ridge", &[(-2.0, 2.0); 2], vec![(Statistic::Mean, (-36.09, 0.0))], |x, u| {
             let across = u[1] - u[0] * u[0];
             0.1 * x[0] - (across * across + 0.01 * (1.0 - u[0]) * (1.0 - u[0]))
-        }),
-        parameters: Vec::new(),
-        levels: Vec::new(),
-        sampling: [96, 256],
-        most_excess: USUAL_EXCESS,
+        })
     }
 }
 
 /// Y = X + 2 where u1 + u2 > 1.2, else X.
 fn jump() -> KnownCase {
     KnownCase {
-        name: "a jump".into(),
-        random: vec![STANDARD_NORMAL],
-        epistemic: within(&[(0.0, 1.0); 2]),
-        statistics: vec![
-            (Statistic::Mean, (0.0, 2.0)),
-            (Statistic::ProbabilityAbove(1.0), (normal_cdf(-1.0), normal_cdf(1.0))),
-        ],
-        function: Arc::new(|x, u| x[0] + if u[0] + u[1] > 1.2 { 2.0 } else { 0.0 }),
-        parameters: Vec::new(),
-        levels: Vec::new(),
-        sampling: [64, 256],
         most_excess: EXCESS_AT_A_JUMP,
+        ..KnownCase::new(
+            "a jump",
+            &[(0.0, 1.0); 2],
+            vec![
+                (Statistic::Mean, (0.0, 2.0)),
+                (Statistic::ProbabilityAbove(1.0), (normal_cdf(-1.0), normal_cdf(1.0))),
+            ],
+            |x, u| x[0] + if u[0] + u[1] > 1.2 { 2.0 } else { 0.0 },
+        )
     }
 }
 

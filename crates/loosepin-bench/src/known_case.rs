@@ -1,7 +1,7 @@
 //! A response whose bounds are known.
 
 use loosepin::bounds::{Failure, Problem, Reading, Request, Response, Sampling, Statistic};
-use loosepin::uncertainty::{Distribution, EpistemicParameter, EpistemicVariable, RandomVariable};
+use loosepin::uncertainty::{Distribution, EpistemicParameter, EpistemicVariable, Interval, RandomVariable};
 use std::sync::Arc;
 
 /// A response Y = g(X, u) with one column.
@@ -32,7 +32,33 @@ pub struct KnownCase {
 /// Share of the true width by which bounds of smooth responses may be too wide: the median of a thousand seeds is below 0.006
 /// (`docs/known-bounds.md`).
 pub(crate) const USUAL_EXCESS: f64 = 0.03;
+
+/// An interval of a known case.
+pub(crate) fn interval((lower, upper): (f64, f64)) -> Interval {
+    Interval::try_new(lower, upper).unwrap_or_else(|error| panic!("[{lower}, {upper}]: {error}"))
+}
+
 impl KnownCase {
+    /// A response of one standard normal number and of inputs in these intervals.
+    pub(crate) fn new(
+        name: &str,
+        intervals: &[(f64, f64)],
+        statistics: Vec<(Statistic, (f64, f64))>,
+        function: impl Fn(&[f64], &[f64]) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            name: name.to_owned(),
+            random: vec![Distribution::Normal { mean: 0.0, standard_deviation: 1.0 }],
+            epistemic: intervals.iter().map(|&ends| interval(ends).into()).collect(),
+            parameters: Vec::new(),
+            statistics,
+            levels: Vec::new(),
+            function: Arc::new(function),
+            sampling: [64, 256],
+            most_excess: USUAL_EXCESS,
+        }
+    }
+
     /// The question, for a seed.
     ///
     /// # Panics

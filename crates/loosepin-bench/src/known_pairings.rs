@@ -9,12 +9,12 @@
 
 use loosepin::bounds::Statistic;
 use loosepin::uncertainty::{
-    Distribution, EpistemicParameter, EpistemicVariable, Evidence, FocalElement, FuzzyNumber, Interval, Parameter,
-    USUAL_CUTS, normal_cdf,
+    Distribution, EpistemicParameter, EpistemicVariable, Evidence, FocalElement, FuzzyNumber, Parameter, USUAL_CUTS,
+    normal_cdf,
 };
 use std::sync::Arc;
 
-use super::known_case::{KnownCase, USUAL_EXCESS};
+use super::known_case::{KnownCase, USUAL_EXCESS, interval};
 
 /// A range: both ends.
 type Range = (f64, f64);
@@ -95,10 +95,6 @@ impl Kind {
 pub fn pairings() -> Vec<KnownCase> {
     let kinds = Kind::ALL.iter().enumerate();
     kinds.flat_map(|(first, &a)| Kind::ALL[first..].iter().map(move |&b| pairing(a, b))).collect()
-}
-
-fn interval((lower, upper): Range) -> Interval {
-    Interval::try_new(lower, upper).unwrap_or_else(|error| panic!("[{lower}, {upper}]: {error}"))
 }
 
 fn pairing(a: Kind, b: Kind) -> KnownCase {

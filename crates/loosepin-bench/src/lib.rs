@@ -1,7 +1,4 @@
-//! What the benches print beside criterion's own lines: work per run, runs per second, nanoseconds per right-hand side.
-//!
-//! Seconds vary with the machine, counts do not: a change of the work per run shows in
-//! [`Throughput::evaluations_per_run`] even where the clock is noisy.
+//! What the benches and campaigns share.
 
 pub mod batch;
 pub mod diagram;
@@ -11,61 +8,99 @@ pub mod known_case;
 pub mod known_pairings;
 pub mod precision;
 
-use std::fmt;
+use loosepin::mechanism::Mechanism;
+use loosepin::model::{Model, Values};
+use loosepin::study::{Conducted, Means, Progress, Study, conduct};
+use loosepin::surrogate::{Choice, Kind};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-/// Work and time of a number of equal or similar runs on one thread.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Throughput {
-    /// Number of runs.
-    pub runs: usize,
-    /// Right-hand sides evaluated in all runs together, repeated and rejected steps included.
-    pub evaluations: u64,
-    /// Wall-clock time of all runs together, s.
-    pub elapsed_s: f64,
+/// `cases/NAME/FILE`.
+pub fn case_file(name: &str, file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join(file)
 }
 
-impl Throughput {
-    /// Calls `run` for the indices `0..runs`; it gives the number of right-hand sides that the run evaluated. Set-up
-    /// belongs outside of it.
-    pub fn measure(runs: usize, mut run: impl FnMut(usize) -> u64) -> Self {
-        let started = Instant::now();
-        let evaluations = (0..runs).map(&mut run).sum();
-        Self { runs, evaluations, elapsed_s: started.elapsed().as_secs_f64() }
-    }
+/// `cases/NAME/model.toml` compiled at its nominal values, which stand beside it, and the duration of a turn, s.
+///
+/// # Panics
+/// Where the case is not there or is no mechanism.
+pub fn compiled(name: &str) -> (Mechanism, Values, f64) {
+    let model = Model::from_path(&case_file(name, "model.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let nominal = model.quantities.nominal();
+    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let turn_s = model.cycle_input(&nominal).turn_s();
+    (mechanism, nominal, turn_s)
+}
 
-    /// Runs per second and thread, 1/s.
-    pub fn runs_per_second(&self) -> f64 {
-        self.runs as f64 / self.elapsed_s
-    }
+/// The arguments that name cases; these where there are none.
+pub fn named_cases(otherwise: &[&str]) -> Vec<String> {
+    let named: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    if named.is_empty() { otherwise.iter().map(|&name| name.to_owned()).collect() } else { named }
+}
 
-    /// Right-hand sides per run, the mean of all runs.
-    pub fn evaluations_per_run(&self) -> f64 {
-        self.evaluations as f64 / self.runs as f64
-    }
-
-    /// Time per right-hand side, ns.
-    pub fn nanoseconds_per_evaluation(&self) -> f64 {
-        self.elapsed_s * 1e9 / self.evaluations as f64
+/// The kinds of surrogates that a word asks for.
+pub fn choice(word: &str) -> Option<Choice> {
+    match word {
+        "auto" => Some(Choice::Auto),
+        "chaos" => Some(Choice::Only(Kind::Chaos)),
+        "kriging" => Some(Choice::Only(Kind::Kriging)),
+        "network" => Some(Choice::Only(Kind::Network)),
+        _ => None,
     }
 }
 
-impl fmt::Display for Throughput {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "{:.0} simulations/s, {:.0} right-hand sides each, {:.1} ns per right-hand side ({} runs, {:.2} s)",
-            self.runs_per_second(),
-            self.evaluations_per_run(),
-            self.nanoseconds_per_evaluation(),
-            self.runs,
-            self.elapsed_s,
-        )
+/// Nobody watches.
+struct Silent;
+
+impl Progress for Silent {
+    fn runs(&self, _: usize, _: usize) {}
+}
+
+/// Conducts a study on all processors.
+///
+/// # Panics
+/// Where it has no result.
+pub fn run(study: &Study) -> Conducted {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    conduct(study, "", &Means { threads, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The middle one; 0 where there are none.
+pub fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// The greatest one.
+pub fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Time since it was started.
+pub struct Watch(Instant, Option<f64>);
+
+impl Watch {
+    /// Starts it.
+    pub fn start() -> Self {
+        Self(Instant::now(), processor_time_s())
+    }
+
+    /// By the clock, s.
+    pub fn clock_s(&self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
+
+    /// Processor time of all threads of this process, s; by the clock where the system does not tell.
+    pub fn processor_s(&self) -> f64 {
+        self.1.zip(processor_time_s()).map_or_else(|| self.clock_s(), |(start_s, end_s)| end_s - start_s)
     }
 }
 
 /// Processor time of all threads of this process so far, s; none where the system does not tell.
-pub fn processor_time_s() -> Option<f64> {
+fn processor_time_s() -> Option<f64> {
     let mut nanoseconds = 0;
     for thread in std::fs::read_dir("/proc/self/task").ok()? {
         let text = std::fs::read_to_string(thread.ok()?.path().join("schedstat")).ok()?;

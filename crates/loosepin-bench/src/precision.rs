@@ -1,12 +1,12 @@
 //! Work against error: runs of a reference case with one method at one tolerance, held against finer runs.
 
+use crate::compiled;
 use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, PointId, QuantityId};
 use loosepin::simulate::{
     Arms, Counters, Execution, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, conduct,
 };
-use std::path::Path;
 
 /// A folder of `cases/` and what is watched in it.
 #[derive(Debug, Clone, Copy)]
@@ -63,10 +63,8 @@ impl Samples {
     /// # Panics
     /// When the case, the point or a quantity does not exist: a mistake in this crate.
     pub fn new(case: &Case, count: usize) -> Self {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case.name).join("model.toml");
-        let model = Model::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let nominal = model.quantities.nominal();
-        let mechanism = Mechanism::new(&model, &nominal).expect("the case is a mechanism");
+        let (mechanism, nominal, turn_s) = compiled(case.name);
+        let model = &mechanism.model;
         let varied: Vec<(QuantityId, f64)> = case
             .varied
             .iter()
@@ -85,8 +83,7 @@ impl Samples {
                 (sample, Arms::new(&mechanism, &values))
             })
             .collect();
-        let point = watched(&model, case.point).expect("the case has this point");
-        let turn_s = model.cycle_input(&nominal).turn_s();
+        let point = watched(model, case.point).expect("the case has this point");
         let half_turn_s = 0.5 * turn_s;
         Self {
             name: case.name,
