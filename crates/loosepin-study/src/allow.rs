@@ -77,94 +77,93 @@ impl Answer {
 /// Those of the studies.
 pub(super) fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
     let of = |allowance: &Allowance| {
-        if allowance.fits.is_empty() { loosest(sheet, allowance) } else { loosest_fit(sheet, allowance) }
+        let (mut checks, mut runs) = (Vec::new(), 0);
+        let is_met = |(value_si, fit): Tried<'_>| {
+            is_met_twice(sheet, &[(allowance, value_si)], |answer, is_confirmation| {
+                runs += answer.runs as u64;
+                checks.push(answer.check(value_si, fit, is_confirmation));
+            })
+        };
+        let [allowed, beyond] =
+            if allowance.fits.is_empty() { loosest(allowance, is_met)? } else { loosest_fit(allowance, is_met)? };
+        let (what, unit) = described(sheet.study, allowance);
+        let fit = |(_, fit): Tried<'_>| fit.map(|fit| fit.name.clone());
+        Ok(AllowanceRecord {
+            path: allowance.path.clone(),
+            what,
+            unit,
+            up_to_si: allowance.up_to_si,
+            allowed_si: allowed.map(|(value_si, _)| value_si),
+            beyond_si: beyond.map(|(value_si, _)| value_si),
+            allowed_fit: allowed.and_then(fit),
+            beyond_fit: beyond.and_then(fit),
+            checks,
+            runs,
+        })
     };
     sheet.study.allowances.iter().map(of).collect()
 }
 
-/// The loosest fit of a list: from the loosest one on, until the requirements are met twice, with two sets of random numbers. So the
-/// answer holds without anything being taken for granted, and the next looser one has been run and refused.
-fn loosest_fit(sheet: &Sheet<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
-    let mut checks: Vec<AllowanceCheck> = Vec::new();
-    let mut runs = 0;
-    let mut allowed: Option<usize> = None;
-    'fits: for place in (0..allowance.fits.len()).rev() {
-        let fit = &allowance.fits[place];
-        for is_confirmation in [false, true] {
-            let answer = run(sheet, &[(allowance, fit.clearance_m[1])], seed(sheet.study, is_confirmation))?;
-            runs += answer.runs;
-            checks.push(answer.check(fit.clearance_m[1], Some(fit), is_confirmation));
-            if answer.verdict() != Verdict::Met {
-                continue 'fits;
-            }
+/// Whether the requirements are met twice, with two sets of random numbers; `heard` gets each answer, and whether it confirms one.
+fn is_met_twice(
+    sheet: &Sheet<'_>,
+    set: &[(&Allowance, f64)],
+    mut heard: impl FnMut(&Answer, bool),
+) -> Result<bool, StudyError> {
+    for is_confirmation in [false, true] {
+        let answer = run(sheet, set, seed(sheet.study, is_confirmation))?;
+        heard(&answer, is_confirmation);
+        if answer.verdict() != Verdict::Met {
+            return Ok(false);
         }
-        allowed = Some(place);
-        break;
     }
-    let beyond = allowed.map_or(Some(0), |place| Some(place + 1)).and_then(|place| allowance.fits.get(place));
-    let allowed = allowed.map(|place| &allowance.fits[place]);
-    let (what, unit) = described(sheet.study, allowance);
-    Ok(AllowanceRecord {
-        path: allowance.path.clone(),
-        what,
-        unit,
-        up_to_si: allowance.up_to_si,
-        allowed_si: allowed.map(|fit| fit.clearance_m[1]),
-        beyond_si: beyond.map(|fit| fit.clearance_m[1]),
-        allowed_fit: allowed.map(|fit| fit.name.clone()),
-        beyond_fit: beyond.map(|fit| fit.name.clone()),
-        checks,
-        runs: runs as u64,
-    })
+    Ok(true)
 }
 
-fn loosest(sheet: &Sheet<'_>, allowance: &Allowance) -> Result<AllowanceRecord, StudyError> {
-    let mut checks: Vec<AllowanceCheck> = Vec::new();
-    let mut runs = 0;
-    let mut is_met = |value: f64| -> Result<bool, StudyError> {
-        for is_confirmation in [false, true] {
-            let answer = run(sheet, &[(allowance, value)], seed(sheet.study, is_confirmation))?;
-            runs += answer.runs;
-            checks.push(answer.check(value, None, is_confirmation));
-            if answer.verdict() != Verdict::Met {
-                return Ok(false);
-            }
+/// A value that was tried, and the fit that it belongs to.
+type Tried<'a> = (f64, Option<&'a AllowedFit>);
+
+/// The loosest fit of a list: from the loosest one on, until the requirements are met twice. So the answer holds without anything
+/// being taken for granted, and the next looser one has been run and refused.
+fn loosest_fit<'a>(
+    allowance: &'a Allowance,
+    mut is_met: impl FnMut(Tried<'a>) -> Result<bool, StudyError>,
+) -> Result<[Option<Tried<'a>>; 2], StudyError> {
+    let mut beyond = None;
+    for fit in allowance.fits.iter().rev() {
+        let tried = Some((fit.clearance_m[1], Some(fit)));
+        if is_met((fit.clearance_m[1], Some(fit)))? {
+            return Ok([tried, beyond]);
         }
-        Ok(true)
-    };
+        beyond = tried;
+    }
+    Ok([None, beyond])
+}
+
+fn loosest<'a>(
+    allowance: &Allowance,
+    mut is_met: impl FnMut(Tried<'a>) -> Result<bool, StudyError>,
+) -> Result<[Option<Tried<'a>>; 2], StudyError> {
     let least = match allowance.input {
         AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
         AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
     };
-    let (allowed, beyond) = if is_met(allowance.up_to_si)? {
-        (Some(allowance.up_to_si), None)
-    } else if is_met(least)? {
-        let (mut low, mut high) = (least, allowance.up_to_si);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if is_met(middle)? {
-                low = middle;
-            } else {
-                high = middle;
-            }
+    if is_met((allowance.up_to_si, None))? {
+        return Ok([Some((allowance.up_to_si, None)), None]);
+    }
+    if !is_met((least, None))? {
+        return Ok([None, Some((least, None))]);
+    }
+    let (mut low, mut high) = (least, allowance.up_to_si);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_met((middle, None))? {
+            low = middle;
+        } else {
+            high = middle;
         }
-        (Some(low), Some(high))
-    } else {
-        (None, Some(least))
-    };
-    let (what, unit) = described(sheet.study, allowance);
-    Ok(AllowanceRecord {
-        path: allowance.path.clone(),
-        what,
-        unit,
-        up_to_si: allowance.up_to_si,
-        allowed_si: allowed,
-        beyond_si: beyond,
-        allowed_fit: None,
-        beyond_fit: None,
-        checks,
-        runs: runs as u64,
-    })
+    }
+    Ok([low, high].map(|value_si| Some((value_si, None))))
 }
 
 /// The cheapest combination of offers; nothing where no input has any.
@@ -184,15 +183,10 @@ pub(super) fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, 
     let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
     let search = cheapest(&costs, MOST_TRIED, |values| {
         let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
-        for is_confirmation in [false, true] {
-            let answer = run(sheet, &set, seed(sheet.study, is_confirmation))?;
-            runs += answer.runs;
+        is_met_twice(sheet, &set, |answer, _| {
+            runs += answer.runs as u64;
             studies += 1;
-            if answer.verdict() != Verdict::Met {
-                return Ok(false);
-            }
-        }
-        Ok::<bool, StudyError>(true)
+        })
     })?;
     let choices = search.chosen.as_ref().map_or_else(Vec::new, |chosen| {
         let choice = |(allowance, &place): (&&Allowance, &usize)| {
@@ -209,7 +203,7 @@ pub(super) fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, 
         combinations: search.combinations as u64,
         studies,
         excluded: search.excluded as u64,
-        runs: runs as u64,
+        runs,
     }))
 }
 
