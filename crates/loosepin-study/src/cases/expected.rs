@@ -333,8 +333,7 @@ impl ExpectedReader<'_> {
         self.text(&table, "reason");
         let reference = table.get("file").and_then(|entry| {
             let file = self.reader.text(&entry)?.to_owned();
-            let place = self.reader.place(entry.span);
-            open_reference(&mut self.reader, folder, &file, place)
+            open_reference(&mut self.reader, folder, &file, entry.span)
         });
         let listed = table.get("columns").and_then(|entry| self.reader.list(&entry)).unwrap_or_default();
         if let Some(columns) = table.get("columns").filter(|_| listed.is_empty()) {

@@ -4,7 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::problem::CaseProblem;
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
+use crate::file::adopt;
+use loosepin_text::diagnostics::{Complaints, Place, Source, Span};
 use loosepin_text::document::{Reader, read_source};
 
 /// Rows at equal times, SI; the first column is the time.
@@ -42,14 +43,11 @@ impl Reference {
 }
 
 /// Opens a file of rows; complaints without a place get that of its name.
-pub(super) fn open_reference(reader: &mut Reader, folder: &Path, file: &str, place: Place) -> Option<Arc<Reference>> {
+pub(super) fn open_reference(reader: &mut Reader, folder: &Path, file: &str, span: Span) -> Option<Arc<Reference>> {
     match Reference::from_path(&folder.join(file)) {
         Ok(reference) => Some(Arc::new(reference)),
         Err(complaints) => {
-            for complaint in complaints.sorted() {
-                let place = complaint.place.clone().unwrap_or_else(|| place.clone());
-                reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
-            }
+            adopt(reader, &complaints, span);
             None
         }
     }

@@ -44,7 +44,7 @@ pub(super) fn read_script(reader: &mut Reader, root: &Table<'_>, folder: &Path, 
     // The script writes the origin in front of its source.
     let source = source.strip_prefix("peer: ").unwrap_or(source).to_owned();
     let place = reader.place(entry.key_span);
-    let Some(reference) = open_reference(reader, folder, FILE, place.clone()) else { return Vec::new() };
+    let Some(reference) = open_reference(reader, folder, FILE, entry.key_span) else { return Vec::new() };
     let span_s = reference.span_s();
     let mut found = Found { source, checks: Vec::new(), place, span_s };
 

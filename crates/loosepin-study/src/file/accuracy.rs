@@ -286,8 +286,7 @@ impl StudyReader {
                 Ok(measured) => Some((text.to_owned(), measured)),
                 Err(error) => {
                     let span = self.reader.inside(entry, text, &error.span);
-                    self.reader.complain(&error.problem, span);
-                    None
+                    self.refused(&error.problem, span)
                 }
             },
         }
@@ -326,10 +325,7 @@ impl StudyReader {
         };
         match parse_budget(&text) {
             Ok(budget) => Some((budget, self.reader.place(entry.span))),
-            Err(problem) => {
-                self.reader.complain(&problem, entry.span);
-                None
-            }
+            Err(problem) => self.refused(&problem, entry.span),
         }
     }
 }

@@ -27,13 +27,11 @@ impl StudyReader {
             return self.fit_allowance(path, entry, &table);
         }
         let Some((input, least, dimension)) = self.allowed_input(&path) else {
-            self.complain(&StudyProblem::AllowedInput { path }, &entry.at_key());
-            return None;
+            return self.refused(&StudyProblem::AllowedInput { path }, entry.key_span);
         };
         if let Some(diameter) = table.get("diameter") {
             let problem = StudyProblem::BesideFits { entry: diameter.path.describe(), has_fits: false };
-            self.complain(&problem, &diameter.at_key());
-            return None;
+            return self.refused(&problem, diameter.key_span);
         }
         let written = table.get("up_to")?;
         let up_to = self.reader.measured(&written, dimension, Rule::Finite)?;
@@ -62,16 +60,14 @@ impl StudyReader {
             costs.sort_by(|a, b| a[0].total_cmp(&b[0]));
             // What is tighter costs more, or nobody would choose what is looser.
             if costs.is_empty() || costs.windows(2).any(|pair| pair[0][0] == pair[1][0] || pair[0][1] <= pair[1][1]) {
-                self.complain(&StudyProblem::Costs { entry: list.path.describe() }, &list);
-                return None;
+                return self.refused(&StudyProblem::Costs { entry: list.path.describe() }, list.span);
             }
         }
         if let Some([offer, _]) = costs.iter().rev().find(|[offer, _]| *offer > up_to)
             && let Some(list) = table.get("cost")
         {
             let [offer, up_to] = [*offer, up_to].map(|value| format_value(value, dimension));
-            self.complain(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, &list);
-            return None;
+            return self.refused(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, list.span);
         }
         Some(Allowance { path, input, least_si: least, up_to_si: up_to, fits: Vec::new(), costs })
     }
@@ -79,12 +75,11 @@ impl StudyReader {
     /// The loosest of several fits.
     fn fit_allowance(&mut self, path: String, entry: &Entry<'_>, table: &Table<'_>) -> Option<Allowance> {
         let Some((input, quantity)) = self.fitted_input(&path) else {
-            self.complain(&StudyProblem::FittedInput { path }, &entry.at_key());
-            return None;
+            return self.refused(&StudyProblem::FittedInput { path }, entry.key_span);
         };
         if let Some(cost) = table.get("cost") {
-            self.complain(&StudyProblem::BesideFits { entry: cost.path.describe(), has_fits: true }, &cost.at_key());
-            return None;
+            return self
+                .refused(&StudyProblem::BesideFits { entry: cost.path.describe(), has_fits: true }, cost.key_span);
         }
         let fits = self.allowed_fits(table, &table.get("fit")?, quantity, &path)?;
         let least = fits.first()?.clearance_m[1];

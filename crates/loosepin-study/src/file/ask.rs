@@ -180,12 +180,10 @@ impl StudyReader {
             let known = outputs.iter().map(|output| format!("'{}'", output.name)).collect();
             let nearest = nearest_name(&name, outputs.iter().map(|output| output.name.as_str())).map(str::to_owned);
             let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
-            self.complain(&problem, &entry);
-            return None;
+            return self.refused(&problem, entry.span);
         };
         if matches!(outputs[index].kind, OutputKind::Path(_)) {
-            self.complain(&StudyProblem::PathOutput { entry: table.path.describe(), name }, &entry);
-            return None;
+            return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
         }
         Some(index)
     }
@@ -195,8 +193,7 @@ impl StudyReader {
         let deviation = self.reader.choice(&entry, &DEVIATIONS)?;
         let has_play = self.model.joints.iter().any(|joint| joint.kind.play().is_some());
         if deviation == Deviation::Clearance && !has_play {
-            self.complain(&StudyProblem::NoPlay { entry: entry.path.describe() }, &entry);
-            return None;
+            return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
         }
         Some(deviation)
     }
@@ -233,8 +230,7 @@ impl StudyReader {
                     name: entry.name.to_owned(),
                     due: due.clone(),
                 };
-                self.complain(&problem, &entry.at_key());
-                return None;
+                return self.refused(&problem, entry.key_span);
             }
             for angle in self.reader.list(&entry)? {
                 let Some(angle_rad) = self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite) else { continue };
@@ -278,8 +274,7 @@ impl StudyReader {
         let entry = table.get("statistics")?;
         let entries = self.reader.list(&entry)?;
         if entries.is_empty() {
-            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, &entry);
-            return None;
+            return self.refused(&StudyProblem::Empty { entry: entry.path.describe() }, entry.span);
         }
         let asked: Vec<Option<Asked>> = entries.iter().map(|entry| self.statistic(entry, dimension)).collect();
         entries.into_iter().zip(asked).map(|(entry, asked)| Some((entry, asked?))).collect()
@@ -290,8 +285,7 @@ impl StudyReader {
             let text = self.reader.text(entry)?;
             if let Some((_, form)) = FORMS.into_iter().find(|(word, _)| *word == text) {
                 let problem = StudyProblem::StatisticForm { entry: entry.path.describe(), word: text.to_owned(), form };
-                self.complain(&problem, entry);
-                return None;
+                return self.refused(&problem, entry.span);
             }
             let statistic = self.reader.choice(entry, &PLAIN_STATISTICS)?;
             return Some(statistic.map_or(Asked::Contributors, Asked::Statistic));
@@ -304,8 +298,7 @@ impl StudyReader {
         let method = self.method(&table, key)?;
         if let Some(percent) = table.get(key).filter(|entry| entry.is_text() && !key.starts_with("probability")) {
             let found = self.reader.text(&percent)?.to_owned();
-            self.complain(&StudyProblem::Percent { entry: percent.path.describe(), found }, &percent);
-            return None;
+            return self.refused(&StudyProblem::Percent { entry: percent.path.describe(), found }, percent.span);
         }
         if key == QUANTILE {
             return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
@@ -331,13 +324,11 @@ impl StudyReader {
         let Some(entry) = table.get("method") else { return Some(None) };
         if key == QUANTILE || key == SIMULTANEOUS_BAND {
             let of = if key == QUANTILE { "a quantile" } else { "a simultaneous band" };
-            self.complain(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, &entry);
-            return None;
+            return self.refused(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, entry.span);
         }
         let method = self.reader.choice(&entry, &METHODS)?;
         if method.is_some() && self.random.is_empty() {
-            self.complain(&StudyProblem::NothingRandom { entry: table.path.describe() }, &entry);
-            return None;
+            return self.refused(&StudyProblem::NothingRandom { entry: table.path.describe() }, entry.span);
         }
         let has_masses = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
         let of = match self.readings[0] {
@@ -345,8 +336,7 @@ impl StudyReader {
             _ => has_masses.then_some("masses of evidence"),
         };
         if let (Some(_), Some(of)) = (method, of) {
-            self.complain(&StudyProblem::RareOfSets { entry: table.path.describe(), of }, &entry);
-            return None;
+            return self.refused(&StudyProblem::RareOfSets { entry: table.path.describe(), of }, entry.span);
         }
         Some(method)
     }
@@ -357,7 +347,6 @@ impl StudyReader {
             return Some(limit);
         }
         let found = format_value(limit, dimension);
-        self.complain(&StudyProblem::Limit { entry: entry.path.describe(), found, rule: rule.words() }, entry);
-        None
+        self.refused(&StudyProblem::Limit { entry: entry.path.describe(), found, rule: rule.words() }, entry.span)
     }
 }

@@ -41,9 +41,7 @@ impl StudyReader {
                 let factor = 1.0 / (1.0 - least_eigenvalue);
                 let factor = format_number((factor * 1000.0).floor() / 1000.0);
                 let least_eigenvalue = short_number(least_eigenvalue);
-                let problem = RandomProblem::NotPositiveDefinite { pairs, least_eigenvalue, factor };
-                self.reader.complain(&problem, first.key_span);
-                None
+                self.refused(&RandomProblem::NotPositiveDefinite { pairs, least_eigenvalue, factor }, first.key_span)
             }
             // Pairs and ranges were checked one by one.
             Err(_) => None,
@@ -65,8 +63,7 @@ impl StudyReader {
         let (first, second) = first.zip(second)?;
         if first == second {
             let (entry, path) = (of.path.describe(), self.random[first].path.clone());
-            self.reader.complain(&RandomProblem::WithItself { entry, path }, of.span);
-            return None;
+            return self.refused(&RandomProblem::WithItself { entry, path }, of.span);
         }
         let is_same = |other: &StatedCorrelation| {
             (other.first, other.second) == (first, second) || (other.first, other.second) == (second, first)
@@ -74,9 +71,7 @@ impl StudyReader {
         let [first_path, second_path] = [first, second].map(|input| self.random[input].path.clone());
         if before.iter().any(is_same) {
             let entry = of.path.describe();
-            let problem = RandomProblem::PairTwice { entry, first: first_path, second: second_path };
-            self.reader.complain(&problem, of.span);
-            return None;
+            return self.refused(&RandomProblem::PairTwice { entry, first: first_path, second: second_path }, of.span);
         }
         let (value, measure) = (value?, measure?);
         if measure == "rank" {
@@ -85,8 +80,7 @@ impl StudyReader {
         }
         if let Some(input) = [first, second].iter().find(|&&input| !self.random[input].parameters.is_empty()) {
             let (entry, path) = (table.get(measure)?, self.random[*input].path.clone());
-            self.reader.complain(&RandomProblem::LinearOfBox { entry: entry.path.describe(), path }, entry.span);
-            return None;
+            return self.refused(&RandomProblem::LinearOfBox { entry: entry.path.describe(), path }, entry.span);
         }
         let series = CorrelationSeries::new(&self.random[first].variable, &self.random[second].variable);
         match series.normal(value) {
@@ -101,8 +95,7 @@ impl StudyReader {
                     least: short_number(error.least),
                     most: short_number(error.most),
                 };
-                self.reader.complain(&problem, entry.span);
-                None
+                self.refused(&problem, entry.span)
             }
         }
     }
@@ -113,9 +106,7 @@ impl StudyReader {
             return Some(value);
         }
         let entry = table.get(key)?;
-        let problem = RandomProblem::Range { entry: entry.path.describe(), found: format_number(value) };
-        self.reader.complain(&problem, entry.span);
-        None
+        self.refused(&RandomProblem::Range { entry: entry.path.describe(), found: format_number(value) }, entry.span)
     }
 
     /// Which random input a path names.
@@ -123,10 +114,7 @@ impl StudyReader {
         let path = self.reader.text(entry)?.to_owned();
         let quantity = match self.model.find(&path) {
             Ok(quantity) => quantity,
-            Err(error) => {
-                self.reader.complain(&error, entry.span);
-                return None;
-            }
+            Err(error) => return self.refused(&error, entry.span),
         };
         let place = self.random.iter().position(|input| input.quantity == quantity);
         if place.is_none() {

@@ -28,8 +28,7 @@ impl StudyReader {
             return self.evidence_of(Evidence::from_mean(mean, support), &written, dimension).map(Into::into);
         }
         if let Some(support) = support {
-            self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
-            return None;
+            return self.refused(&StudyProblem::SupportAlone { entry: support.path.describe() }, support.key_span);
         }
         if let Some(written) = table.get("evidence") {
             return self.evidence(&written, quantity, path).map(EpistemicVariable::from);
@@ -47,10 +46,7 @@ impl StudyReader {
     ) -> Option<Interval> {
         match table.get("support") {
             Some(support) => self.interval(&support, quantity, path),
-            None => {
-                self.complain(&StudyProblem::NoSupport { entry: written.path.describe() }, &written.at_key());
-                None
-            }
+            None => self.refused(&StudyProblem::NoSupport { entry: written.path.describe() }, written.key_span),
         }
     }
 
@@ -80,8 +76,7 @@ impl StudyReader {
         let dimension = self.model.quantities[quantity].dimension;
         let entries = self.reader.list(written)?;
         if entries.is_empty() {
-            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, written);
-            return None;
+            return self.refused(&StudyProblem::Empty { entry: written.path.describe() }, written.span);
         }
         let mut quantiles = Vec::new();
         for entry in &entries {
@@ -133,8 +128,7 @@ impl StudyReader {
         };
         let found = if let Some(entry) = table.get("cuts") {
             if let Some(degrees) = table.get("degrees") {
-                self.complain(&StudyProblem::DegreesTwice { entry: degrees.path.describe() }, &degrees.at_key());
-                return None;
+                return self.refused(&StudyProblem::DegreesTwice { entry: degrees.path.describe() }, degrees.key_span);
             }
             let cuts = self.cuts(&entry, quantity, path)?;
             at_degrees = cuts.iter().map(|(alpha, _)| *alpha).zip(self.reader.list(&entry)?).collect();
@@ -187,9 +181,8 @@ impl StudyReader {
         let entries = self.reader.list(entry)?;
         let found = entries.len();
         let Ok(entries) = <[Entry<'_>; COUNT]>::try_from(entries) else {
-            let problem = StudyProblem::Corners { entry: entry.path.describe(), found, due: COUNT };
-            self.complain(&problem, entry);
-            return None;
+            return self
+                .refused(&StudyProblem::Corners { entry: entry.path.describe(), found, due: COUNT }, entry.span);
         };
         let mut corners = [0.0; COUNT];
         for (corner, entry) in corners.iter_mut().zip(&entries) {

@@ -45,8 +45,7 @@ impl StudyReader {
         let entries = self.reader.list(entry)?;
         if entries.len() < 2 {
             let problem = RandomProblem::SingleFit { entry: entry.path.describe(), found: entries.len() };
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.refused(&problem, entry.span);
         }
         let mut fits: Vec<AllowedFit> = Vec::new();
         let mut is_whole = true;
@@ -95,8 +94,7 @@ impl StudyReader {
         let place = self.fit_place(table, entry, quantity, path);
         let text = self.reader.text(entry)?;
         if let Err(error) = Fit::parse(text) {
-            self.reader.complain(&RandomProblem::Fit { entry: entry.path.describe(), error }, entry.span);
-            return None;
+            return self.refused(&RandomProblem::Fit { entry: entry.path.describe(), error }, entry.span);
         }
         let place = place?;
         let found = self.fit_at(entry, &place)?;
@@ -144,10 +142,7 @@ impl StudyReader {
         let words = entry.path.describe();
         let fit = match Fit::parse(text) {
             Ok(fit) => fit,
-            Err(error) => {
-                self.reader.complain(&RandomProblem::Fit { entry: words, error }, entry.span);
-                return None;
-            }
+            Err(error) => return self.refused(&RandomProblem::Fit { entry: words, error }, entry.span),
         };
         let limits = match fit.limits(place.diameter_m) {
             Ok(limits) => limits,
@@ -155,8 +150,7 @@ impl StudyReader {
                 let of_size = matches!(error, FitError::Size { .. });
                 let (entry, span) =
                     if of_size { (place.entry.path.describe(), place.entry.span) } else { (words, entry.span) };
-                self.reader.complain(&RandomProblem::Fit { entry, error }, span);
-                return None;
+                return self.refused(&RandomProblem::Fit { entry, error }, span);
             }
         };
         let length = |value_m: f64| format_value(value_m, Dimension::LENGTH);
@@ -164,9 +158,7 @@ impl StudyReader {
         let diameter = length(place.diameter_m);
         if !(least > 0.0) {
             let (fit, least, most) = (text.to_owned(), length(least), length(most));
-            let problem = RandomProblem::Interference { entry: words, fit, diameter, least, most };
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.refused(&RandomProblem::Interference { entry: words, fit, diameter, least, most }, entry.span);
         }
         Some((limits, format!("fit {text} at {diameter}")))
     }

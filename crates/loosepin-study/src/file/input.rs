@@ -77,8 +77,7 @@ impl StudyReader {
             let is_plain = ["interval", "periodic", "any_of", "fit"].into_iter().any(|key| table.has(key));
             let variable = match (table.get("support"), is_plain) {
                 (Some(support), true) => {
-                    self.complain(&StudyProblem::SupportAlone { entry: support.path.describe() }, &support.at_key());
-                    None
+                    self.refused(&StudyProblem::SupportAlone { entry: support.path.describe() }, support.key_span)
                 }
                 (_, true) => variable,
                 (_, false) => self.structured(&table, quantity, entry.name),
@@ -172,23 +171,18 @@ impl StudyReader {
     fn input(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<QuantityId> {
         if FIRST_WORDS.contains(&entry.name) && entry.is_table() {
             let next = self.reader.any_keys(entry).first().map_or("name", |next| next.name);
-            let problem = StudyProblem::UnquotedPath { path: format!("{}.{next}", entry.name) };
-            self.complain(&problem, &entry.at_key());
-            return None;
+            return self
+                .refused(&StudyProblem::UnquotedPath { path: format!("{}.{next}", entry.name) }, entry.key_span);
         }
         if entry.name.starts_with("contact.") && entry.name.ends_with(".friction.law") {
             let instead = "run one study for each law".to_owned();
-            self.reader
-                .complain(&DocumentProblem::NotYetSupported { entry: entry.path.describe(), instead }, entry.key_span);
-            return None;
+            return self
+                .refused(&DocumentProblem::NotYetSupported { entry: entry.path.describe(), instead }, entry.key_span);
         }
         match self.model.find(entry.name) {
             Ok(_) if !entry.is_table() => self.reader.wrong_type(entry, due),
             Ok(quantity) => Some(quantity),
-            Err(error) => {
-                self.complain(&error.into(), &entry.at_key());
-                None
-            }
+            Err(error) => self.refused(&StudyProblem::from(error), entry.key_span),
         }
     }
 
@@ -201,8 +195,7 @@ impl StudyReader {
         let is_whole = (periods - periods.round()).abs() <= PERIOD_ROUND_OFF * periods && periods.round() >= 1.0;
         if dimension == Dimension::ANGLE && !is_whole {
             let found = format_value(width, dimension);
-            self.complain(&StudyProblem::Period { entry: entry.path.describe(), found }, entry);
-            return None;
+            return self.refused(&StudyProblem::Period { entry: entry.path.describe(), found }, entry.span);
         }
         Some(interval)
     }
@@ -227,12 +220,10 @@ impl StudyReader {
         let text = |value_si| format_value(value_si, dimension);
         if lower > upper {
             let problem = StudyProblem::IntervalTurnedRound { entry: words, lower: text(lower), upper: text(upper) };
-            self.complain(&problem, entry);
-            return None;
+            return self.refused(&problem, entry.span);
         }
         if lower == upper {
-            self.complain(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry);
-            return None;
+            return self.refused(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry.span);
         }
         Interval::try_new(lower, upper).ok().map(|interval| (interval, pair))
     }

@@ -37,6 +37,7 @@ use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Deviation, Reduction};
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
+pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
 pub use target::{AccuracyTarget, Budget};
 use words::READINGS;
@@ -45,7 +46,7 @@ pub(super) use words::statistic_name;
 use loosepin_bounds::{PERCENTILES, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_simulate::accuracy::ScatterCorrelation;
-use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
+use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
 use loosepin_text::document::{Reader, Table, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
@@ -144,7 +145,7 @@ fn read(
         match open_model(written) {
             Ok(opened) => Some(opened),
             Err(complaints) => {
-                adopt(&mut reader, complaints, entry.span);
+                adopt(&mut reader, &complaints, entry.span);
                 None
             }
         }
@@ -212,15 +213,6 @@ fn read(
     })
 }
 
-/// Takes over the complaints about the model file; one that has no place, since the file could not be read, is placed
-/// where the study names it.
-fn adopt(reader: &mut Reader, complaints: Complaints, span: Span) {
-    for complaint in complaints.sorted() {
-        let place = complaint.place.clone().unwrap_or_else(|| Place::new(&reader.source, span));
-        reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
-    }
-}
-
 impl StudyReader {
     fn cycle(&mut self, root: &Table<'_>) -> Cycle {
         let mut cycle = self.model.cycle.clone();
@@ -273,7 +265,7 @@ impl StudyReader {
         // Where an input is wrong it may be the one with a distribution.
         if !self.reader.complaints.has_errors() && !self.epistemic.iter().any(is_second_order) {
             let problem = StudyProblem::PercentilesOfNothing { entry: written.path.describe() };
-            let place = self.reader.place(written.at_key().span);
+            let place = self.reader.place(written.key_span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
         let mut percentiles: Vec<f64> = Vec::new();

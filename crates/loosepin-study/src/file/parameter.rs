@@ -33,8 +33,7 @@ impl StudyReader {
                     found: uncertain,
                     most: MOST_PARAMETERS,
                 };
-                self.complain(&problem, entry);
-                return None;
+                return self.refused(&problem, entry.span);
             }
             corner += 1;
             if corner == 1 << uncertain {
@@ -65,9 +64,7 @@ impl StudyReader {
         match RandomVariable::try_new(distribution) {
             Ok(variable) => Some(variable),
             Err(error) => {
-                let problem = StudyProblem::Distribution { entry: entry.path.describe(), error, dimension };
-                self.complain(&problem, entry);
-                None
+                self.refused(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, entry.span)
             }
         }
     }
@@ -79,8 +76,7 @@ impl StudyReader {
             return self.reader.measured(&entry, dimension, Rule::Finite);
         }
         if self.parameters.is_inner {
-            self.complain(&StudyProblem::ParameterOfAParameter { entry: entry.path.describe() }, &entry);
-            return None;
+            return self.refused(&StudyProblem::ParameterOfAParameter { entry: entry.path.describe() }, entry.span);
         }
         let table = self.reader.table(&entry, &PARAMETER_KEYS)?;
         let variable = if PARAMETER_FAMILIES.into_iter().any(|family| table.has(family)) {
@@ -91,8 +87,7 @@ impl StudyReader {
             table.get("any_of").and_then(|written| self.members_of_a_parameter(&written, dimension)).map(Into::into)
         }?;
         let Some(parameter) = Parameter::ALL.into_iter().find(|parameter| parameter.key() == key) else {
-            self.complain(&StudyProblem::UncertainParameter { entry: entry.path.describe() }, &entry);
-            return None;
+            return self.refused(&StudyProblem::UncertainParameter { entry: entry.path.describe() }, entry.span);
         };
         let value = match self.parameters.pass {
             Pass::Corner(corner) => variable.ends()[corner >> self.parameters.found.len() & 1],
@@ -114,9 +109,7 @@ impl StudyReader {
         match RandomVariable::try_new(distribution?) {
             Ok(variable) => SecondOrder::try_new(variable).ok(),
             Err(error) => {
-                let problem = StudyProblem::Distribution { entry: entry.path.describe(), error, dimension };
-                self.complain(&problem, entry);
-                None
+                self.refused(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, entry.span)
             }
         }
     }
@@ -133,8 +126,7 @@ impl StudyReader {
             let value = self.reader.measured(member, dimension, Rule::Finite)?;
             if values.contains(&value) {
                 let (entry, value) = (written.path.describe(), format_value(value, dimension));
-                self.complain(&StudyProblem::MemberTwice { entry, value }, member);
-                return None;
+                return self.refused(&StudyProblem::MemberTwice { entry, value }, member.span);
             }
             values.push(value);
         }

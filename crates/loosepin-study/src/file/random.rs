@@ -4,11 +4,11 @@ use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
 use super::keys::{DISCRETE_KEYS, EXPONENTIAL_KEYS, FITTED, GAMMA_KEYS, GUMBEL_KEYS, TRUNCATED_KEYS, WEIBULL_KEYS};
 use super::problem::StudyProblem;
 use super::random_problem::{RandomProblem, short_number};
-use super::reader::StudyReader;
+use super::reader::{StudyReader, adopt};
 use super::tolerance::parse_tolerance;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
-use loosepin_text::diagnostics::{Complaint, Complaints};
+use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{Entry, Table, read_beside};
 use loosepin_text::units::{Dimension, Rule, format_number, format_value};
 use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
@@ -64,8 +64,7 @@ impl StudyReader {
             Ok(variable) => variable,
             Err(error) => {
                 let entry_words = entry.path.describe();
-                self.complain(&StudyProblem::Distribution { entry: entry_words, error, dimension }, entry);
-                return None;
+                return self.refused(&StudyProblem::Distribution { entry: entry_words, error, dimension }, entry.span);
             }
         };
         let mut parameters = Vec::new();
@@ -179,8 +178,7 @@ impl StudyReader {
         let Some(entry) = table.get("truncated") else { return Some(distribution) };
         let table = self.reader.table(&entry, &TRUNCATED_KEYS)?;
         if !table.has("lower") && !table.has("upper") {
-            self.reader.complain(&RandomProblem::NoCut { entry: entry.path.describe() }, entry.span);
-            return None;
+            return self.refused(&RandomProblem::NoCut { entry: entry.path.describe() }, entry.span);
         }
         let mut end = |key: &str, open: f64| match table.get(key) {
             Some(written) => self.reader.measured(&written, dimension, Rule::Finite),
@@ -211,7 +209,7 @@ impl StudyReader {
         let column = match read.and_then(|source| SampleColumn::from_source(source, column)) {
             Ok(column) => column,
             Err(complaints) => {
-                self.adopt(&complaints, entry);
+                adopt(&mut self.reader, &complaints, entry.span);
                 return None;
             }
         };
@@ -219,8 +217,7 @@ impl StudyReader {
         if column.dimension != dimension {
             let (words, found, due) = (entry.path.describe(), column.dimension, dimension);
             let problem = RandomProblem::SampleDimension { entry: words, column: column.name, found, due };
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.refused(&problem, entry.span);
         }
         let mut values = column.values_si;
         values.sort_by(f64::total_cmp);
@@ -247,8 +244,7 @@ impl StudyReader {
             Err(error) => {
                 let column = column.name.clone();
                 let problem = RandomProblem::NoFit { entry: words, family: name, column, error, dimension };
-                self.reader.complain(&problem, written.span);
-                None
+                self.refused(&problem, written.span)
             }
         }
     }
@@ -267,22 +263,13 @@ impl StudyReader {
         }
     }
 
-    /// Takes over the complaints about a table; what has no place of its own stands where the table is named.
-    fn adopt(&mut self, complaints: &Complaints, entry: &Entry<'_>) {
-        for complaint in complaints.sorted() {
-            let place = complaint.place.clone().unwrap_or_else(|| self.reader.place(entry.span));
-            self.reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
-        }
-    }
-
     /// Reads a value with its tolerance: normal about the middle of the limits, which lie 3 Cp standard deviations away.
     fn tolerance(&mut self, table: &Table<'_>, entry: &Entry<'_>, dimension: Dimension) -> Option<Stated> {
         let [cp, cpk] = ["cp", "cpk"].map(|key| table.get(key).map(|entry| (self.capability(table, key), entry)));
         let text = self.reader.text(entry)?;
         let Some(tolerance) = parse_tolerance(text) else {
             let problem = RandomProblem::NoTolerance { entry: entry.path.describe(), text: text.to_owned() };
-            self.reader.complain(&problem, entry.span);
-            return None;
+            return self.refused(&problem, entry.span);
         };
         if !self.reader.measures(entry, tolerance.limits[0].dimension, dimension) {
             return None;
@@ -290,8 +277,7 @@ impl StudyReader {
         let [lower, upper] = tolerance.limits.map(|limit| limit.value_si);
         if !(lower < upper) {
             let [lower, upper] = [lower, upper].map(|limit| format_value(limit, dimension));
-            self.reader.complain(&RandomProblem::NoRoom { entry: entry.path.describe(), lower, upper }, entry.span);
-            return None;
+            return self.refused(&RandomProblem::NoRoom { entry: entry.path.describe(), lower, upper }, entry.span);
         }
         let [cp_value, cpk_value] = [&cp, &cpk].map(|read| read.as_ref().and_then(|(value, _)| *value));
         let (capability, words) = match (cp, cpk) {
@@ -309,9 +295,7 @@ impl StudyReader {
                 let words = written.path.describe();
                 if cpk > cp {
                     let [cp, cpk] = [cp, cpk].map(format_number);
-                    let problem = RandomProblem::CapabilitiesExchanged { entry: words, cpk, cp };
-                    self.reader.complain(&problem, written.span);
-                    return None;
+                    return self.refused(&RandomProblem::CapabilitiesExchanged { entry: words, cpk, cp }, written.span);
                 }
                 let words = if cpk < cp {
                     "the mean off centre by an unknown amount, to either side".to_owned()
@@ -341,8 +325,7 @@ impl StudyReader {
         }
         let entry = table.get(key)?;
         let problem = RandomProblem::Capability { entry: entry.path.describe(), found: format_number(value) };
-        self.reader.complain(&problem, entry.span);
-        None
+        self.refused(&problem, entry.span)
     }
 
     /// A number that may be left out where it is 0.

@@ -5,7 +5,7 @@ use super::problem::StudyProblem;
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
-use loosepin_text::diagnostics::Source;
+use loosepin_text::diagnostics::{Complaint, Complaints, Problem, Source, Span};
 use loosepin_text::document::{Entry, Reader};
 use loosepin_text::units::Dimension;
 use loosepin_uncertainty::{EpistemicVariable, Parameter};
@@ -32,6 +32,21 @@ impl StudyReader {
     /// Complains about an entry.
     pub fn complain(&mut self, problem: &StudyProblem, entry: &Entry<'_>) {
         self.reader.complain(problem, entry.span);
+    }
+
+    /// Complains about what stands at a place; nothing comes of it.
+    pub fn refused<T>(&mut self, problem: &dyn Problem, span: Span) -> Option<T> {
+        self.reader.complain(problem, span);
+        None
+    }
+}
+
+/// Takes over the complaints about another file; one that has no place, since that file could not be read, stands at `span`, where
+/// it is named.
+pub fn adopt(reader: &mut Reader, complaints: &Complaints, span: Span) {
+    for complaint in complaints.sorted() {
+        let place = complaint.place.clone().unwrap_or_else(|| reader.place(span));
+        reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
     }
 }
 
