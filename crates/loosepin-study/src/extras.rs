@@ -16,7 +16,7 @@ pub struct RunExtras {
 }
 
 /// Extras of one joint with play.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JointExtras {
     /// Contacts that began in the recorded turns.
     pub contacts: f64,
@@ -68,40 +68,27 @@ impl RunExtras {
 impl JointExtras {
     const COUNT: usize = 8;
 
-    fn to_numbers(self) -> [f64; Self::COUNT] {
+    fn numbers(&mut self) -> [&mut f64; Self::COUNT] {
         [
-            self.contacts,
-            self.floored,
-            self.beyond_validity,
-            self.largest_penetration_m,
-            self.peak_force_n,
-            self.nominal_restitution,
-            self.delivered_restitution,
-            self.largest_penetration_share,
+            &mut self.contacts,
+            &mut self.floored,
+            &mut self.beyond_validity,
+            &mut self.largest_penetration_m,
+            &mut self.peak_force_n,
+            &mut self.nominal_restitution,
+            &mut self.delivered_restitution,
+            &mut self.largest_penetration_share,
         ]
     }
 
+    fn to_numbers(mut self) -> [f64; Self::COUNT] {
+        self.numbers().map(|number| *number)
+    }
+
     fn from_numbers(numbers: [f64; Self::COUNT]) -> Self {
-        let [
-            contacts,
-            floored,
-            beyond_validity,
-            largest_penetration_m,
-            peak_force_n,
-            nominal_restitution,
-            delivered_restitution,
-            largest_penetration_share,
-        ] = numbers;
-        Self {
-            contacts,
-            floored,
-            beyond_validity,
-            largest_penetration_m,
-            peak_force_n,
-            nominal_restitution,
-            delivered_restitution,
-            largest_penetration_share,
-        }
+        let mut joint = Self::default();
+        joint.numbers().into_iter().zip(numbers).for_each(|(place, number)| *place = number);
+        joint
     }
 }
 
