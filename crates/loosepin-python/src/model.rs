@@ -5,12 +5,12 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::accuracy::check_quasi_static;
-use loosepin::diagnostics::{Complaints, Place};
+use loosepin::diagnostics::Complaints;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{self, Rule, measured_argument};
 use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, columns, simulate_until};
-use loosepin::study::{InputFile, InputFileProblem};
+use loosepin::study::InputFile;
 use loosepin::units::Dimension;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -31,13 +31,8 @@ impl Model {
     /// Reads a model file.
     #[staticmethod]
     fn load(path: PathBuf) -> PyResult<Self> {
-        match InputFile::from_path(&path).map_err(raise)? {
-            InputFile::Model(model) => Ok(Self(Arc::new(*model))),
-            InputFile::Study(study) => {
-                let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
-                Err(raise(Complaints::one(&problem, Some(Place::new(study.source(), 0..0)))))
-            }
-        }
+        let model = InputFile::from_path(&path).and_then(InputFile::into_model);
+        Ok(Self(Arc::new(model.map_err(raise)?)))
     }
 
     /// Reads a model from text that is reported as `name`.
@@ -105,7 +100,7 @@ impl Model {
             settings: Settings { tolerance_m, ..Settings::for_simulation() },
             with_states: states,
             lyapunov_turns: None,
-            overrides: overrides(&set),
+            overrides: Override::of_settings(&set),
         };
         let stop = AtomicBool::new(false);
         let work = || {
@@ -123,12 +118,4 @@ impl Model {
             None => Ok(Simulation::new(outcome.map_err(|complaints: Complaints| raise(complaints))?)),
         }
     }
-}
-
-/// Settings as they stand in a record.
-fn overrides(set: &[String]) -> Vec<Override> {
-    set.iter()
-        .filter_map(|text| text.split_once('='))
-        .map(|(path, written)| Override { path: path.trim().to_owned(), written: written.trim().to_owned() })
-        .collect()
 }

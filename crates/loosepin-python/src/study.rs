@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use loosepin::diagnostics::{Complaints, Place};
-use loosepin::study::{self, FurtherOutputs, InputFile, InputFileProblem, Means, RunMaker, study_inputs};
+use loosepin::study::{self, FurtherOutputs, InputFile, Means, RunMaker, study_inputs};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -33,13 +32,7 @@ impl Study {
     /// Reads a study file and the model that it names.
     #[staticmethod]
     fn load(path: PathBuf) -> PyResult<Self> {
-        match InputFile::from_path(&path).map_err(raise)? {
-            InputFile::Study(study) => Ok(Self(*study)),
-            InputFile::Model(model) => {
-                let place = Some(Place::new(model.source(), 0..0));
-                Err(raise(Complaints::one(&InputFileProblem::ModelForStudy, place)))
-            }
-        }
+        InputFile::from_path(&path).and_then(InputFile::into_study).map(Self).map_err(raise)
     }
 
     /// Reads a study from text that is reported as `name`; the model that it names is opened unless one is given.

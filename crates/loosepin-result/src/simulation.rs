@@ -109,6 +109,14 @@ pub struct Override {
     pub written: String,
 }
 
+impl Override {
+    /// Those of settings `path=value`.
+    pub fn of_settings(settings: &[String]) -> Vec<Override> {
+        let pairs = settings.iter().filter_map(|text| text.split_once('='));
+        pairs.map(|(path, written)| Override { path: path.trim().into(), written: written.trim().into() }).collect()
+    }
+}
+
 /// How a run was made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SimulationSettings {

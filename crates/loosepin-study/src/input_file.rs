@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use loosepin_mechanics::model::Model;
-use loosepin_text::diagnostics::{Code, Complaint, Complaints, Place, problems};
+use loosepin_text::diagnostics::{Code, Complaints, Place, problems};
 use loosepin_text::document::{parse_toml, read_source};
 
 use super::Study;
@@ -30,9 +30,7 @@ impl InputFile {
             let source = read_source(path)?;
             let toml = parse_toml(&source)?;
             if toml.get_ref().is_empty() {
-                let mut complaints = Complaints::new();
-                complaints.push(Complaint::error(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
-                return Err(complaints);
+                return Err(Complaints::one(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
             }
             let has = |key: &str| toml.get_ref().contains_key(key);
             STUDY_MARKS.iter().any(|key| has(key)) && !has("body")
@@ -49,6 +47,33 @@ impl InputFile {
         match self {
             InputFile::Model(model) => model,
             InputFile::Study(study) => &study.model,
+        }
+    }
+
+    /// The model.
+    ///
+    /// # Errors
+    /// It is a study.
+    pub fn into_model(self) -> Result<Model, Complaints> {
+        match self {
+            InputFile::Model(model) => Ok(*model),
+            InputFile::Study(study) => {
+                let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
+                Err(Complaints::one(&problem, Some(Place::new(study.source(), 0..0))))
+            }
+        }
+    }
+
+    /// The study.
+    ///
+    /// # Errors
+    /// It is a model.
+    pub fn into_study(self) -> Result<Study, Complaints> {
+        match self {
+            InputFile::Study(study) => Ok(*study),
+            InputFile::Model(model) => {
+                Err(Complaints::one(&InputFileProblem::ModelForStudy, Some(Place::new(model.source(), 0..0))))
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ use loosepin::study::{
 use loosepin::units;
 
 use super::signals::stop_on_signals;
-use super::stored::{show_again, tell_again};
+use super::stored::show_found;
 use super::study::{read_stated, tell_concluded};
 use super::threads::threads;
 use crate::arguments::MergeArguments;
@@ -56,10 +56,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     };
     let (folder, store) = match begin_in_folder(&claim, open)? {
         Begun::Open(folder, store) => (folder, store),
-        Begun::Finished(mut folder) => {
-            tell_again(&folder);
-            return show_again::<StudyResult>(&mut folder);
-        }
+        Begun::Finished(folder) => return show_found::<StudyResult>(folder),
     };
     console::message(&format!("{} new runs of {}", added.get(), console::counted(of as usize, "shard", "shards")));
     let threads = threads(arguments.threads);

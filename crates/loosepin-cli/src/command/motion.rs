@@ -5,13 +5,14 @@ use loosepin::accuracy::{MotionPlan, Scatter, motion};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
-use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
+use loosepin::results::{InputsHash, InputsHasher, ResultKind};
+use loosepin::simulate::record::Override;
 use loosepin::study::InputFile;
 
-use super::inputs::{add_model, add_study, overrides, warn};
-use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
+use super::inputs::{add_model, add_study, warn};
+use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
 use crate::arguments::MotionArguments;
-use crate::ending::{Ending, Failure};
+use crate::ending::Ending;
 
 /// Positions in a turn: every degree.
 const POSITIONS: usize = 360;
@@ -35,41 +36,20 @@ pub fn run(arguments: &MotionArguments) -> Ending {
             InputFile::Model(_) => Vec::new(),
             InputFile::Study(study) => study.linear_correlations(),
         },
-        overrides: overrides(&settings),
+        overrides: Override::of_settings(&settings),
     };
     let record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
-    let claim = Claim {
-        kind: ResultKind::Motion,
-        name: model.name.clone(),
-        inputs: inputs(model, &file, arguments),
-        place: place(&arguments.output),
-        with_force: arguments.output.force,
-    };
-    let mut folder = claim.take()?;
+    let claim = claim(ResultKind::Motion, &model.name, inputs(model, &file, arguments), &arguments.output);
+    let folder = claim.take()?;
     if folder.is_finished() {
-        tell_again(&folder);
-        return show_again::<MotionRecord>(&mut folder);
+        return show_found::<MotionRecord>(folder);
     }
-    run_and_write(folder, |folder| {
-        folder.write(SUMMARY_FILE, to_json(&record, folder, SUMMARY_FILE)?.as_bytes())?;
-        folder.write(REPORT_FILE, motion_page(&record).as_bytes())?;
-        folder.finish()?;
-        tell(&record, folder)
-    })
+    run_and_write(folder, |folder| write_and_tell(&record, folder))
 }
 
 impl StoredResult for MotionRecord {
-    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
-        read_record(folder)
-    }
-
-    fn page(&self) -> String {
-        motion_page(self)
-    }
-
-    fn text(&self) -> String {
-        motion_text(self)
-    }
+    const PAGE: fn(&Self) -> String = motion_page;
+    const TEXT: fn(&Self) -> String = motion_text;
 }
 
 /// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.

@@ -5,14 +5,13 @@ use loosepin::measured::{MeasuredTable, lay_over};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
-use loosepin::results::{Claim, HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind};
-use loosepin::results::{ResultsFolder, SUMMARY_FILE};
-use loosepin::simulate::record::SimulationRecord;
+use loosepin::results::{HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder};
+use loosepin::simulate::record::{Override, SimulationRecord};
 use loosepin::simulate::{Plan, Settings, columns, history_csv, impacts_csv, simulate};
 use loosepin::units::Dimension;
 
-use super::inputs::{add_model, overrides, read_model};
-use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
+use super::inputs::{add_model, read_model};
+use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
 use crate::arguments::SimulateArguments;
 use crate::ending::{Ending, Failure};
 
@@ -22,13 +21,8 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
     let measured = measured(arguments)?;
-    let claim = Claim {
-        kind: ResultKind::Simulation,
-        name: model.name.clone(),
-        inputs: inputs(&model, arguments, &plan, &measured),
-        place: place(&arguments.output),
-        with_force: arguments.output.force,
-    };
+    let claim =
+        claim(ResultKind::Simulation, &model.name, inputs(&model, arguments, &plan, &measured), &arguments.output);
     // Compiled first, so that a model that cannot run leaves no folder behind.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
     let outputs = columns(&mechanism);
@@ -36,29 +30,16 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
     for table in &measured {
         table.check(&outputs)?;
     }
-    let mut folder = claim.take()?;
+    let folder = claim.take()?;
     if folder.is_finished() {
-        tell_again(&folder);
-        return show_again::<SimulationRecord>(&mut folder);
+        return show_found::<SimulationRecord>(folder);
     }
-    run_and_write(folder, |folder| {
-        let record = simulated(&mechanism, &set, &plan, &measured, folder)?;
-        tell(&record, folder)
-    })
+    run_and_write(folder, |folder| simulated(&mechanism, &set, &plan, &measured, folder))
 }
 
 impl StoredResult for SimulationRecord {
-    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
-        read_record(folder)
-    }
-
-    fn page(&self) -> String {
-        simulation_page(self)
-    }
-
-    fn text(&self) -> String {
-        simulation_text(self)
-    }
+    const PAGE: fn(&Self) -> String = simulation_page;
+    const TEXT: fn(&Self) -> String = simulation_text;
 }
 
 /// Runs the model and writes what came of it.
@@ -68,7 +49,7 @@ fn simulated(
     plan: &Plan,
     measured: &[MeasuredTable],
     folder: &mut ResultsFolder,
-) -> Result<SimulationRecord, Failure> {
+) -> Ending {
     let model = &mechanism.model;
     let mut simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(model))?;
     check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;
@@ -77,10 +58,7 @@ fn simulated(
     }
     folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
     folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
-    folder.write(SUMMARY_FILE, to_json(&simulation.record, folder, SUMMARY_FILE)?.as_bytes())?;
-    folder.write(REPORT_FILE, simulation_page(&simulation.record).as_bytes())?;
-    folder.finish()?;
-    Ok(simulation.record)
+    write_and_tell(&simulation.record, folder)
 }
 
 fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
@@ -94,7 +72,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         settings: Settings { tolerance_m, ..Settings::for_simulation() },
         with_states: arguments.states,
         lyapunov_turns: arguments.lyapunov,
-        overrides: overrides(&arguments.set),
+        overrides: Override::of_settings(&arguments.set),
     })
 }
 

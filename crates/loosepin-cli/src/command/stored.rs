@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use loosepin::results::{Place, REPORT_FILE, ResultsFolder, SUMMARY_FILE};
+use loosepin::results::{Claim, InputsHash, Place, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::store::RunStore;
 use loosepin::study::files;
 use serde::Serialize;
@@ -15,21 +15,11 @@ use crate::ending::{Done, Ending, Failure};
 /// Folder below the present one in which results get a folder of their own.
 const RESULTS_ROOT: &str = "results";
 
-/// Where results are to go.
-pub fn place(output: &OutputArguments) -> Place {
-    match &output.folder {
-        Some(folder) => Place::Folder(folder.clone()),
-        None => Place::Below(PathBuf::from(RESULTS_ROOT)),
-    }
-}
-
-/// Says that a result is there already.
-pub fn tell_again(folder: &ResultsFolder) {
-    console::message(&format!(
-        "{} already holds this {}: the report is written again (--force runs it again)",
-        folder.path().display(),
-        folder.kind().words()
-    ));
+/// The folder that results of `inputs` ask for.
+pub fn claim(kind: ResultKind, name: &str, inputs: InputsHash, output: &OutputArguments) -> Claim {
+    let below = || Place::Below(PathBuf::from(RESULTS_ROOT));
+    let place = output.folder.clone().map_or_else(below, Place::Folder);
+    Claim { kind, name: name.to_owned(), inputs, place, with_force: output.force }
 }
 
 /// Says that finished runs are taken over.
@@ -61,18 +51,21 @@ pub fn to_json<T: Serialize>(record: &T, folder: &ResultsFolder, file_name: &str
 }
 
 /// A result that is stored as `summary.json` and shown from it.
-pub trait StoredResult: Sized {
+pub trait StoredResult: DeserializeOwned {
+    /// Its page.
+    const PAGE: fn(&Self) -> String;
+
+    /// Its tables for a terminal.
+    const TEXT: fn(&Self) -> String;
+
     /// Reads it.
     ///
     /// # Errors
     /// A file that is not there, or that another version wrote.
-    fn read(folder: &ResultsFolder) -> Result<Self, Failure>;
-
-    /// Its page.
-    fn page(&self) -> String;
-
-    /// Its tables for a terminal.
-    fn text(&self) -> String;
+    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
+        let text = folder.read(SUMMARY_FILE)?;
+        serde_json::from_str(&text).map_err(|error| folder.foreign_file(SUMMARY_FILE, error).into())
+    }
 
     /// How a command that shows it ends.
     fn done(&self) -> Done {
@@ -80,25 +73,37 @@ pub trait StoredResult: Sized {
     }
 }
 
+/// Writes the record and its page, the last files of a result, and shows it.
+///
+/// # Errors
+/// A value that has no form in JSON; what the file system refuses.
+pub fn write_and_tell<R: StoredResult + Serialize>(record: &R, folder: &mut ResultsFolder) -> Ending {
+    folder.write(SUMMARY_FILE, to_json(record, folder, SUMMARY_FILE)?.as_bytes())?;
+    folder.write(REPORT_FILE, R::PAGE(record).as_bytes())?;
+    folder.finish()?;
+    tell(record, folder)
+}
+
+/// Says that a result is there already, and shows it.
+pub fn show_found<R: StoredResult>(mut folder: ResultsFolder) -> Ending {
+    console::message(&format!(
+        "{} already holds this {}: the report is written again (--force runs it again)",
+        folder.path().display(),
+        folder.kind().words()
+    ));
+    show_again::<R>(&mut folder)
+}
+
 /// Writes the page again from the stored result, and prints the tables.
 pub fn show_again<R: StoredResult>(folder: &mut ResultsFolder) -> Ending {
     let result = R::read(folder)?;
-    folder.write(REPORT_FILE, result.page().as_bytes())?;
+    folder.write(REPORT_FILE, R::PAGE(&result).as_bytes())?;
     tell(&result, folder)
 }
 
 /// Prints the tables, and says where the page is.
 pub fn tell<R: StoredResult>(result: &R, folder: &ResultsFolder) -> Ending {
-    console::print(&result.text())?;
+    console::print(&R::TEXT(result))?;
     console::message(&format!("report: {}", folder.path().join(REPORT_FILE).display()));
     Ok(result.done())
-}
-
-/// A record from `summary.json`.
-///
-/// # Errors
-/// A file that is not there, or that another version wrote.
-pub fn read_record<T: DeserializeOwned>(folder: &ResultsFolder) -> Result<T, Failure> {
-    let text = folder.read(SUMMARY_FILE)?;
-    serde_json::from_str(&text).map_err(|error| folder.foreign_file(SUMMARY_FILE, error).into())
 }

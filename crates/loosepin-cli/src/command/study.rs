@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::SystemTime;
 
 use loosepin::report::{study_page, study_text};
-use loosepin::results::{Claim, InputsHash, ResultKind, ResultsFolder};
+use loosepin::results::{InputsHash, ResultKind, ResultsFolder};
 use loosepin::store::{Beginning, RunStore, STORE_FILE};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
@@ -15,7 +15,7 @@ use loosepin::study::{
 use super::inputs::read_study;
 use super::shard;
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, place, show_again, tell, tell_again, tell_going_on};
+use super::stored::{StoredResult, claim, show_found, tell, tell_going_on};
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -27,13 +27,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
     // No input of the results: it says only when the study is given up.
     study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
-    let claim = Claim {
-        kind: ResultKind::Study,
-        name: study.name.clone(),
-        inputs,
-        place: place(&arguments.output),
-        with_force: arguments.output.force,
-    };
+    let claim = claim(ResultKind::Study, &study.name, inputs, &arguments.output);
     if let Some(shard) = arguments.shard {
         return shard::run(arguments, shard, &study, claim);
     }
@@ -44,10 +38,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         Begun::Open(folder, store) => (folder, store),
-        Begun::Finished(mut folder) => {
-            tell_again(&folder);
-            return show_again::<StudyResult>(&mut folder);
-        }
+        Begun::Finished(folder) => return show_found::<StudyResult>(folder),
     };
     tell_going_on(&store);
     let threads = threads(arguments.threads);
@@ -95,16 +86,11 @@ pub fn tell_concluded(concluded: Concluded, hint: &str) -> Ending {
 }
 
 impl StoredResult for StudyResult {
+    const PAGE: fn(&Self) -> String = study_page;
+    const TEXT: fn(&Self) -> String = study_text;
+
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
         read_summary(folder.path()).map_err(|error| Failure::of(&error))
-    }
-
-    fn page(&self) -> String {
-        study_page(self)
-    }
-
-    fn text(&self) -> String {
-        study_text(self)
     }
 
     fn done(&self) -> Done {

@@ -3,16 +3,17 @@
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, SettingError, measured_argument};
 use loosepin::report::{sweep_page, sweep_text};
-use loosepin::results::{Claim, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
+use loosepin::results::{InputsHash, InputsHasher, ResultKind};
 use loosepin::simulate::Settings;
+use loosepin::simulate::record::Override;
 use loosepin::study::Progress;
 use loosepin::sweep::record::SweepRecord;
 use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
 use loosepin::units::Dimension;
 
-use super::inputs::{add_model, overrides, read_model};
+use super::inputs::{add_model, read_model};
 use super::signals::stop_on_signals;
-use super::stored::{StoredResult, place, read_record, run_and_write, show_again, tell, tell_again, to_json};
+use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
 use super::threads::threads;
 use crate::arguments::SweepArguments;
 use crate::console;
@@ -24,20 +25,13 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model, &set)?;
-    let claim = Claim {
-        kind: ResultKind::Sweep,
-        name: model.name.clone(),
-        inputs: inputs(arguments, &model, &plan),
-        place: place(&arguments.output),
-        with_force: arguments.output.force,
-    };
+    let claim = claim(ResultKind::Sweep, &model.name, inputs(arguments, &model, &plan), &arguments.output);
     // Compiled in the middle of the range, so that a clearance that begins at zero has play for most values.
     let middle = middle_values(&model, &set, &plan)?;
     let mechanism = Mechanism::new(&set.model, &middle.values).map_err(|error| error.complaint(&model))?;
-    let mut folder = claim.take()?;
+    let folder = claim.take()?;
     if folder.is_finished() {
-        tell_again(&folder);
-        return show_again::<SweepRecord>(&mut folder);
+        return show_found::<SweepRecord>(folder);
     }
     let stop = stop_on_signals("Ctrl-C ends the sweep at once");
     let bar = Bar::new();
@@ -54,25 +48,13 @@ pub fn run(arguments: &SweepArguments) -> Ending {
         let record = outcome.map_err(|error| Failure::of(&error))?;
         folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
         folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
-        folder.write(SUMMARY_FILE, to_json(&record, folder, SUMMARY_FILE)?.as_bytes())?;
-        folder.write(REPORT_FILE, sweep_page(&record).as_bytes())?;
-        folder.finish()?;
-        tell(&record, folder)
+        write_and_tell(&record, folder)
     })
 }
 
 impl StoredResult for SweepRecord {
-    fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
-        read_record(folder)
-    }
-
-    fn page(&self) -> String {
-        sweep_page(self)
-    }
-
-    fn text(&self) -> String {
-        sweep_text(self)
-    }
+    const PAGE: fn(&Self) -> String = sweep_page;
+    const TEXT: fn(&Self) -> String = sweep_text;
 }
 
 fn plan(arguments: &SweepArguments, model: &Model, set: &SetValues) -> Result<SweepPlan, Failure> {
@@ -88,7 +70,7 @@ fn plan(arguments: &SweepArguments, model: &Model, set: &SetValues) -> Result<Sw
         transient_turns: arguments.transient,
         recorded_turns: arguments.turns,
         settings: Settings { tolerance_m, ..Settings::for_study() },
-        overrides: overrides(&arguments.set),
+        overrides: Override::of_settings(&arguments.set),
     })
 }
 
