@@ -3,7 +3,7 @@
 use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
 use super::wording::{counted, deviation_words, place_words, statistic_words};
-use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStop, BudgetRecord, StudyResult};
+use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStop, Budget, StudyResult};
 use loosepin_text::units::format_number;
 
 /// Digits of an error, and of a number of runs that is foreseen.
@@ -34,12 +34,12 @@ fn ending(record: &AccuracyRecord, writer: &NumberWriter) -> String {
     let made =
         format!("{} and {}", counted(u64::from(record.rounds), "round", writer), counted(record.runs, "run", writer));
     let budget = match record.budget {
-        BudgetRecord::Runs { runs } => counted(runs, "run", writer),
-        BudgetRecord::Time { seconds } => {
+        Budget::Runs { runs } => counted(runs, "run", writer),
+        Budget::Time { seconds } => {
             let (value, unit) = if seconds < 60.0 { (seconds, "s") } else { (seconds / 60.0, "min") };
             format!("{}{}{unit}", format_number(value), writer.space())
         }
-        BudgetRecord::Rounds { rounds } => counted(u64::from(rounds), "round", writer),
+        Budget::Rounds { rounds } => counted(u64::from(rounds), "round", writer),
     };
     let whose = if record.is_budget_stated { "the budget" } else { "the usual budget" };
     let missing = record.targets.iter().filter(|target| !target.is_reached()).count();

@@ -13,7 +13,7 @@ const USUAL_NUMBERS: usize = 1 << 27;
 /// growth.
 pub(super) fn budget(study: &Study, stated_runs: usize, row_length: usize) -> Option<Budget> {
     let held = (USUAL_NUMBERS / row_length).max(stated_runs);
-    let usual = || Budget::Runs(stated_runs.saturating_mul(USUAL_GROWTH).min(held) as u64);
+    let usual = || Budget::Runs { runs: stated_runs.saturating_mul(USUAL_GROWTH).min(held) as u64 };
     study.budget.or_else(|| (!study.accuracy.is_empty()).then(usual))
 }
 
@@ -46,13 +46,13 @@ impl Limits {
 
     /// That the budget does not suffice for a first step of `step_runs` runs.
     pub fn too_small(&self, step_runs: usize) -> StudyError {
-        let budget = if let Some(Budget::Runs(runs)) = self.budget { runs } else { 0 };
+        let budget = if let Some(Budget::Runs { runs }) = self.budget { runs } else { 0 };
         StudyError::BudgetTooSmall { budget, least: step_runs + self.reserved }
     }
 
     fn most_of(&self, planned: usize) -> usize {
         match self.budget {
-            Some(Budget::Runs(most)) => usize::try_from(most).unwrap_or(usize::MAX),
+            Some(Budget::Runs { runs }) => usize::try_from(runs).unwrap_or(usize::MAX),
             _ => planned,
         }
     }
@@ -71,8 +71,8 @@ impl Watch {
         let Limits { budget, reserved, .. } = self.limits;
         match budget {
             None => true,
-            Some(Budget::Runs(most)) => (made + next + reserved) as u64 <= most,
-            Some(Budget::Rounds(most)) => steps < most,
+            Some(Budget::Runs { runs }) => (made + next + reserved) as u64 <= runs,
+            Some(Budget::Rounds { rounds }) => steps < rounds,
             Some(Budget::Time { seconds }) => {
                 let elapsed_s = self.began.elapsed().as_secs_f64();
                 made == 0 || elapsed_s * (made + next + reserved) as f64 / made as f64 <= seconds
@@ -91,9 +91,9 @@ mod tests {
 
     #[test]
     fn a_budget_of_runs_counts_what_follows_the_rounds() {
-        let runs = watch(Some(Budget::Runs(1000)));
+        let runs = watch(Some(Budget::Runs { runs: 1000 }));
         assert!(runs.allows(350, 500, 4) && !runs.allows(351, 500, 4));
-        let rounds = watch(Some(Budget::Rounds(5)));
+        let rounds = watch(Some(Budget::Rounds { rounds: 5 }));
         assert!(rounds.allows(9999, 500, 4) && !rounds.allows(1, 500, 5));
         let time = watch(Some(Budget::Time { seconds: 1e-9 }));
         assert!(time.allows(350, 0, 0), "the first round is always made");

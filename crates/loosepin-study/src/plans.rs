@@ -78,7 +78,7 @@ fn check_size(study: &Study, row_length: usize, runs: usize) -> Result<(), Study
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
     let response = StudyResponse::new(study)?;
     let plans = Plans::new(study, &response)?;
-    if matches!(plans.limits.budget, Some(Budget::Runs(_))) {
+    if matches!(plans.limits.budget, Some(Budget::Runs { .. })) {
         let first = match &plans.surrogate {
             Some(surrogate) if plans.is_surrogate_alone => surrogate.most_runs(),
             _ => plans.refinement.plan(&SampleTable::new(response.row_length())).first_round_runs(),

@@ -13,7 +13,7 @@ pub struct AccuracyRecord {
     /// Why the samples grew no further.
     pub stop: AccuracyStop,
     /// What it was to cost at most.
-    pub budget: BudgetRecord,
+    pub budget: Budget,
     /// Whether the budget was stated.
     pub is_budget_stated: bool,
     /// Rounds that were made: with as many as a budget the same runs are made again.
@@ -47,21 +47,21 @@ pub enum AccuracyStop {
     Exhausted,
 }
 
-/// What a study may cost.
+/// When a study ends although its bounds are not yet as near as asked.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
-pub enum BudgetRecord {
-    /// Runs, at most.
+pub enum Budget {
+    /// Before it comes to more runs than this.
     Runs {
         /// How many.
         runs: u64,
     },
-    /// Time, at most.
+    /// Before a round that would end later than this after the beginning.
     Time {
         /// Seconds.
         seconds: f64,
     },
-    /// Rounds.
+    /// After this many rounds: what a study that ended by its time has made.
     Rounds {
         /// How many.
         rounds: u32,

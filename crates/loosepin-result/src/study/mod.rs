@@ -15,7 +15,7 @@ mod verdict;
 
 use serde::{Deserialize, Serialize};
 
-pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BudgetRecord};
+pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, Budget};
 pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
 pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};

@@ -2,10 +2,10 @@
 
 use super::material::{Material, unknown_ends};
 use crate::columns::PlannedAsk;
-use crate::file::{Budget, Where};
+use crate::file::Where;
 use crate::goals::{Ended, targets};
 use loosepin_bounds::{Assessment, Standing, Statistic};
-use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd, BudgetRecord};
+use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd};
 use loosepin_text::units::SiUnit;
 
 /// Errors fall at least with this power of the number of runs where anything is to be foreseen, and at most with the other one.
@@ -16,11 +16,7 @@ const USUAL_PACE: f64 = 0.5;
 
 /// What came of accuracy and budget; nothing where neither was stated.
 pub fn accuracy(material: &Material<'_>, ended: &Ended) -> Option<AccuracyRecord> {
-    let budget = match ended.budget? {
-        Budget::Runs(runs) => BudgetRecord::Runs { runs },
-        Budget::Time { seconds } => BudgetRecord::Time { seconds },
-        Budget::Rounds(rounds) => BudgetRecord::Rounds { rounds },
-    };
+    let budget = ended.budget?;
     let plan = &material.response.shared.plan;
     let outcomes: Vec<AccuracyOutcome> = targets(material.study, plan)
         .filter_map(|(planned, statistic, asked)| outcome(material, planned, statistic, asked, ended))

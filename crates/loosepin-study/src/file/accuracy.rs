@@ -6,8 +6,9 @@ use std::sync::Arc;
 use super::description::{Ask, Study};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use super::target::{AccuracyTarget, Budget};
+use super::target::AccuracyTarget;
 use super::words::{NUMBERS, statistic_name};
+use loosepin_result::study::Budget;
 use loosepin_text::diagnostics::{Code, Complaint, Place, Source, Span, nearest_name, problems};
 use loosepin_text::document::{Entry, Table, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
@@ -236,13 +237,13 @@ fn parse_budget(text: &str) -> Result<Budget, AccuracyProblem> {
     };
     let ending = |words: [&str; 2]| words.into_iter().find_map(|word| trimmed.strip_suffix(word));
     if let Some(number) = ending(["rounds", "round"]) {
-        return counted(number, "rounds", MOST_ROUNDS).map(|rounds| Budget::Rounds(rounds as u32));
+        return counted(number, "rounds", MOST_ROUNDS).map(|rounds| Budget::Rounds { rounds: rounds as u32 });
     }
     if let Some(number) = ending(["runs", "run"]) {
-        return counted(number, "runs", MOST_RUNS).map(Budget::Runs);
+        return counted(number, "runs", MOST_RUNS).map(|runs| Budget::Runs { runs });
     }
     if trimmed.parse::<f64>().is_ok() {
-        return counted(trimmed, "runs", MOST_RUNS).map(Budget::Runs);
+        return counted(trimmed, "runs", MOST_RUNS).map(|runs| Budget::Runs { runs });
     }
     match parse_quantity(trimmed) {
         Ok(measured) if measured.dimension == Dimension::TIME => {
@@ -337,12 +338,12 @@ mod tests {
     #[test]
     fn budgets_are_runs_times_or_rounds() {
         for (text, budget) in [
-            ("20000", Budget::Runs(20_000)),
-            (" 20000runs", Budget::Runs(20_000)),
-            ("2e4 runs ", Budget::Runs(20_000)),
+            ("20000", Budget::Runs { runs: 20_000 }),
+            (" 20000runs", Budget::Runs { runs: 20_000 }),
+            ("2e4 runs ", Budget::Runs { runs: 20_000 }),
             ("30min", Budget::Time { seconds: 1800.0 }),
             ("1.5 h", Budget::Time { seconds: 5400.0 }),
-            ("12 rounds", Budget::Rounds(12)),
+            ("12 rounds", Budget::Rounds { rounds: 12 }),
         ] {
             assert_eq!(parse_budget(text), Ok(budget), "{text}");
         }

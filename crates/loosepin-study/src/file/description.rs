@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::target::{AccuracyTarget, Budget};
+use super::target::AccuracyTarget;
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
-use loosepin_result::study::{Deviation, Reduction};
+use loosepin_result::study::{Budget, Deviation, Reduction};
 use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};

@@ -34,12 +34,12 @@ pub use description::{
     Where,
 };
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
-pub use loosepin_result::study::{Deviation, Reduction};
+pub use loosepin_result::study::{Budget, Deviation, Reduction};
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
-pub use target::{AccuracyTarget, Budget};
+pub use target::AccuracyTarget;
 use words::READINGS;
 pub(super) use words::statistic_name;
 

@@ -1,4 +1,4 @@
-//! Accuracies and budgets as a study states them.
+//! Accuracies as a study states them.
 
 use loosepin_text::units::Dimension;
 
@@ -21,18 +21,4 @@ pub struct AccuracyTarget {
     pub dimension: Dimension,
     /// The most that is allowed, SI, > 0.
     pub most_si: f64,
-}
-
-/// When a study ends although its bounds are not yet as near as asked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Budget {
-    /// Before it comes to more runs than this.
-    Runs(u64),
-    /// Before a round that would end later than this after the beginning.
-    Time {
-        /// Seconds.
-        seconds: f64,
-    },
-    /// After this many rounds: what a study that ended by its time has made.
-    Rounds(u32),
 }

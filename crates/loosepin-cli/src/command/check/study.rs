@@ -57,7 +57,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
     );
     let time = duration(run_s * most_runs as f64 / threads as f64);
     let before = match study.budget {
-        Some(Budget::Time { .. } | Budget::Rounds(_)) if !study.accuracy.is_empty() => " before its samples grow",
+        Some(Budget::Time { .. } | Budget::Rounds { .. }) if !study.accuracy.is_empty() => " before its samples grow",
         _ => "",
     };
     let threads = counted(threads, "thread", "threads");
