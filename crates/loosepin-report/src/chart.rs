@@ -115,6 +115,10 @@ pub(super) struct Entry {
 }
 
 impl Entry {
+    pub fn new(label: impl Into<String>, role: Role, dashed: bool, values: EntryValues) -> Entry {
+        Entry { label: label.into(), role, dashed, values }
+    }
+
     /// A curve of SI values.
     pub fn line(
         label: &str,
@@ -124,7 +128,7 @@ impl Entry {
         unit: &SiUnit,
         writer: &NumberWriter,
     ) -> Entry {
-        Entry { label: label.to_owned(), role, dashed, values: EntryValues::line(&scaled(values_si, unit, writer)) }
+        Entry::new(label, role, dashed, EntryValues::line(&scaled(values_si, unit, writer)))
     }
 }
 
@@ -168,6 +172,32 @@ pub(super) fn scaled(values_si: &[f64], unit: &SiUnit, writer: &NumberWriter) ->
 }
 
 impl Chart {
+    /// Over values in SI, without entries and words.
+    pub fn over(id: String, x_label: &str, x_si: &[f64], x_unit: &SiUnit, writer: &NumberWriter) -> Chart {
+        Chart {
+            id,
+            horizontal: HorizontalAxis::Plain,
+            x_label: x_label.to_owned(),
+            x_symbol: writer.symbol(x_unit),
+            x: rounded(&scaled(x_si, x_unit, writer)),
+            y_label: String::new(),
+            y_symbol: String::new(),
+            y_range: None,
+            entries: Vec::new(),
+            marks: Vec::new(),
+            height: 300,
+            caption: html! {},
+            alternative: String::new(),
+        }
+    }
+
+    /// Over angles of a drive.
+    pub fn over_angle(id: String, drive: &str, angles_rad: &[f64], writer: &NumberWriter) -> Chart {
+        let label = format!("angle of {drive}");
+        let chart = Chart::over(id, &label, angles_rad, &SiUnit::ANGLE, writer);
+        Chart { horizontal: HorizontalAxis::Angle, ..chart }
+    }
+
     /// The figure: canvas, legend with read-out, caption, numbers.
     pub fn figure(mut self) -> Markup {
         self.thin_out();
@@ -286,6 +316,7 @@ fn cell(value: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use loosepin_text::units::DisplayUnits;
 
     #[test]
     fn analytic_a_long_history_keeps_its_peak() {
@@ -294,26 +325,9 @@ mod tests {
         let mut values = vec![0.25; POINTS];
         values[PEAK_AT] = 9.75;
         let x: Vec<f64> = (0..POINTS).map(|point| point as f64).collect();
-        let mut chart = Chart {
-            id: "a".to_owned(),
-            horizontal: HorizontalAxis::Plain,
-            x_label: String::new(),
-            x_symbol: String::new(),
-            x: rounded(&x),
-            y_label: String::new(),
-            y_symbol: String::new(),
-            y_range: None,
-            entries: vec![Entry {
-                label: String::new(),
-                role: Role::First,
-                dashed: false,
-                values: EntryValues::line(&values),
-            }],
-            marks: Vec::new(),
-            height: 1,
-            caption: html! {},
-            alternative: String::new(),
-        };
+        let units = DisplayUnits::default();
+        let mut chart = Chart::over("a".to_owned(), "", &x, &SiUnit::NONE, &NumberWriter::for_page(&units));
+        chart.entries.push(Entry::new("", Role::First, false, EntryValues::line(&values)));
         chart.thin_out();
         assert!(chart.x.len() <= MOST_POINTS + 2, "{} points", chart.x.len());
         let peak = chart.entries[0].values.lists()[0].iter().position(|value| *value == Some(9.75));

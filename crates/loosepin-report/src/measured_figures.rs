@@ -2,44 +2,31 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, Role};
 use super::number::{NumberWriter, Rounding};
-use super::script_data::rounded;
+use super::page::cards;
 use super::wording::count;
 use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
 use loosepin_text::units::SiUnit;
 
 /// The table of residuals, and two charts a curve.
 pub(super) fn measured_figures(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    let rows = record.measured.iter().map(|curve| {
+        [
+            html! { (curve.output) },
+            html! { (curve.file) },
+            html! { (count(curve.at_si.len() as u64, writer)) },
+            html! { (writer.value(curve.rms_si, &curve.unit)) },
+            html! { (writer.value(curve.largest_si, &curve.unit)) },
+            html! { (at_words(curve, record, writer)) },
+        ]
+    });
     html! {
         p {
             "Residual: measured minus computed value at the same time or angle. Computed values are interpolated linearly between \
              the samples."
         }
-        table.cards {
-            thead {
-                tr {
-                    th scope="col" { "Measured" }
-                    th scope="col" { "File" }
-                    th.number scope="col" { "Values" }
-                    th.number scope="col" { "Root mean square" }
-                    th.number scope="col" { "Largest" }
-                    th scope="col" { "At" }
-                }
-            }
-            tbody {
-                @for curve in &record.measured {
-                    tr {
-                        th scope="row" { (curve.output) }
-                        td data-label="File" { (curve.file) }
-                        td.number data-label="Values" { (count(curve.at_si.len() as u64, writer)) }
-                        td.number data-label="Root mean square" { (writer.value(curve.rms_si, &curve.unit)) }
-                        td.number data-label="Largest" { (writer.value(curve.largest_si, &curve.unit)) }
-                        td data-label="At" { (at_words(curve, record, writer)) }
-                    }
-                }
-            }
-        }
+        (cards(["Measured", "File", "#Values", "#Root mean square", "#Largest", "At"], rows))
         @for (index, curve) in record.measured.iter().enumerate() {
             (over(curve, record, index, writer).figure())
             (residual(curve, record, index, writer).figure())
@@ -60,24 +47,11 @@ pub(super) fn at_words(curve: &MeasuredCurve, record: &SimulationRecord, writer:
 
 fn chart(curve: &MeasuredCurve, record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
     let (unit, label) = match curve.abscissa {
-        Abscissa::Time => (SiUnit::TIME, "time".to_owned()),
-        Abscissa::DriveAngle => (SiUnit::ANGLE, record.settings.drive.clone()),
+        Abscissa::Time => (SiUnit::TIME, "time"),
+        Abscissa::DriveAngle => (SiUnit::ANGLE, record.settings.drive.as_str()),
     };
-    Chart {
-        id,
-        horizontal: HorizontalAxis::Plain,
-        x_label: label,
-        x_symbol: writer.symbol(&unit),
-        x: rounded(&scaled(&curve.at_si, &unit, writer)),
-        y_label: curve.output.clone(),
-        y_symbol: writer.symbol(&curve.unit),
-        y_range: None,
-        entries: Vec::new(),
-        marks: Vec::new(),
-        height: 300,
-        caption: html! {},
-        alternative: String::new(),
-    }
+    let chart = Chart::over(id, label, &curve.at_si, &unit, writer);
+    Chart { y_label: curve.output.clone(), y_symbol: writer.symbol(&curve.unit), ..chart }
 }
 
 fn over(curve: &MeasuredCurve, record: &SimulationRecord, index: usize, writer: &NumberWriter) -> Chart {

@@ -2,9 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, EntryValues, Role};
 use super::number::{NumberWriter, Rounding};
-use super::script_data::rounded;
 use super::still_figures::journal_sections;
 use super::wording::counted;
 use loosepin_result::simulation::{
@@ -84,24 +83,13 @@ fn output_chart(output: &SectionedOutput, index: usize, writer: &NumberWriter) -
     let turns: Vec<f64> = (1..=output.deviation_si.len()).map(|turn| turn as f64).collect();
     let label = format!("deviation of {}", output.name);
     Chart {
-        id: format!("section-{index}"),
-        horizontal: HorizontalAxis::Plain,
-        x_label: "turn".to_owned(),
-        x_symbol: String::new(),
-        x: rounded(&turns),
         y_label: label.clone(),
         y_symbol: writer.symbol(&output.unit),
-        y_range: None,
-        entries: vec![Entry {
-            label: "at the end of the turn".to_owned(),
-            role: Role::Mixed,
-            dashed: false,
-            values: EntryValues::line(&scaled(&output.deviation_si, &output.unit, writer)),
-        }],
-        marks: Vec::new(),
+        entries: vec![Entry::line("at the end of the turn", Role::Mixed, false, &output.deviation_si, &output.unit, writer)],
         height: 200,
         caption: html! { strong { "Deviation of " (output.name) " once a turn." } " The line is level if the motion repeats every turn." },
         alternative: format!("Chart of the {label} at the end of each turn."),
+        ..Chart::over(format!("section-{index}"), "turn", &turns, &SiUnit::NONE, writer)
     }
     .figure()
 }
@@ -117,23 +105,12 @@ fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
     let turns: Vec<f64> = (0..total.len()).map(|turn| turn as f64).collect();
     let mean = found.growth_per_turn() / std::f64::consts::LN_10;
     let even: Vec<f64> = turns.iter().map(|turn| turn * mean).collect();
-    let entry = |label: &str, role, dashed, values: &[f64]| Entry {
-        label: label.to_owned(),
-        role,
-        dashed,
-        values: EntryValues::line(values),
-    };
     Chart {
-        id: "lyapunov".to_owned(),
-        horizontal: HorizontalAxis::Plain,
-        x_label: "turn".to_owned(),
-        x_symbol: String::new(),
-        x: rounded(&turns),
         y_label: "powers of ten".to_owned(),
-        y_symbol: String::new(),
-        y_range: None,
-        entries: vec![entry("growth of the distance", Role::First, false, &total), entry("mean growth", Role::Worst, true, &even)],
-        marks: Vec::new(),
+        entries: vec![
+            Entry::new("growth of the distance", Role::First, false, EntryValues::line(&total)),
+            Entry::new("mean growth", Role::Worst, true, EntryValues::line(&even)),
+        ],
         height: 260,
         caption: html! {
             strong { "Growth of a small difference, in powers of ten." }
@@ -144,6 +121,7 @@ fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
             (writer.rounded(found.standard_error_1_s, &SiUnit::NONE, 2, Rounding::Up)) " 1/s, from 20 batches of turns."
         },
         alternative: "Chart of the growth of a small difference over the turns, in powers of ten.".to_owned(),
+        ..Chart::over("lyapunov".to_owned(), "turn", &turns, &SiUnit::NONE, writer)
     }
     .figure()
 }

@@ -2,11 +2,10 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use super::page::{Page, Section, facts, sentences};
-use super::script_data::rounded;
+use super::page::{Page, Section, cards, facts, sentences};
 use super::still_figures::percent_of;
 use super::wording::named_words;
 use loosepin_result::motion::{MotionRecord, OutputMotion};
@@ -116,21 +115,7 @@ pub(super) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
 }
 
 fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Chart {
-    Chart {
-        id,
-        horizontal: HorizontalAxis::Angle,
-        x_label: format!("angle of {}", record.drive),
-        x_symbol: writer.symbol(&SiUnit::ANGLE),
-        x: rounded(&scaled(&record.drive_angle_rad, &SiUnit::ANGLE, writer)),
-        y_label: String::new(),
-        y_symbol: String::new(),
-        y_range: None,
-        entries: Vec::new(),
-        marks: Vec::new(),
-        height: 300,
-        caption: html! {},
-        alternative: String::new(),
-    }
+    Chart::over_angle(id, &record.drive, &record.drive_angle_rad, writer)
 }
 
 fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
@@ -158,7 +143,7 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
         let upper = scaled(values_si, &output.unit, writer);
         let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
         let values = if filled { EntryValues::band(&lower, &upper) } else { EntryValues::pair(&lower, &upper) };
-        chart.entries.push(Entry { label: label.to_owned(), role, dashed: !filled, values });
+        chart.entries.push(Entry::new(label, role, !filled, values));
     };
     let answer = &output.clearance;
     band("worst case", Role::Mixed, true, &answer.worst_case_si);
@@ -200,31 +185,18 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
         .map(|joint| (joint.worst_case_si.get(pose).copied().unwrap_or(0.0), joint))
         .collect();
     joints.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let rows = joints.into_iter().map(|(part_si, joint)| {
+        [
+            html! { (joint.joint) },
+            html! { (writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH)) },
+            html! { (writer.value(part_si, &output.unit)) },
+            share_bar(part_si, worst_si, writer),
+        ]
+    });
     html! {
         figure.treatments {
             h3 { (named_words(&output.name, &output.words)) }
-            table.cards {
-                thead {
-                    tr {
-                        th scope="col" { "Joint" }
-                        th.number scope="col" { "Radial clearance" }
-                        th.number scope="col" { "Part of the worst case" }
-                        th scope="col" { "Share" }
-                    }
-                }
-                tbody {
-                    @for (part_si, joint) in &joints {
-                        tr {
-                            th scope="row" { (joint.joint) }
-                            td.number data-label="Radial clearance" {
-                                (writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH))
-                            }
-                            td.number data-label="Part of the worst case" { (writer.value(*part_si, &output.unit)) }
-                            td data-label="Share" { (share_bar(*part_si, worst_si, writer)) }
-                        }
-                    }
-                }
-            }
+            (cards(["Joint", "#Radial clearance", "#Part of the worst case", "Share"], rows))
             figcaption {
                 "Shares of the worst case at " (writer.rounded(worst_angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest))
                 ", where it is largest."
@@ -251,12 +223,8 @@ fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, wri
     chart.y_symbol = writer.symbol(&output.unit);
     let upper = scaled(&output.dimensional_standard_deviation_si, &output.unit, writer);
     let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
-    chart.entries.push(Entry {
-        label: "± standard deviation of the dimensions".to_owned(),
-        role: Role::Random,
-        dashed: false,
-        values: EntryValues::band(&lower, &upper),
-    });
+    let values = EntryValues::band(&lower, &upper);
+    chart.entries.push(Entry::new("± standard deviation of the dimensions", Role::Random, false, values));
     let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
     let words = format!(
         "at most {}, at {}",
@@ -280,23 +248,8 @@ fn scatter_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWr
         .map(|dimension| (largest(record, &dimension.standard_deviation_si).1, dimension.path.as_str()))
         .collect();
     dimensions.sort_by(|a, b| b.0.total_cmp(&a.0));
-    html! {
-        table.cards {
-            thead {
-                tr { th scope="col" { "Dimension" } th.number scope="col" { "Largest standard deviation" } }
-            }
-            tbody {
-                @for (deviation_si, path) in &dimensions {
-                    tr {
-                        th scope="row" { code { (path) } }
-                        td.number data-label="Largest standard deviation" {
-                            (writer.value(*deviation_si, &output.unit))
-                        }
-                    }
-                }
-            }
-        }
-    }
+    let row = |(deviation_si, path)| [html! { code { (path) } }, html! { (writer.value(deviation_si, &output.unit)) }];
+    cards(["Dimension", "#Largest standard deviation"], dimensions.into_iter().map(row))
 }
 
 fn share_bar(part_si: f64, whole_si: f64, writer: &NumberWriter) -> Markup {
@@ -340,12 +293,7 @@ fn motion_chart(
     chart.height = 220;
     chart.y_label = format!("{what} of {}", output.name);
     chart.y_symbol = writer.symbol(&unit);
-    chart.entries.push(Entry {
-        label: format!("ideal {what}"),
-        role: Role::First,
-        dashed: false,
-        values: EntryValues::line(&scaled(values_si, &unit, writer)),
-    });
+    chart.entries.push(Entry::line(&format!("ideal {what}"), Role::First, false, values_si, &unit, writer));
     let ends = |values: &[f64]| {
         (values.iter().copied().fold(f64::INFINITY, f64::min), values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
     };

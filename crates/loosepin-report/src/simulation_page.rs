@@ -3,13 +3,12 @@
 use maud::{Markup, html};
 
 use super::answer::{turn_word, turns};
-use super::chart::{Chart, Entry, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, Role};
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use super::page::{Page, Section, facts, sentences};
-use super::script_data::rounded;
+use super::page::{Page, Section, cards, facts, sentences};
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed, named_words};
 use loosepin_result::simulation::{
@@ -212,21 +211,7 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
 
 /// A chart over time with the angle of the drive in the caption.
 fn time_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
-    Chart {
-        id,
-        horizontal: HorizontalAxis::Plain,
-        x_label: "time".to_owned(),
-        x_symbol: writer.symbol(&SiUnit::TIME),
-        x: rounded(&scaled(&record.time_s, &SiUnit::TIME, writer)),
-        y_label: String::new(),
-        y_symbol: String::new(),
-        y_range: None,
-        entries: Vec::new(),
-        marks: Vec::new(),
-        height: 300,
-        caption: html! {},
-        alternative: String::new(),
-    }
+    Chart::over(id, "time", &record.time_s, &SiUnit::TIME, writer)
 }
 
 fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
@@ -293,20 +278,11 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     };
     html! {
         p { "Extremes of the continuous motion, also between the samples." }
-        table.cards {
-            thead {
-                tr { th scope="col" { "Quantity" } th.number scope="col" { "Smallest" } th.number scope="col" { "Largest" } }
-            }
-            tbody {
-                @for extreme in &record.extremes {
-                    tr {
-                        th scope="row" { (extreme.name) }
-                        td.number data-label="Smallest" { (point(&extreme.minimum, &extreme.unit)) }
-                        td.number data-label="Largest" { (point(&extreme.maximum, &extreme.unit)) }
-                    }
-                }
-            }
-        }
+        (cards(["Quantity", "#Smallest", "#Largest"], record.extremes.iter().map(|extreme| [
+            html! { (extreme.name) },
+            point(&extreme.minimum, &extreme.unit),
+            point(&extreme.maximum, &extreme.unit),
+        ])))
     }
 }
 
@@ -454,19 +430,26 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
             },
         ));
     }
-    if let Some(share) = joint.share_outside_validity {
-        rows.push((
-            "Outside the law's validity".to_owned(),
-            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law is valid for" },
-        ));
-    }
-    if joint.floored_contacts > 0 {
-        rows.push((
-            "Very slow contacts".to_owned(),
-            html! { (count(joint.floored_contacts, writer)) " computed with the smallest impact speed of the law" },
-        ));
-    }
+    rows.extend(speed_facts(joint.share_outside_validity, joint.floored_contacts, writer));
     rows
+}
+
+/// Impacts faster than the contact law is valid for, and contacts slower than it can be computed with.
+pub(super) fn speed_facts(
+    share_outside_validity: Option<f64>,
+    floored_contacts: u64,
+    writer: &NumberWriter,
+) -> impl Iterator<Item = (String, Markup)> {
+    let outside = share_outside_validity.map(|share| {
+        let share = writer.percent(share, Rounding::Up);
+        let words = html! { (share) " of the impacts are faster than the contact law is valid for" };
+        ("Outside the law's validity".to_owned(), words)
+    });
+    let slow = (floored_contacts > 0).then(|| {
+        let words = html! { (count(floored_contacts, writer)) " computed with the smallest impact speed of the law" };
+        ("Very slow contacts".to_owned(), words)
+    });
+    outside.into_iter().chain(slow)
 }
 
 fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {

@@ -17,65 +17,61 @@ const ORBIT_POINTS: usize = 3000;
 /// Path of a journal inside the circle of its clearance.
 pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Markup {
     let clearance = writer.value_trimmed(orbit.radial_clearance_m, &SiUnit::LENGTH);
-    let scale = if orbit.radial_clearance_m > 0.0 { ORBIT_RADIUS / orbit.radial_clearance_m } else { 0.0 };
     let radii = || orbit.x_m.iter().zip(&orbit.y_m).map(|(x_m, y_m)| x_m.hypot(*y_m));
     let farthest_m = radii().fold(0.0, f64::max);
     let on_rim = radii().filter(|radius_m| *radius_m >= 0.999 * orbit.radial_clearance_m).count();
     let rim_share = on_rim as f64 / orbit.x_m.len().max(1) as f64;
     let farthest = writer.value_trimmed(farthest_m, &SiUnit::LENGTH);
     let rim = writer.percent(rim_share, Rounding::Nearest);
-    let step = orbit.x_m.len().div_ceil(ORBIT_POINTS).max(1);
     let mut path = String::new();
-    for (x_m, y_m) in orbit.x_m.iter().zip(&orbit.y_m).step_by(step).filter(|(x, y)| (**x + **y).is_finite()) {
-        let command = if path.is_empty() { 'M' } else { 'L' };
-        path.push_str(&format!("{command}{:.0} {:.0}", x_m * scale, y_m * scale));
+    for place in places(orbit) {
+        path.push_str(&format!("{}{place}", if path.is_empty() { 'M' } else { 'L' }));
     }
-    let view = format!("{} {} {} {}", -ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE);
     let title = if orbit.label.is_empty() { orbit.joint.clone() } else { format!("{}, {}", orbit.joint, orbit.label) };
-    html! {
-        figure.orbit {
-            svg viewBox=(view) role="img" aria-label=(format!(
-                "Path of the journal of {title}: within {farthest} of the bearing's centre, clearance {clearance}."
-            )) {
-                g transform="scale(1 -1)" {
-                    line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
-                    line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
-                    circle.clearance r=(ORBIT_RADIUS) {}
-                    path.track d=(path) {}
-                }
-            }
-            figcaption {
-                strong { (title) } ". Circle: radial clearance " (clearance) ". On the rim in " (rim)
-                " of the samples; farthest " (farthest) " from the centre."
-            }
-        }
-    }
+    in_circle(
+        &format!("Path of the journal of {title}: within {farthest} of the bearing's centre, clearance {clearance}."),
+        html! { path.track d=(path) {} },
+        html! {
+            strong { (title) } ". Circle: radial clearance " (clearance) ". On the rim in " (rim)
+            " of the samples; farthest " (farthest) " from the centre."
+        },
+    )
 }
 
 /// A journal once a turn, inside the circle of its clearance: a dot for each turn.
 pub(super) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) -> Markup {
     let clearance = writer.value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
+    let (joint, turns) = (&journal.joint, journal.x_m.len());
+    let dots: String = places(journal).map(|place| format!("M{place}h0")).collect();
+    in_circle(
+        &format!("The journal of {joint} once a turn, {turns} turns: dots in the circle of the clearance {clearance}."),
+        html! { path.dots d=(dots) {} },
+        html! { strong { (joint) ", once a turn" } ". Circle: radial clearance " (clearance) ". " (turns) " turns." },
+    )
+}
+
+/// Where a journal was, in units of the picture.
+fn places(journal: &JournalOrbit) -> impl Iterator<Item = String> {
     let scale = if journal.radial_clearance_m > 0.0 { ORBIT_RADIUS / journal.radial_clearance_m } else { 0.0 };
     let step = journal.x_m.len().div_ceil(ORBIT_POINTS).max(1);
-    let mut dots = String::new();
-    for (x_m, y_m) in journal.x_m.iter().zip(&journal.y_m).step_by(step).filter(|(x, y)| (**x + **y).is_finite()) {
-        dots.push_str(&format!("M{:.0} {:.0}h0", x_m * scale, y_m * scale));
-    }
+    let finite = journal.x_m.iter().zip(&journal.y_m).step_by(step).filter(|(x, y)| (**x + **y).is_finite());
+    finite.map(move |(x_m, y_m)| format!("{:.0} {:.0}", x_m * scale, y_m * scale))
+}
+
+/// The circle of a clearance with what is drawn in it.
+fn in_circle(alternative: &str, drawn: Markup, caption: Markup) -> Markup {
     let view = format!("{} {} {} {}", -ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE);
-    let turns = journal.x_m.len();
     html! {
         figure.orbit {
-            svg viewBox=(view) role="img" aria-label=(format!(
-                "The journal of {} once a turn, {turns} turns: dots in the circle of the clearance {clearance}.", journal.joint
-            )) {
+            svg viewBox=(view) role="img" aria-label=(alternative) {
                 g transform="scale(1 -1)" {
                     line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
                     line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
                     circle.clearance r=(ORBIT_RADIUS) {}
-                    path.dots d=(dots) {}
+                    (drawn)
                 }
             }
-            figcaption { strong { (journal.joint) ", once a turn" } ". Circle: radial clearance " (clearance) ". " (turns) " turns." }
+            figcaption { (caption) }
         }
     }
 }

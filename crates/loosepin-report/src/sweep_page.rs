@@ -2,10 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use super::chart::{Chart, Entry, Role};
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section, facts, sentences};
-use super::script_data::rounded;
 use super::section_figure::section_figure;
 use super::wording::{capitalised, counted};
 use loosepin_result::simulation::REPEAT_SHARE;
@@ -151,12 +150,7 @@ fn joint_chart(
     let entries = record.joints.iter().enumerate().map(|(index, joint)| {
         let of_joint: Vec<f64> =
             record.points.iter().map(|point| point.joints.get(index).map_or(f64::NAN, &read)).collect();
-        Entry {
-            label: joint.clone(),
-            role: Role::of_index(index),
-            dashed: false,
-            values: EntryValues::line(&scaled(&of_joint, unit, writer)),
-        }
+        Entry::line(joint, Role::of_index(index), false, &of_joint, unit, writer)
     });
     let all = record.points.iter().flat_map(|point| point.joints.iter().map(&read));
     let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
@@ -170,19 +164,13 @@ fn joint_chart(
         "not computed".to_owned()
     };
     Chart {
-        id: id.to_owned(),
-        horizontal: HorizontalAxis::Plain,
-        x_label: record.path.clone(),
-        x_symbol: writer.symbol(&record.unit),
-        x: rounded(&scaled(&values_si, &record.unit, writer)),
         y_label: what.to_owned(),
         y_symbol: writer.symbol(unit),
-        y_range: None,
         entries: entries.collect(),
-        marks: Vec::new(),
         height: 240,
         caption: html! { strong { (capitalised(what)) } ": " (range) "." },
         alternative: format!("Chart of {what} over {}: {range}.", record.path),
+        ..Chart::over(id.to_owned(), &record.path, &values_si, &record.unit, writer)
     }
     .figure()
 }

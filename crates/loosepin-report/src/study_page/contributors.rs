@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use crate::number::{NumberWriter, Rounding, plain_name};
+use crate::page::cards;
 use crate::still_figures::percent_of;
 use crate::wording::response_words;
 use loosepin_result::study::{Contributors, ShareRange, StudyResult};
@@ -19,42 +20,33 @@ pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Marku
 }
 
 fn figure(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Markup {
+    let random = one.random.iter().map(|input| {
+        [
+            html! { (names(&input.paths, result)) },
+            bar("probability", [input.band_share; 2], writer),
+            html! { (share(&input.first, writer)) },
+            html! { (share(&input.total, writer)) },
+            html! { (known(input.quasi_static_share, writer)) },
+        ]
+    });
+    let epistemic = one.epistemic.iter().map(|input| {
+        [
+            html! { (plain_name(&input.path, &result.inputs)) },
+            bar("mixed", input.band_share, writer),
+            html! { "–" },
+            html! { "–" },
+            html! { (known(input.quasi_static_share, writer)) },
+        ]
+    });
     html! {
         figure.treatments {
             h3 {
                 (response_words(result, (&one.output, one.of, one.at), writer))
             }
-            table.cards {
-                thead {
-                    tr {
-                        th scope="col" { "Input" }
-                        th scope="col" { "Band narrower by" }
-                        th.number scope="col" { "Sobol' index, first order" }
-                        th.number scope="col" { "Sobol' index, total" }
-                        th.number scope="col" { "Quasi-static share" }
-                    }
-                }
-                tbody {
-                    @for input in &one.random {
-                        tr {
-                            th scope="row" { (names(&input.paths, result)) }
-                            td data-label="Band narrower by" { (bar("probability", [input.band_share; 2], writer)) }
-                            td.number data-label="Sobol' index, first order" { (share(&input.first, writer)) }
-                            td.number data-label="Sobol' index, total" { (share(&input.total, writer)) }
-                            td.number data-label="Quasi-static share" { (known(input.quasi_static_share, writer)) }
-                        }
-                    }
-                    @for input in &one.epistemic {
-                        tr {
-                            th scope="row" { (plain_name(&input.path, &result.inputs)) }
-                            td data-label="Band narrower by" { (bar("mixed", input.band_share, writer)) }
-                            td.number data-label="Sobol' index, first order" { "–" }
-                            td.number data-label="Sobol' index, total" { "–" }
-                            td.number data-label="Quasi-static share" { (known(input.quasi_static_share, writer)) }
-                        }
-                    }
-                }
-            }
+            (cards(
+                ["Input", "Band narrower by", "#Sobol' index, first order", "#Sobol' index, total", "#Quasi-static share"],
+                random.chain(epistemic),
+            ))
             figcaption { (caption(one, writer)) }
         }
     }

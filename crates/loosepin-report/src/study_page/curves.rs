@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use crate::answer::limits_words;
-use crate::chart::{Chart, Entry, EntryValues, HorizontalAxis, Mark, Role, scaled};
+use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::number::{NumberWriter, Rounding, significant};
-use crate::script_data::{round_to_digits, rounded};
+use crate::script_data::round_to_digits;
 use crate::wording::{capitalised, deviation_words, output_words, place_words};
 use loosepin_result::study::{
     BoundRecord, CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve,
@@ -27,9 +27,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         (scaled(&range.lower_si, &curve.unit, writer), scaled(&range.upper_si, &curve.unit, writer))
     };
     let mut entries = Vec::new();
-    let mut add = |label: String, role: Role, dashed: bool, values: EntryValues| {
-        entries.push(Entry { label, role, dashed, values });
-    };
+    let mut add = |label: String, role, dashed, values| entries.push(Entry::new(label, role, dashed, values));
     if !curve.mixed.lower_si.is_empty() {
         let (lower, upper) = range(&curve.mixed);
         let label = format!("{share}, all unknown values");
@@ -62,16 +60,9 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         writer.rounded(worst, &curve.unit, 2, Rounding::Up)
     );
     Chart {
-        id: format!("deviation-{index}"),
-        horizontal: HorizontalAxis::Angle,
-        x_label: format!("angle of {}", result.cycle.drive),
-        x_symbol: writer.symbol(&SiUnit::ANGLE),
-        x: rounded(&scaled(&curve.pose_rad, &SiUnit::ANGLE, writer)),
         y_label: format!("{} of {}", deviation_words(curve.of), curve.output),
         y_symbol: writer.symbol(&curve.unit),
-        y_range: None,
         entries,
-        marks: Vec::new(),
         height: 380,
         caption: html! {
             strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
@@ -92,6 +83,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             subject,
             result.cycle.drive
         ),
+        ..Chart::over_angle(format!("deviation-{index}"), &result.cycle.drive, &curve.pose_rad, writer)
     }
 }
 
@@ -155,19 +147,11 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         output_words(&pbox.output, &result.outputs),
         place_words(pbox.at, writer)
     );
-    let mut entries = vec![Entry {
-        label: "bounds of the share".to_owned(),
-        role: Role::Mixed,
-        dashed: false,
-        values: EntryValues::band(&percent(&pbox.lower), &percent(&pbox.upper)),
-    }];
+    let values = EntryValues::band(&percent(&pbox.lower), &percent(&pbox.upper));
+    let mut entries = vec![Entry::new("bounds of the share", Role::Mixed, false, values)];
     if !pbox.probability_only.is_empty() {
-        entries.push(Entry {
-            label: "probability only".to_owned(),
-            role: Role::Probability,
-            dashed: true,
-            values: EntryValues::line(&percent(&pbox.probability_only)),
-        });
+        let values = EntryValues::line(&percent(&pbox.probability_only));
+        entries.push(Entry::new("probability only", Role::Probability, true, values));
     }
     let marks: Vec<Mark> = pbox
         .limit_si
@@ -190,12 +174,8 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         ),
         _ => String::new(),
     };
+    let x_label = format!("{} of {}", deviation_words(pbox.of), pbox.output);
     Chart {
-        id: format!("box-{index}"),
-        horizontal: HorizontalAxis::Plain,
-        x_label: format!("{} of {}", deviation_words(pbox.of), pbox.output),
-        x_symbol: writer.symbol(&pbox.unit),
-        x: rounded(&scaled(&pbox.value_si, &pbox.unit, writer)),
         y_label: "share of mechanisms below".to_owned(),
         y_symbol: "%".to_owned(),
         y_range: Some([0.0, 100.0]),
@@ -207,6 +187,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
             " Sampling error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
+        ..Chart::over(format!("box-{index}"), &x_label, &pbox.value_si, &pbox.unit, writer)
     }
 }
 

@@ -5,7 +5,8 @@ use maud::{Markup, html};
 use crate::answer::{turn_word, turns};
 use crate::glossary::glossary;
 use crate::number::{NumberWriter, Rounding};
-use crate::page::facts;
+use crate::page::{cards, facts};
+use crate::simulation_page::speed_facts;
 use crate::still_figures::histogram_figure;
 use crate::wording::{
     count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
@@ -38,20 +39,11 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
             }
         }
         @if !result.failures.is_empty() {
-            table.cards {
-                thead { tr { th scope="col" { "Reason" } th.number scope="col" { "Runs" } th scope="col" { "Example" } } }
-                tbody {
-                    @for failure in &result.failures {
-                        tr {
-                            th scope="row" { (failure.words) br; code.quiet { (failure.code) } }
-                            td.number data-label="Runs" { (count(failure.count, writer)) }
-                            td data-label="Example" {
-                                "run " (failure.example.index) ":" pre { code { (failure.example.command) } }
-                            }
-                        }
-                    }
-                }
-            }
+            (cards(["Reason", "#Runs", "Example"], result.failures.iter().map(|failure| [
+                html! { (failure.words) br; code.quiet { (failure.code) } },
+                html! { (count(failure.count, writer)) },
+                html! { "run " (failure.example.index) ":" pre { code { (failure.example.command) } } },
+            ])))
         }
         @for joint in &result.impacts { (impacts(joint, turn_word(result.cycle.drive_speed_rad_s), writer)) }
     }
@@ -77,18 +69,7 @@ fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
             },
         ));
     }
-    if let Some(share) = joint.share_outside_validity {
-        rows.push((
-            "Outside the law's validity".to_owned(),
-            html! { (writer.percent(share, Rounding::Up)) " of the impacts are faster than the contact law is valid for" },
-        ));
-    }
-    if joint.floored_contacts > 0 {
-        rows.push((
-            "Very slow contacts".to_owned(),
-            html! { (count(joint.floored_contacts, writer)) " computed with the smallest impact speed of the law" },
-        ));
-    }
+    rows.extend(speed_facts(joint.share_outside_validity, joint.floored_contacts, writer));
     html! { h3 { "Impacts in " (joint.joint) } (facts(&rows)) }
 }
 
@@ -130,18 +111,11 @@ pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup 
 pub(super) fn method(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         h3 { "Uncertain inputs" }
-        table.cards {
-            thead { tr { th scope="col" { "Input" } th scope="col" { "Kind" } th scope="col" { "Range or distribution" } } }
-            tbody {
-                @for input in &result.inputs {
-                    tr {
-                        th scope="row" { code { (input.path) } }
-                        td data-label="Kind" { (kind_words(&input.kind)) }
-                        td data-label="Range or distribution" { (input.words) }
-                    }
-                }
-            }
-        }
+        (cards(["Input", "Kind", "Range or distribution"], result.inputs.iter().map(|input| [
+            html! { code { (input.path) } },
+            html! { (kind_words(&input.kind)) },
+            html! { (input.words) },
+        ])))
         @if !result.correlations.is_empty() {
             p {
                 "Correlations (Gaussian copula): "

@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use crate::answer::output_unit;
-use crate::chart::{Chart, Entry, EntryValues, HorizontalAxis, Role, scaled};
+use crate::chart::{Chart, Entry, Role};
 use crate::number::NumberWriter;
-use crate::script_data::rounded;
+use crate::page::cards;
 use crate::surrogate_figure::surrogate_figure;
 use crate::surrogate_text::{
     MOST_ROWS, direct_bound, output_sentences, range_words, runs_sentence, single_bounds, surrogate_error,
@@ -15,7 +15,6 @@ use crate::wording::{deviation_words, output_words, response_words, statistic_wo
 use loosepin_result::study::{
     BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentComparison,
 };
-use loosepin_text::units::SiUnit;
 
 pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: &NumberWriter) -> Markup {
     let shown = single_bounds(record);
@@ -77,32 +76,13 @@ fn bounds(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -
 
 /// The three treatments of a number, directly and by the surrogate.
 fn treatments(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
-    let [treatment, direct, learned, error, share] =
-        ["Treatment", "Direct", "By surrogate", "± surrogate", "Share inside"];
+    let rows = treatment_rows(result, comparison, writer).into_iter();
     html! {
         h3 { (response_words(result, (&comparison.output, comparison.of, comparison.at), writer)) }
-        table.cards {
-            thead {
-                tr {
-                    th scope="col" { (treatment) }
-                    th.number scope="col" { (direct) }
-                    th.number scope="col" { (learned) }
-                    th.number scope="col" { (error) }
-                    th scope="col" { (share) }
-                }
-            }
-            tbody {
-                @for [name, of_direct, of_learned, of_error, of_share] in treatment_rows(result, comparison, writer) {
-                    tr {
-                        th scope="row" { (name) }
-                        td.number data-label=(direct) { (of_direct) }
-                        td.number data-label=(learned) { (of_learned) }
-                        td.number data-label=(error) { (of_error) }
-                        td data-label=(share) { (of_share) }
-                    }
-                }
-            }
-        }
+        (cards(
+            ["Treatment", "#Direct", "#By surrogate", "#± surrogate", "Share inside"],
+            rows.map(|row| row.map(|text| html! { (text) })),
+        ))
     }
 }
 
@@ -115,24 +95,17 @@ fn along_chart(
     writer: &NumberWriter,
 ) -> Markup {
     let name = output_words(&output.output, &result.outputs);
-    let values = EntryValues::line(&scaled(&along.held_out_si, &output.unit, writer));
     Chart {
-        id: format!("held-out-{index}"),
-        horizontal: HorizontalAxis::Angle,
-        x_label: format!("angle of {}", result.cycle.drive),
-        x_symbol: writer.symbol(&SiUnit::ANGLE),
-        x: rounded(&scaled(&along.pose_rad, &SiUnit::ANGLE, writer)),
         y_label: format!("held-out error of {}", output.output),
         y_symbol: writer.symbol(&output.unit),
-        y_range: None,
-        entries: vec![Entry { label: "held-out error".to_owned(), role: Role::Worst, dashed: false, values }],
-        marks: Vec::new(),
+        entries: vec![Entry::line("held-out error", Role::Worst, false, &along.held_out_si, &output.unit, writer)],
         height: 220,
         caption: html! {
             strong { (name) ", " (deviation_words(output.of)) ": error of the surrogate at runs that were not used for training." }
             " Root mean square at each angle."
         },
         alternative: format!("Held-out error of the surrogate of {name} over the cycle."),
+        ..Chart::over_angle(format!("held-out-{index}"), &result.cycle.drive, &along.pose_rad, writer)
     }
     .figure()
 }
