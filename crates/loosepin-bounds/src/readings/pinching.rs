@@ -116,7 +116,7 @@ impl Experiment<'_> {
     }
 
     /// The furthest that the models of a quantile expect it to go, in the combinations that `holds` allows and where one axis is
-    /// `fixed` only there.
+    /// `fixed` only there. Where failed runs leave the quantile undefined, it takes no part.
     fn extreme(
         &self,
         (target, branches): &(&Target, Vec<Branch<'_>>),
@@ -132,7 +132,8 @@ impl Experiment<'_> {
         };
         for (combination, branch) in branches.iter().enumerate().filter(|(combination, _)| holds(*combination)) {
             if self.setup.has_no_box() {
-                branch.points.iter().for_each(|&point| take(target.values[point], 0.0));
+                let values = branch.points.iter().map(|&point| target.values[point]);
+                values.filter(|value| value.is_finite()).for_each(|value| take(value, 0.0));
                 continue;
             }
             let own = self.places.iter().filter(|place| place.combination == combination).map(|place| &place.at);
@@ -171,6 +172,7 @@ fn mean(values: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use crate::cases::exact::{STANDARD_NORMAL, problem};
     use crate::{DoubleLoop, Failure, Problem, Request, Response, SampleTable, Sampling, Statistic, execute};
     use loosepin_uncertainty::{
         Distribution, EpistemicVariable, Evidence, FocalElement, FuzzyNumber, Interval, Members, RandomVariable,
@@ -242,6 +244,41 @@ mod tests {
                 assert!((remaining - (width - gone)).abs() < TOLERANCE * width, "{pinching:?}");
                 assert!((remaining - (width - gone)).abs() < input.error + TOLERANCE * width, "{pinching:?}");
             }
+        }
+    }
+
+    /// x + a + b, and nothing where both members are their larger ones.
+    struct FailsAtBoth;
+
+    impl Response for FailsAtBoth {
+        fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+            if epistemic[0] + epistemic[1] > 4.5 {
+                return Err(Failure(1));
+            }
+            columns[0] = random[0] + epistemic[0] + epistemic[1];
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn analytic_pinching_of_lists_counts_only_the_combinations_that_ran() {
+        let list = |second| EpistemicVariable::from(Members::try_new(vec![0.0, second]).unwrap());
+        let statistics = [Statistic::Quantile(0.025), Statistic::Quantile(0.975)];
+        let problem = Problem {
+            epistemic: vec![list(1.0), list(4.0)],
+            sampling: Sampling { inner: 256, ..Sampling::default() },
+            ..problem(&[STANDARD_NORMAL], &[], &statistics)
+        };
+        let plan = DoubleLoop::try_new(problem).unwrap();
+        let mut table = SampleTable::new(1);
+        execute(plan.next_round(&table).unwrap(), &FailsAtBoth, &mut table).unwrap();
+        let pinching = plan.pinching(&table, &[0]).unwrap().unwrap();
+        // The sums 0, 1 and 4 ran. With a known: 0 and 4, or 1 alone; with b known: 0 and 1, or 4 alone.
+        let scatter = 2.0 * 1.959_964;
+        assert!((pinching.width - (4.0 + scatter)).abs() < 0.05, "{pinching:?}");
+        for (input, most) in pinching.inputs.iter().zip([4.0, 1.0]) {
+            let [least, largest] = input.remaining;
+            assert!((least - scatter).abs() < 0.05 && (largest - most - scatter).abs() < 0.05, "{pinching:?}");
         }
     }
 }
