@@ -23,6 +23,11 @@ pub enum ProblemError {
     },
     #[error("quantile {probability}; must lie between 0 and 1, both excluded")]
     QuantileOutside { probability: f64 },
+    #[error(
+        "request {request} asks for a simultaneous band of a single column; such a band belongs to the columns of a curve\n\
+         hint: `DoubleLoop::simultaneous_band` gives it from the finished runs"
+    )]
+    BandOfSingleColumn { request: usize },
     #[error("limit {limit} of a probability; must be finite, and >= 0 where it limits a magnitude")]
     BadLimit { limit: f64 },
     #[error("{name} {value}; must lie between 0 and 1, both excluded")]
@@ -221,8 +226,11 @@ impl Problem {
                 return Err(ProblemError::NoSuchColumn { request, column, columns: self.columns });
             }
         }
-        for request in &self.requests {
+        for (position, request) in self.requests.iter().enumerate() {
             match request.statistic {
+                Statistic::SimultaneousBand(_) => {
+                    return Err(ProblemError::BandOfSingleColumn { request: position });
+                }
                 Statistic::Quantile(probability) if !(probability > 0.0 && probability < 1.0) => {
                     return Err(ProblemError::QuantileOutside { probability });
                 }

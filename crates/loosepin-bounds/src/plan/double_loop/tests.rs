@@ -96,6 +96,11 @@ fn each_broken_rule_is_told_with_its_numbers() {
         "quantile 1; must lie between 0 and 1, both excluded"
     );
     assert_eq!(
+        refused(|problem| problem.requests[1].statistic = Statistic::SimultaneousBand(0.9)),
+        "request 1 asks for a simultaneous band of a single column; such a band belongs to the columns of a curve\n\
+         hint: `DoubleLoop::simultaneous_band` gives it from the finished runs"
+    );
+    assert_eq!(
         refused(|problem| problem.requests[1].statistic = Statistic::ProbabilityBeyond(-0.1)),
         "limit -0.1 of a probability; must be finite, and >= 0 where it limits a magnitude"
     );
