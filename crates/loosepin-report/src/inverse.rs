@@ -178,12 +178,12 @@ fn rare(result: &StudyResult, one: &RareRecord, writer: &NumberWriter) -> String
         one.output,
         deviation_words(one.of),
         place_words(one.at, writer),
-        rare_end(&one.upper, writer),
-        rare_end(&one.lower, writer),
+        rare_end(&one.upper, "count", writer),
+        rare_end(&one.lower, "do not count", writer),
     )
 }
 
-fn rare_end(end: &RareEnd, writer: &NumberWriter) -> String {
+fn rare_end(end: &RareEnd, failed_count: &str, writer: &NumberWriter) -> String {
     let means = match (end.method, end.reliability_index) {
         (RareMethodUsed::Importance, Some(index)) => {
             format!("by importance sampling around design points at {index:.2} standard deviations")
@@ -192,7 +192,7 @@ fn rare_end(end: &RareEnd, writer: &NumberWriter) -> String {
         (RareMethodUsed::Subset, _) => "by subset simulation".to_owned(),
     };
     let failed = if end.failed > 0 {
-        format!(", {} failed and count as beyond the limit", writer.count(end.failed))
+        format!(", {} failed and {failed_count} as beyond the limit", writer.count(end.failed))
     } else {
         String::new()
     };

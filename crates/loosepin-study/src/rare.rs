@@ -9,8 +9,8 @@ use super::question::{Next, Question};
 use loosepin_bounds::{Bound, BoundError, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness};
 use loosepin_result::study::RareMethodUsed;
 use loosepin_uncertainty::reliability::{
-    BoxSearch, DesignSearch, ImportanceSampling, IndexExtreme, RARE_CONFIDENCE, RareProbability, SubsetSimulation,
-    importance_sampling, index_range, subset_simulation,
+    BoxSearch, DesignSearch, ImportanceSampling, IndexExtreme, RARE_CONFIDENCE, RareEstimate, RareProbability,
+    SubsetSimulation, importance_sampling, index_range, subset_simulation,
 };
 use loosepin_uncertainty::{SobolError, hash, normal_cdf};
 use std::collections::VecDeque;
@@ -65,9 +65,12 @@ pub(super) struct Rare {
 /// One end.
 pub(super) struct RareEnd {
     pub method: RareMethodUsed,
-    pub estimate: RareProbability,
+    pub estimate: RareEstimate,
     /// Reliability index, where there is one.
     pub index: Option<f64>,
+    pub runs: usize,
+    /// Failed runs: no event at the lower end, the event at the upper one.
+    pub failed: usize,
 }
 
 /// Every probability that is asked for so.
@@ -182,6 +185,13 @@ struct End {
     unresolved: f64,
 }
 
+/// Which bound an end is.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Lower,
+    Upper,
+}
+
 impl Event<'_> {
     /// Both ends; where design points cannot be relied on, by subset simulation.
     fn estimate(&mut self, method: RareMethod) -> Result<Rare, Missing> {
@@ -198,9 +208,9 @@ impl Event<'_> {
         Ok(Rare {
             column: self.column,
             statistic: self.statistic,
-            bounds: [lower.bound(false), upper.bound(true)],
+            bounds: [lower.bound(Side::Lower), upper.bound(Side::Upper)],
             is_confirmed: plan.box_places().len() == 1 && plan.box_combinations() == 1,
-            ends: [lower, upper].map(|end| RareEnd { method: end.method, estimate: end.estimate, index: end.index }),
+            ends: [lower.summary(Side::Lower), upper.summary(Side::Upper)],
         })
     }
 
@@ -271,7 +281,7 @@ impl Event<'_> {
         }
         let [Some(lower), Some(upper)] = ends else { return Ok(None) };
         let upper = self.around(upper, seed)?;
-        if !(upper.estimate.coefficient_of_variation() <= LARGEST_VARIATION) {
+        if !(upper.estimate.high.coefficient_of_variation() <= LARGEST_VARIATION) {
             return Ok(None);
         }
         let lower = self.around(lower, seed)?;
@@ -296,19 +306,20 @@ impl Event<'_> {
     /// Both ends by subset simulation, at the places where short ones found most and least.
     fn by_subsets(&mut self, seed: u64) -> Result<[End; 2], Missing> {
         let dimensions = self.dimensions();
-        let mut compared: Vec<(f64, usize, Vec<f64>)> = Vec::new();
+        let mut compared: Vec<(RareProbability, usize, Vec<f64>)> = Vec::new();
         for combination in 0..self.known.plan.box_combinations() {
             self.combination = combination;
             for place in places(self.known.plan) {
                 let settings = SubsetSimulation { level: COMPARING_LEVEL, seed };
                 let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, &place);
                 let found = subset_simulation(&mut limit_state, dimensions, &settings)?;
-                compared.push((found.value, combination, place));
+                compared.push((found, combination, place));
             }
         }
-        compared.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let least = compared.iter().min_by(|a, b| a.0.low.value.total_cmp(&b.0.low.value));
+        let most = compared.iter().max_by(|a, b| a.0.high.value.total_cmp(&b.0.high.value));
         let mut ends = Vec::with_capacity(2);
-        for (_, combination, place) in [&compared[0], &compared[compared.len() - 1]] {
+        for (_, combination, place) in least.into_iter().chain(most) {
             self.combination = *combination;
             let mut limit_state = |points: &[Vec<f64>]| self.limit_state(points, place);
             let settings = SubsetSimulation { seed: hash(seed, 1), ..SubsetSimulation::default() };
@@ -323,10 +334,24 @@ impl Event<'_> {
 }
 
 impl End {
+    /// How the probability is estimated as one side of its bounds.
+    fn own(&self, side: Side) -> RareEstimate {
+        match side {
+            Side::Lower => self.estimate.low,
+            Side::Upper => self.estimate.high,
+        }
+    }
+
+    fn summary(&self, side: Side) -> RareEnd {
+        let RareProbability { runs, failed, .. } = self.estimate;
+        RareEnd { method: self.method, estimate: self.own(side), index: self.index, runs, failed }
+    }
+
     /// This end as a bound.
-    fn bound(&self, is_upper: bool) -> Bound {
-        let value = self.estimate.value;
-        let widened = self.estimate.interval[usize::from(is_upper)];
+    fn bound(&self, side: Side) -> Bound {
+        let RareEstimate { value, interval, .. } = self.own(side);
+        let is_upper = side == Side::Upper;
+        let widened = interval[usize::from(is_upper)];
         let sampling = (widened - value).abs();
         let index = self.index.unwrap_or(f64::NAN);
         let moved = if is_upper { index - self.unresolved } else { index + self.unresolved };

@@ -40,7 +40,7 @@ pub struct RareEnd {
     pub reliability_index: Option<f64>,
     /// Runs of this estimate, without those of the search for where it is.
     pub runs: u64,
-    /// Those that failed; they count as the event.
+    /// Those that failed: no event at the lower end, the event at the upper one.
     pub failed: u64,
 }
 

@@ -11,8 +11,8 @@ pub fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
         probability: end.estimate.value,
         standard_error: end.estimate.standard_error,
         reliability_index: end.index,
-        runs: end.estimate.runs as u64,
-        failed: end.estimate.failed as u64,
+        runs: end.runs as u64,
+        failed: end.failed as u64,
     };
     let record = |rare: &Rare| RareRecord {
         output: material.name_of(rare.column),

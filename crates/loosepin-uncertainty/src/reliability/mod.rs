@@ -2,8 +2,8 @@
 //!
 //! A limit state g is a function of independent standard normal numbers; the event is g <= 0. It is given in batches, as
 //! `FnMut(&[Vec<f64>]) -> Result<Vec<f64>, E>`: one value for each point, in their order, so that whoever computes it may use all
-//! threads; an error ends everything and is handed on. A value that is not a number is a run that failed: it counts as the event
-//! (and is counted), so that no probability comes out too small.
+//! threads; an error ends everything and is handed on. A value that is not a number is a run that failed: it may have been the
+//! event or not, so that each probability has a low and a high estimate.
 
 mod design_point;
 mod importance;
@@ -15,25 +15,34 @@ pub use importance::{ImportanceSampling, importance_sampling};
 pub use subset::{SubsetSimulation, subset_simulation};
 pub use worst_case::{BoxSearch, IndexExtreme, IndexRange, index_range};
 
-/// Confidence of the interval of a [`RareProbability`].
+/// Confidence of the interval of a [`RareEstimate`].
 pub const RARE_CONFIDENCE: f64 = 0.95;
 
-/// An estimate of a small probability.
+/// A small probability: the same twice where no run failed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RareProbability {
+    /// With every failed run taken as no event.
+    pub low: RareEstimate,
+    /// With every failed run taken as the event.
+    pub high: RareEstimate,
+    /// Evaluations of the limit state.
+    pub runs: usize,
+    /// Those that gave no number.
+    pub failed: usize,
+}
+
+/// An estimate of a small probability.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RareEstimate {
     /// The estimate.
     pub value: f64,
     /// Its standard error.
     pub standard_error: f64,
     /// Its interval of confidence [`RARE_CONFIDENCE`]; the upper end is 1 where nothing is known.
     pub interval: [f64; 2],
-    /// Evaluations of the limit state.
-    pub runs: usize,
-    /// Those that gave no number; taken as the event.
-    pub failed: usize,
 }
 
-impl RareProbability {
+impl RareEstimate {
     /// Standard error over the estimate; infinite where the estimate is 0.
     pub fn coefficient_of_variation(&self) -> f64 {
         if self.value > 0.0 { self.standard_error / self.value } else { f64::INFINITY }

@@ -1,6 +1,6 @@
 //! Subset simulation: a small probability as a product of larger ones.
 
-use super::{RARE_CONFIDENCE, RareProbability};
+use super::{RARE_CONFIDENCE, RareEstimate, RareProbability};
 use crate::{hash, normal, normal_quantile};
 
 /// Share of each level that the next one begins from.
@@ -13,6 +13,8 @@ const TARGET_ACCEPTANCE: f64 = 0.44;
 const ADAPTIONS: usize = 10;
 /// Width of the first steps.
 const FIRST_WIDTH: f64 = 0.6;
+/// The limit state of a run that failed: it is in every level.
+const FAILED: f64 = f64::NEG_INFINITY;
 /// Separates the stream of random numbers.
 const SUBSETS: u64 = 0x7375_6273_6574_7300;
 
@@ -51,7 +53,7 @@ impl SubsetSimulation {
 /// ```
 ///
 /// The width s adapts to an acceptance of 0.44. The error takes the correlation within chains into account, and the levels as
-/// independent; the interval is that of a lognormal estimate. Sources: S.-K. Au, J. L. Beck, Probabilistic Engineering Mechanics 16
+/// independent; the interval is that of a lognormal estimate. Failed runs are in every level. Sources: S.-K. Au, J. L. Beck, Probabilistic Engineering Mechanics 16
 /// (2001) 263-277, eqs. 25 to 29; I. Papaioannou et al., Probabilistic Engineering Mechanics 41 (2015) 89-103, section 3.
 ///
 /// # Errors
@@ -75,7 +77,9 @@ pub fn subset_simulation<E>(
     let mut squared_variation = 0.0;
     let mut chain_length = 1;
     let mut width = FIRST_WIDTH;
-    for number in 1..=MOST_LEVELS {
+    let mut number = 0;
+    loop {
+        number += 1;
         let mut order: Vec<usize> = (0..level).collect();
         order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
         let threshold = values[order[chains]].max(0.0);
@@ -85,21 +89,12 @@ pub fn subset_simulation<E>(
         // As many below the threshold of the event as the level needs, or nothing beyond it any more.
         let is_last = threshold <= 0.0 || number == MOST_LEVELS || share == 1.0;
         if is_last {
-            let hits = values.iter().filter(|&&value| value <= 0.0).count();
-            let is_event: Vec<bool> = values.iter().map(|&value| value <= 0.0).collect();
-            if hits == 0 {
-                // The levels do not reach the event: all that is known is that it is no likelier than the last of them.
-                return Ok(RareProbability {
-                    value: 0.0,
-                    standard_error: 0.0,
-                    interval: [0.0, probability],
-                    runs,
-                    failed,
-                });
-            }
-            probability *= hits as f64 / level as f64;
-            squared_variation += variation(&is_event, chain_length);
-            break;
+            // The levels hold all failed runs and all of the event; the last one tells them apart.
+            let hits = |is_hit: &dyn Fn(f64) -> bool| values.iter().map(|&value| is_hit(value)).collect::<Vec<bool>>();
+            let of = |hits: &[bool]| last_estimate(probability, squared_variation, hits, chain_length);
+            let low = of(&hits(&|value| value <= 0.0 && value > FAILED));
+            let high = of(&hits(&|value| value <= 0.0));
+            return Ok(RareProbability { low, high, runs, failed });
         }
         probability *= share;
         squared_variation += variation(&is_event, chain_length);
@@ -154,15 +149,25 @@ pub fn subset_simulation<E>(
         width = scale.clamp(0.05, 1.0);
         (points, values, chain_length) = (next_points, next_values, LEVEL_SHARE);
     }
-    let standard_error = probability * squared_variation.sqrt();
+}
+
+/// The estimate from the `hits` in the last level, `before` being the probability of that level.
+fn last_estimate(before: f64, squared_variation: f64, hits: &[bool], chain_length: usize) -> RareEstimate {
+    let count = hits.iter().filter(|hit| **hit).count();
+    if count == 0 {
+        // The levels do not reach the event: all that is known is that it is no likelier than the last of them.
+        return RareEstimate { value: 0.0, standard_error: 0.0, interval: [0.0, before] };
+    }
+    let value = before * (count as f64 / hits.len() as f64);
+    let squared_variation = squared_variation + variation(hits, chain_length);
+    let standard_error = value * squared_variation.sqrt();
     let factor = libm::exp(normal_quantile(0.5 + 0.5 * RARE_CONFIDENCE) * libm::log1p(squared_variation).sqrt());
-    let interval = [probability / factor, (probability * factor).min(1.0)];
-    Ok(RareProbability { value: probability, standard_error, interval, runs, failed })
+    RareEstimate { value, standard_error, interval: [value / factor, (value * factor).min(1.0)] }
 }
 
 fn take_failed_as_event(values: &mut [f64], failed: &mut usize) {
     for value in values.iter_mut().filter(|value| value.is_nan()) {
-        *value = f64::NEG_INFINITY;
+        *value = FAILED;
         *failed += 1;
     }
 }
@@ -211,11 +216,11 @@ mod tests {
                 subset_simulation(&mut limit_state, known.dimensions, &settings).unwrap()
             };
             let found: Vec<RareProbability> = (0..SEEDS).map(estimate).collect();
-            let squares: f64 = found.iter().map(|f| (f.value / truth - 1.0).powi(2)).sum();
+            let squares: f64 = found.iter().map(|f| (f.high.value / truth - 1.0).powi(2)).sum();
             let deviation = (squares / SEEDS as f64).sqrt();
-            let stated = found.iter().map(|f| f.coefficient_of_variation()).sum::<f64>() / SEEDS as f64;
+            let stated = found.iter().map(|f| f.high.coefficient_of_variation()).sum::<f64>() / SEEDS as f64;
             assert!(deviation < 0.25, "{}: {deviation}, stated {stated}", known.name);
-            let contained = found.iter().filter(|f| f.interval[0] <= truth && truth <= f.interval[1]).count();
+            let contained = found.iter().filter(|f| f.high.interval[0] <= truth && truth <= f.high.interval[1]).count();
             assert!(
                 contained >= LEAST_CONTAINED,
                 "{}: {contained} of {SEEDS}; {deviation}, stated {stated}",
@@ -229,6 +234,39 @@ mod tests {
     fn an_event_that_is_not_reached_is_not_claimed_to_be_impossible() {
         let mut never = |points: &[Vec<f64>]| -> Result<Vec<f64>, Infallible> { Ok(vec![1.0; points.len()]) };
         let found = subset_simulation(&mut never, 2, &SubsetSimulation { level: 200, seed: 1 }).unwrap();
-        assert_eq!((found.value, found.interval), (0.0, [0.0, 1.0]));
+        assert_eq!((found.high.value, found.high.interval), (0.0, [0.0, 1.0]));
+    }
+
+    #[test]
+    fn analytic_failed_runs_count_as_the_event_in_the_upper_end_alone() {
+        // Φ(-3) of the mechanisms fail; none is seen at the limit.
+        let mut fails = |points: &[Vec<f64>]| -> Result<Vec<f64>, Infallible> {
+            Ok(points.iter().map(|point| if point[0] > 3.0 { f64::NAN } else { 4.0 - point[0] }).collect())
+        };
+        let found = subset_simulation(&mut fails, 2, &SubsetSimulation::default()).unwrap();
+        let truth = crate::normal_cdf(-3.0);
+        assert!(found.failed > 0 && (found.high.value / truth - 1.0).abs() < 0.2, "{found:?}");
+        assert!(found.low.interval[0] == 0.0 && found.high.interval[1] >= truth, "{found:?}");
+    }
+
+    #[test]
+    fn analytic_failed_runs_and_the_event_side_by_side() {
+        // Φ(-3) reach the limit; of them Φ(-3.2), those that go furthest, fail.
+        const SEEDS: u64 = 20;
+        /// 95 % of 20 less three standard deviations of that count.
+        const LEAST_CONTAINED: usize = 16;
+        let mut fails = |points: &[Vec<f64>]| -> Result<Vec<f64>, Infallible> {
+            Ok(points.iter().map(|point| if point[0] > 3.2 { f64::NAN } else { 3.0 - point[0] }).collect())
+        };
+        let [all, failed] = [-3.0, -3.2].map(crate::normal_cdf);
+        let mut contained = [0; 2];
+        for seed in 0..SEEDS {
+            let settings = SubsetSimulation { seed, ..SubsetSimulation::default() };
+            let found = subset_simulation(&mut fails, 2, &settings).unwrap();
+            for (count, (found, truth)) in contained.iter_mut().zip([(found.low, all - failed), (found.high, all)]) {
+                *count += usize::from(found.interval[0] <= truth && truth <= found.interval[1]);
+            }
+        }
+        assert!(contained.iter().all(|&count| count >= LEAST_CONTAINED), "{contained:?} of {SEEDS}");
     }
 }
