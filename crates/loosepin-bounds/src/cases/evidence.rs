@@ -389,5 +389,5 @@ fn analytic_failed_runs_are_not_seen_beyond_a_limit() {
     let problem = Problem { random: Vec::new(), ..with(vec![halves.into()], &[Statistic::ProbabilityAbove(1.25)], 3) };
     let bounds = evaluate(problem, &FailsBelow(0.125)).unwrap();
     let pair = &bounds.pairs[0];
-    assert_eq!((pair.lower.value, pair.upper.value, &pair.estimates[..]), (0.0, 1.0, &[0.0, 0.6][..]));
+    assert_eq!((pair.lower.value, pair.upper.value, &pair.seen[..]), (0.0, 1.0, &[0.0, 0.6][..]));
 }

@@ -84,10 +84,10 @@ pub struct BoundPair {
     pub lower: Bound,
     /// Its greatest value over the epistemic box.
     pub upper: Bound,
-    /// The estimate at every outer point, in the order of the outer index, failed runs taken as low as possible; not a
-    /// number where no run finished. Where several focal elements are added, both sums; for a random set both ends, and none
-    /// where runs failed.
-    pub estimates: Vec<f64>,
+    /// What was really seen: the lower end of the confidence interval at every outer point, in the order of the outer index, failed runs
+    /// taken as low as possible; not a number where no run finished. Where several focal elements are added, both sums; for
+    /// probabilities of a random set both ends, and none where runs failed.
+    pub seen: Vec<f64>,
     /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
     /// quantiles in `value` already.
     pub failed_runs: usize,
@@ -96,10 +96,10 @@ pub struct BoundPair {
 }
 
 impl BoundPair {
-    /// Bounds without estimates of single points.
+    /// Bounds without what was seen at single points.
     pub(crate) fn new(column: usize, statistic: Statistic, [lower, upper]: [Bound; 2], failed_runs: usize) -> Self {
         let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
-        Self { column, statistic, lower, upper, estimates: Vec::new(), failed_runs, unbounded_by_failures }
+        Self { column, statistic, lower, upper, seen: Vec::new(), failed_runs, unbounded_by_failures }
     }
 
     /// Weaker guarantee of the two ends: failed runs may have had any response, so that of means and deviations no bound exists then.

@@ -34,6 +34,11 @@ impl Estimate {
         Self { value, below: error, above: error }
     }
 
+    /// The lower end of the confidence interval.
+    pub fn lower_limit(&self) -> f64 {
+        self.value - self.below
+    }
+
     /// The variance that the confidence interval corresponds to.
     pub fn variance(&self, confidence: &Confidence) -> f64 {
         let half_width = 0.5 * (self.below + self.above) / confidence.student;

@@ -9,6 +9,7 @@ use crate::data::bound::{Bound, BoundPair};
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
 use crate::data::statistic::Statistic;
+use crate::estimators::estimate::Estimate;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
 
@@ -49,14 +50,14 @@ impl Experiment<'_> {
                     Statistic::StandardDeviation if !is_one || self.is_mixed() => self.deviations(column, elements),
                     _ => Direction::BOTH.map(|direction| self.added(&modelled, elements, direction)),
                 };
-                let at: Vec<f64> = measure.low.iter().map(|estimate| estimate.value).collect();
+                let at: Vec<f64> = measure.low.iter().map(Estimate::lower_limit).collect();
                 // Of several elements the sum has been attained, at no single point.
-                let estimates = if is_one {
+                let seen = if is_one {
                     at
                 } else {
                     Direction::BOTH.map(|direction| sum_of_extremes(elements, &at, direction)).to_vec()
                 };
-                Some(BoundPair { estimates, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+                Some(BoundPair { seen, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
             })
             .collect()
     }

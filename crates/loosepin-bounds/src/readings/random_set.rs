@@ -23,7 +23,7 @@ use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Request;
 use crate::data::statistic::{Event, Statistic};
 use crate::data::table::{Purpose, SampleTable};
-use crate::estimators::estimate::Estimate;
+use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
@@ -86,9 +86,11 @@ impl Experiment<'_> {
             let pair = |(place, request): (usize, &Request)| {
                 let ends = set.bounds(self, request.statistic);
                 // The ends of a sample that failed somewhere are not known.
-                let estimates =
-                    if failed_runs > 0 { Vec::new() } else { ends.each_ref().map(|end| end.value).to_vec() };
-                (place, BoundPair { estimates, ..BoundPair::new(column, request.statistic, ends, failed_runs) })
+                let seen = match Event::of(request.statistic) {
+                    Some(event) if failed_runs == 0 => set.seen(self, event),
+                    _ => Vec::new(),
+                };
+                (place, BoundPair { seen, ..BoundPair::new(column, request.statistic, ends, failed_runs) })
             };
             own.map(pair).collect::<Vec<_>>()
         };
@@ -160,23 +162,23 @@ impl RandomSet {
 
     /// Belief (minimum) or plausibility (maximum) of `event`.
     pub fn probability(&self, experiment: &Experiment<'_>, event: Event, direction: Direction) -> Bound {
-        let confidence = &experiment.setup.confidence;
-        let bound = self.added(experiment, direction, |[low, high]| {
-            // The end that has the event if all of the set has it, or if any of it has.
-            let hit = |low: f64, high: f64| {
-                let is_sure = direction == Direction::Minimum;
-                match event {
-                    Event::Above(_) => event.holds(if is_sure { low } else { high }),
-                    Event::Below(_) | Event::UpTo(_) => event.holds(if is_sure { high } else { low }),
-                    Event::Beyond(limit) if is_sure => low > limit || high < -limit,
-                    Event::Beyond(_) => event.holds(low) || event.holds(high),
-                }
-            };
-            let hits = low.joined(high, |low, high| if hit(low, high) { 1.0 } else { 0.0 });
-            let share = share(&hits, confidence, |hit| hit > 0.5);
+        let bound = self.added(experiment, direction, |ends| {
+            let share = share_of(ends, event, direction, &experiment.setup.confidence);
             direction.of(share.low, share.high)
         });
         Bound { widened: bound.widened.clamp(0.0, 1.0), ..bound }
+    }
+
+    /// The lower ends of the confidence intervals of belief and plausibility, from the attained ends.
+    fn seen(&self, experiment: &Experiment<'_>, event: Event) -> Vec<f64> {
+        let of = |direction| {
+            let of_element = |ends: &Ends| {
+                let share = share_of(&ends.attained, event, direction, &experiment.setup.confidence);
+                ends.mass * share.low.lower_limit()
+            };
+            self.elements.iter().map(of_element).sum()
+        };
+        Direction::BOTH.map(of).to_vec()
     }
 
     /// Σ mass x estimate, from the attained and the widened ends.
@@ -286,4 +288,20 @@ impl RandomSet {
         let error = BoundError::of_runs(sampling.max(0.0), optimisation);
         Bound::without_witness(value, error.widen(value, direction).max(0.0), error, experiment.guarantee())
     }
+}
+
+/// The share of runs in whose ends [low, high] `event` is sure (minimum) or possible (maximum).
+fn share_of([low, high]: &[Sample; 2], event: Event, direction: Direction, confidence: &Confidence) -> EitherWay {
+    // The end that has the event if all of the set has it, or if any of it has.
+    let hit = |low: f64, high: f64| {
+        let is_sure = direction == Direction::Minimum;
+        match event {
+            Event::Above(_) => event.holds(if is_sure { low } else { high }),
+            Event::Below(_) | Event::UpTo(_) => event.holds(if is_sure { high } else { low }),
+            Event::Beyond(limit) if is_sure => low > limit || high < -limit,
+            Event::Beyond(_) => event.holds(low) || event.holds(high),
+        }
+    };
+    let hits = low.joined(high, |low, high| if hit(low, high) { 1.0 } else { 0.0 });
+    share(&hits, confidence, |hit| hit > 0.5)
 }

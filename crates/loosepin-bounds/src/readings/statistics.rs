@@ -7,6 +7,7 @@ use super::interval::Modelled;
 use crate::data::bound::{BoundPair, CutBounds};
 use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
+use crate::estimators::estimate::Estimate;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
 use crate::search::parts::Cut;
@@ -53,8 +54,8 @@ impl Experiment<'_> {
             let samples = self.pool.samples(column);
             let modelled = Modelled::new(search, measure.as_ref()?, &samples);
             let ends = Direction::BOTH.map(|direction| self.bound(&modelled, direction, whole));
-            let estimates = modelled.measure.low.iter().map(|estimate| estimate.value).collect();
-            Some(BoundPair { estimates, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+            let seen = modelled.measure.low.iter().map(Estimate::lower_limit).collect();
+            Some(BoundPair { seen, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
         };
         requests.par_iter().zip(measures).filter_map(pair).collect()
     }

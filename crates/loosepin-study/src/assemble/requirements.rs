@@ -40,9 +40,9 @@ fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize)
 /// The share inside, from the bounds of the share outside: one minus it, so that the ends change places.
 fn known_share(outside: &BoundPair) -> KnownShare {
     // Failed runs are taken as inside here: only what was really seen outside refutes.
-    let seen = outside.estimates.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
-    let error = &outside.upper.error;
-    KnownShare { least: 1.0 - outside.upper.widened, seen: 1.0 - (seen - error.sampling - error.surrogate).max(0.0) }
+    let seen = outside.seen.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
+    let surrogate = outside.lower.error.surrogate.max(outside.upper.error.surrogate);
+    KnownShare { least: 1.0 - outside.upper.widened, seen: 1.0 - (seen - surrogate).max(0.0) }
 }
 
 /// The mechanisms at the witness of the largest share outside.
@@ -75,13 +75,16 @@ fn is_outside(value: f64, broken: Statistic) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::requirements;
+    use super::{known_share, requirements};
     use crate::assemble::Material;
     use crate::file::Study;
     use crate::problem::problem;
     use crate::response::StudyResponse;
-    use loosepin_bounds::{BoundPair, Bounds, DoubleLoop, SampleTable, execute};
-    use loosepin_result::study::{CountedMechanisms, RequirementOutcome, Verdict};
+    use loosepin_bounds::{
+        BoundPair, Bounds, DoubleLoop, Problem, Reading, Request, SampleTable, Sampling, Statistic, execute,
+    };
+    use loosepin_result::study::{CountedMechanisms, KnownShare, RequirementOutcome, Verdict};
+    use loosepin_uncertainty::{Distribution, RandomVariable, normal_quantile};
     use std::path::Path;
 
     const LEAST_SHARE: f64 = 0.75;
@@ -128,5 +131,51 @@ mod tests {
         let [unknown] = &outcomes(&study, &response, (&bounds, &table), &[])[..] else { panic!("it was dropped") };
         assert_eq!((unknown.verdict, unknown.probability, unknown.counted), (Verdict::Undecided, [0.0, 1.0], None));
         assert_eq!(Verdict::of_all([unknown.verdict]), Some(Verdict::Undecided));
+    }
+
+    /// Bounds of the share outside, where `outside` of 64 runs at the only value of the epistemic inputs are.
+    fn counted_outside(outside: usize) -> BoundPair {
+        let uniform = Distribution::Uniform { lower: 0.0, upper: 1.0 };
+        let plan = DoubleLoop::try_new(Problem {
+            random: vec![RandomVariable::try_new(uniform).unwrap()],
+            epistemic: Vec::new(),
+            parameters: Vec::new(),
+            copula: None,
+            reading: Reading::FixedButUnknown,
+            readings_beside: Vec::new(),
+            columns: 1,
+            requests: vec![Request { column: 0, statistic: Statistic::ProbabilityAbove(0.5) }],
+            compared_columns: Vec::new(),
+            band_probability: 0.95,
+            cut_standard_deviations: 3.0,
+            percentiles: Vec::new(),
+            sampling: Sampling { inner: 64, confidence: CONFIDENCE, ..Sampling::default() },
+        });
+        let plan = plan.unwrap();
+        let mut table = SampleTable::new(1);
+        for (run, inputs) in plan.next_round(&table).unwrap().into_iter().enumerate() {
+            table.push(inputs, Ok(&[f64::from(u8::from(run < outside))])).unwrap();
+        }
+        assert_eq!(table.len(), 64);
+        plan.results(&table).unwrap().pairs.remove(0)
+    }
+
+    const CONFIDENCE: f64 = 0.99;
+
+    #[test]
+    fn analytic_a_requirement_is_refuted_by_the_lower_end_of_the_share_outside() {
+        const TOLERANCE: f64 = 1e-12;
+        let pair = counted_outside(60);
+        // Wilson's interval of 60 in 64 is longer downwards than upwards: (0.812, 0.981).
+        let (n, p, z) = (64.0, 60.0 / 64.0, normal_quantile(0.5 + 0.5 * CONFIDENCE));
+        let square = z * z / n;
+        let lower = (p + 0.5 * square - z * (p * (1.0 - p) / n + 0.25 * square / n).sqrt()) / (1.0 + square);
+        let share = known_share(&pair);
+        assert!((share.seen - (1.0 - lower)).abs() < TOLERANCE, "{share:?}");
+        assert_eq!(Verdict::of(share, 0.12), Verdict::Undecided);
+        assert_eq!(Verdict::of(share, 0.19), Verdict::NotMet);
+        // With the upper half-width instead it would be refuted.
+        let upwards = KnownShare { seen: 1.0 - (pair.upper.value - pair.upper.error.sampling), ..share };
+        assert_eq!(Verdict::of(upwards, 0.12), Verdict::NotMet);
     }
 }
