@@ -162,17 +162,17 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         })
         .collect();
     let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(result, pbox, limit_si, writer)).unwrap_or_default();
-    let crossing = |list: &[f64]| {
-        let position = list.iter().position(|share| *share >= 0.5);
-        position.and_then(|position| pbox.value_si.get(position)).copied()
-    };
-    let median = match (crossing(&pbox.upper), crossing(&pbox.lower)) {
-        (Some(from), Some(to)) => format!(
+    let median = match median_range(&pbox.value_si, &pbox.lower, &pbox.upper) {
+        [Some(from), Some(to)] => format!(
             "The median lies between {} and {}.",
             significant(writer.scaled(from, &pbox.unit), 2, Rounding::Down).replace('-', "−"),
             writer.rounded(to, &pbox.unit, 2, Rounding::Up)
         ),
-        _ => String::new(),
+        [None, Some(to)] => format!("The median is at most {}.", writer.rounded(to, &pbox.unit, 2, Rounding::Up)),
+        [Some(from), None] => {
+            format!("The median is at least {}.", writer.rounded(from, &pbox.unit, 2, Rounding::Down))
+        }
+        [None, None] => String::new(),
     };
     let x_label = format!("{} of {}", deviation_words(pbox.of), pbox.output);
     Chart {
@@ -191,15 +191,30 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
     }
 }
 
+/// Between which of the values at which the shares are known the median lies: at the first the upper share is still below one half,
+/// at the second the lower one is not. Nothing where no value is known to be beyond it.
+fn median_range(value_si: &[f64], lower: &[f64], upper: &[f64]) -> [Option<f64>; 2] {
+    let first_half = |shares: &[f64]| shares.iter().position(|share| *share >= 0.5).unwrap_or(shares.len());
+    let from = first_half(upper).checked_sub(1).and_then(|place| value_si.get(place));
+    [from, value_si.get(first_half(lower))].map(Option::<&f64>::copied)
+}
+
+/// Between what the share below `limit_si` lies, by the values on both sides of it.
+fn share_range(limit_si: f64, value_si: &[f64], lower: &[f64], upper: &[f64]) -> [f64; 2] {
+    let above = value_si.partition_point(|value_si| *value_si < limit_si);
+    let least = above.checked_sub(1).and_then(|place| lower.get(place));
+    [least.copied().unwrap_or(0.0), upper.get(above).copied().unwrap_or(1.0)]
+}
+
 /// The share below the limit that was asked about: as its own bound has it, with its error; else read off the box outwards.
 fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, writer: &NumberWriter) -> String {
-    let above = pbox.value_si.partition_point(|value_si| *value_si < limit_si);
-    let read_off = || {
-        let least = pbox.lower.get(above.saturating_sub(1)).copied()?;
-        Some(([least, pbox.upper.get(above).copied()?], ", sampling error not included"))
-    };
+    if pbox.value_si.is_empty() {
+        return String::new();
+    }
     let bounded = bounded_share(result, pbox, limit_si).map(|share| (share, ", numerical error included"));
-    let Some(([least, most], error)) = bounded.or_else(read_off) else { return String::new() };
+    let read_off =
+        || (share_range(limit_si, &pbox.value_si, &pbox.lower, &pbox.upper), ", sampling error not included");
+    let ([least, most], error) = bounded.unwrap_or_else(read_off);
     format!(
         "Below {}: between {} and {} of mechanisms{error}.",
         writer.value_trimmed(limit_si, &pbox.unit),
@@ -221,4 +236,42 @@ fn bounded_share(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64) -> 
             _ => None,
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{median_range, share_range};
+
+    /// Least and greatest share of Y below y: Y uniform between u - 1 and u + 1, u anywhere in [-1, 1].
+    fn shares(y: f64) -> [f64; 2] {
+        [(0.5 * y).clamp(0.0, 1.0), (0.5 * y + 1.0).clamp(0.0, 1.0)]
+    }
+
+    fn sampled(values: &[f64]) -> [Vec<f64>; 2] {
+        [0, 1].map(|end| values.iter().map(|&y| shares(y)[end]).collect())
+    }
+
+    #[test]
+    fn analytic_the_median_lies_between_values_outside_of_its_range() {
+        // The median is u: from -1 to 1.
+        let values = [-1.7, -0.6, 0.4, 1.3, 2.2];
+        let [lower, upper] = sampled(&values);
+        assert_eq!(median_range(&values, &lower, &upper), [Some(-1.7), Some(1.3)]);
+        let ends = |from: usize, to: usize| median_range(&values[from..to], &lower[from..to], &upper[from..to]);
+        assert_eq!(ends(1, 5), [None, Some(1.3)]);
+        assert_eq!(ends(0, 3), [Some(-1.7), None]);
+        assert_eq!(median_range(&[], &[], &[]), [None, None]);
+    }
+
+    #[test]
+    fn analytic_shares_below_any_limit_lie_in_what_is_read_off() {
+        let values = [0.4, 0.9, 1.7];
+        let [lower, upper] = sampled(&values);
+        for limit in [-2.5, -0.2, 0.3, 0.4, 0.6, 1.7, 1.9, 2.5] {
+            let ([least, most], [from, to]) = (shares(limit), share_range(limit, &values, &lower, &upper));
+            assert!(from <= least && most <= to, "{limit}: {from} to {to}, not {least} to {most}");
+        }
+        // On either side of 0.6: 0.2 at 0.4 and 1 at 0.9.
+        assert_eq!(share_range(0.6, &values, &lower, &upper), [0.2, 1.0]);
+    }
 }
