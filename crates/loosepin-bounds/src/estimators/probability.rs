@@ -17,7 +17,7 @@ pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence
 
 /// The share of values with property `is_hit`: with m hits and f failures in N runs between m/N and (m + f)/N.
 ///
-/// The error is that of Wilson's interval (E. B. Wilson 1927) for n = N p(1 - p)/v runs, v the variance that the
+/// The error is that of Wilson's interval (E. B. Wilson 1927) for n = p(1 - p)/v runs, v the variance of the share that the
 /// replicates show: it is not 0 when nothing was hit. Where there are fewer than two hits or misses a replicate, or where
 /// the replicates are worse than independent runs, n = N.
 pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {

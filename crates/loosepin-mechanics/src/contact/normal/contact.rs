@@ -30,7 +30,8 @@ pub trait NormalContact<T: Real> {
     /// χ; zero where the loss has another form.
     fn damping_factor(&self) -> T;
 
-    /// The force at penetration δ, m, and penetration rate δ̇, m/s. In flight and for a negative δ it is zero.
+    /// The force at penetration δ, m, and penetration rate δ̇, m/s. In flight it is zero. For a negative δ, just beyond the end of
+    /// contact, it is zero where F_el and its loss begin at zero; a damper without a spring's help goes by the contact in `state`.
     #[inline(always)]
     fn force(&self, penetration_m: T, rate_m_s: T, state: &PlayState<T>) -> NormalForce<T> {
         with_loss(self.elastic_n(penetration_m), self.damping_factor(), rate_m_s, state.inverse_impact_speed_s_m)
