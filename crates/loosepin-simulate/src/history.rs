@@ -294,6 +294,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
+    /// The largest forces of a whole step, also where the recorded part begins within it.
     fn note_peak_forces(&mut self, step: &mut Step<'_, '_>) {
         for contact in 0..self.open_impacts.len() {
             if !step.is_in_contact(contact) {

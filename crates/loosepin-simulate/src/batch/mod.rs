@@ -356,7 +356,8 @@ impl<'a> Batch<'a> {
         Ok(())
     }
 
-    /// Takes in the largest penetration and force of a step that may hold a record.
+    /// Takes in the largest penetration and force of a step that may hold a record: of the whole step, also where the recorded part
+    /// begins within it.
     fn note_penetrations(&mut self, lane: usize) {
         let time = self.times(lane);
         for contact in 0..self.mechanism.contacts.len() {
