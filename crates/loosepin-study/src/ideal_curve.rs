@@ -3,10 +3,90 @@
 use loosepin_math::Quintic;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_simulate::{Arms, Column, IdealReference};
+use std::sync::Arc;
 
-/// Nodes a turn: between them a polynomial of degree five errs by (2πk/96)⁶/46080 of the k-th harmonic of the motion: 2e-12 of
+/// Nodes a turn, at least: between them a polynomial of degree five errs by (2πk/96)⁶/46080 of the k-th harmonic of the motion: 2e-12 of
 /// the first, 2e-9 of the third, which is a few hundredths of the first.
 const NODES_PER_TURN: usize = 96;
+/// Pieces into which the interval between two of these nodes is divided, at most. Where that is not enough, as at a jump of a velocity, the
+/// table errs beside the jump alone, by at most 4e-5 rad of the drive times the jump of the slope in m/rad.
+const MOST_PIECES: usize = 256;
+/// Places in a piece at which the table is held against the motion, as shares of the piece.
+const CHECKED: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// Where the tables of a study have their nodes: equal intervals of the recorded part, each divided into equal pieces.
+///
+/// Rough places, as on cams, have more pieces. They are found once, for the nominal mechanism, and used for all samples.
+#[derive(Debug, Clone)]
+pub struct IdealNodes {
+    /// Pieces of each interval.
+    pieces: Vec<usize>,
+    /// Index of the first node of each interval.
+    first: Vec<usize>,
+}
+
+impl IdealNodes {
+    /// Halves the pieces of each interval until the table differs by at most `largest_error` from the motion: `jets` gives its positions at
+    /// a share of the recorded part, which lasts `span_s`, with their first two derivatives over time.
+    ///
+    /// # Errors
+    /// That of the motion.
+    pub fn new<E>(
+        turns: f64,
+        span_s: f64,
+        largest_error: f64,
+        mut jets: impl FnMut(f64) -> Result<Vec<[f64; 3]>, E>,
+    ) -> Result<Self, E> {
+        let intervals = (turns * NODES_PER_TURN as f64).ceil().max(1.0) as usize;
+        let (mut pieces, mut first) = (Vec::with_capacity(intervals), Vec::with_capacity(intervals));
+        let mut nodes = 0;
+        for interval in 0..intervals {
+            let mut own = 1;
+            let share = |place: f64| (interval as f64 + place) / intervals as f64;
+            let length_s = span_s / intervals as f64;
+            while own < MOST_PIECES && differs(own, length_s, largest_error, |place| jets(share(place)))? {
+                own *= 2;
+            }
+            first.push(nodes);
+            pieces.push(own);
+            nodes += own;
+        }
+        Ok(Self { pieces, first })
+    }
+
+    /// The places of all nodes, counted in intervals.
+    fn places(&self) -> impl Iterator<Item = f64> {
+        let of_interval = |(interval, &pieces): (usize, &usize)| {
+            (0..pieces).map(move |piece| interval as f64 + piece as f64 / pieces as f64)
+        };
+        self.pieces.iter().enumerate().flat_map(of_interval).chain([self.pieces.len() as f64])
+    }
+}
+
+/// Whether polynomials over `pieces` pieces of an interval differ from the motion anywhere by more than `largest_error`. `jets` are those at
+/// a share of the interval.
+fn differs<E>(
+    pieces: usize,
+    length_s: f64,
+    largest_error: f64,
+    mut jets: impl FnMut(f64) -> Result<Vec<[f64; 3]>, E>,
+) -> Result<bool, E> {
+    let mut start = jets(0.0)?;
+    for piece in 0..pieces {
+        let place = |share: f64| (piece as f64 + share) / pieces as f64;
+        let end = jets(place(1.0))?;
+        for share in CHECKED {
+            for ((start, end), exact) in start.iter().zip(&end).zip(jets(place(share))?) {
+                let table = Quintic::new(*start, *end, length_s / pieces as f64).value(share);
+                if (table - exact[0]).abs() > largest_error {
+                    return Ok(true);
+                }
+            }
+        }
+        start = end;
+    }
+    Ok(false)
+}
 
 /// Positions and angles of an ideal mechanism over the recorded part, by share of that part.
 ///
@@ -15,13 +95,14 @@ const NODES_PER_TURN: usize = 96;
 pub struct IdealCurve {
     /// Duration of the recorded part for this sample, s.
     span_s: f64,
-    intervals: usize,
+    /// Where it has its nodes.
+    pub nodes: Arc<IdealNodes>,
     /// Value, rate and acceleration of each output at each node; empty for outputs that are no positions.
     jets: Vec<Vec<[f64; 3]>>,
 }
 
 impl IdealCurve {
-    /// Follows `reference` from `start_s` on for `turns` turns of duration `turn_s`.
+    /// Follows `reference` from `start_s` on for `span_s`.
     ///
     /// # Errors
     /// The loops cannot be closed on the way.
@@ -32,19 +113,19 @@ impl IdealCurve {
         arms: &Arms,
         start_s: f64,
         span_s: f64,
-        turns: f64,
+        nodes: Arc<IdealNodes>,
     ) -> Result<Self, SampleError> {
-        let intervals = (turns * NODES_PER_TURN as f64).ceil().max(1.0) as usize;
+        let intervals = nodes.pieces.len() as f64;
         let mut jets = vec![Vec::new(); outputs.len()];
-        for node in 0..=intervals {
-            let time_s = start_s + span_s * node as f64 / intervals as f64;
+        for place in nodes.places() {
+            let time_s = start_s + span_s * place / intervals;
             for (k, output) in outputs.iter().enumerate() {
                 if is_used[k] && output.reading.is_position() {
                     jets[k].push(reference.jet(&output.reading, arms, time_s)?);
                 }
             }
         }
-        Ok(Self { span_s, intervals, jets })
+        Ok(Self { span_s, nodes, jets })
     }
 
     /// The value of `output` at `share` in [0, 1] of the recorded part.
@@ -63,10 +144,101 @@ impl IdealCurve {
 
     #[inline]
     fn piece(&self, output: usize, share: f64) -> (Quintic, f64, f64) {
-        let place = share * self.intervals as f64;
-        let node = (place as usize).min(self.intervals - 1);
-        let jets = &self.jets[output];
-        let h = self.span_s / self.intervals as f64;
-        (Quintic::new(jets[node], jets[node + 1], h), place - node as f64, h)
+        let intervals = self.nodes.pieces.len();
+        let place = share * intervals as f64;
+        let interval = (place as usize).min(intervals - 1);
+        let pieces = self.nodes.pieces[interval];
+        let within = (place - interval as f64) * pieces as f64;
+        let piece = (within as usize).min(pieces - 1);
+        let (jets, node) = (&self.jets[output], self.nodes.first[interval] + piece);
+        let h = self.span_s / intervals as f64 / pieces as f64;
+        (Quintic::new(jets[node], jets[node + 1], h), within - piece as f64, h)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{IdealCurve, IdealNodes};
+    use crate::file::Study;
+    use crate::response::StudyResponse;
+    use std::convert::Infallible;
+    use std::f64::consts::{PI, TAU};
+    use std::path::Path;
+    use std::sync::Arc;
+
+    const TURN_S: f64 = 0.25;
+    const LARGEST_ERROR_M: f64 = 1e-9;
+
+    /// The table of a motion over one turn: its position and two derivatives over the angle of the drive.
+    fn table(motion: impl Fn(f64) -> [f64; 3]) -> IdealCurve {
+        let rate = TAU / TURN_S;
+        let jet = |share: f64| {
+            let [value, slope, curvature] = motion(TAU * share);
+            [value, slope * rate, curvature * rate * rate]
+        };
+        let nodes =
+            IdealNodes::new(1.0, TURN_S, LARGEST_ERROR_M, |share| Ok::<_, Infallible>(vec![jet(share)])).unwrap();
+        let intervals = nodes.pieces.len() as f64;
+        let jets = vec![nodes.places().map(|place| jet(place / intervals)).collect()];
+        IdealCurve { span_s: TURN_S, nodes: Arc::new(nodes), jets }
+    }
+
+    /// Largest difference between a table and its motion, m.
+    fn largest_error_m(curve: &IdealCurve, motion: impl Fn(f64) -> [f64; 3]) -> f64 {
+        const LOOKS: usize = 20_011;
+        let shares = (0..=LOOKS).map(|k| k as f64 / LOOKS as f64);
+        shares.map(|share| (curve.value(0, share) - motion(TAU * share)[0]).abs()).fold(0.0, f64::max)
+    }
+
+    /// A crank of 50 mm that turns `k` times in a turn of the drive.
+    fn crank(k: f64) -> impl Fn(f64) -> [f64; 3] {
+        move |angle: f64| {
+            let (sine, cosine) = (k * angle).sin_cos();
+            [0.05 * cosine, -0.05 * k * sine, -0.05 * k * k * cosine]
+        }
+    }
+
+    #[test]
+    fn analytic_a_crank_that_turns_once_needs_no_more_than_96_nodes() {
+        let curve = table(crank(1.0));
+        assert_eq!(curve.nodes.pieces, [1; 96]);
+        assert!(largest_error_m(&curve, crank(1.0)) < LARGEST_ERROR_M);
+    }
+
+    #[test]
+    fn identity_the_slider_crank_keeps_its_96_nodes() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
+        let text = std::fs::read_to_string(&path).unwrap();
+        let study = Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|found| panic!("{found}"));
+        let nodes = &StudyResponse::new(&study).unwrap().shared.nominal_curve.nodes;
+        assert!(nodes.pieces.iter().all(|&pieces| pieces == 1), "{:?}", nodes.pieces);
+    }
+
+    #[test]
+    fn analytic_a_crank_that_turns_twenty_times_has_enough_nodes() {
+        let curve = table(crank(20.0));
+        assert!(largest_error_m(&curve, crank(20.0)) < 1.1 * LARGEST_ERROR_M);
+        let [_, slope, curvature] = crank(20.0)(TAU * 0.31);
+        let jet = curve.jet(0, 0.31);
+        let rate = TAU / TURN_S;
+        assert!(
+            (jet[1] / (slope * rate) - 1.0).abs() < 1e-6 && (jet[2] / (curvature * rate * rate) - 1.0).abs() < 1e-4
+        );
+    }
+
+    #[test]
+    fn analytic_a_lift_with_jumps_of_acceleration_has_nodes_beside_them() {
+        // A rise of 10 mm from 50° to 110° with a cosine: the acceleration jumps at both ends.
+        let rise = |angle: f64| {
+            let along = ((angle - 50.0_f64.to_radians()) / 60.0_f64.to_radians()).clamp(0.0, 1.0);
+            let (sine, cosine) = (PI * along).sin_cos();
+            let is_rising = along > 0.0 && along < 1.0;
+            let curvature = if is_rising { 0.005 * 9.0 * cosine } else { 0.0 };
+            [0.005 * (1.0 - cosine), 0.005 * 3.0 * sine, curvature]
+        };
+        let curve = table(rise);
+        let divided = curve.nodes.pieces.iter().filter(|&&pieces| pieces > 16).count();
+        assert_eq!(divided, 2, "{:?}", curve.nodes.pieces);
+        assert!(largest_error_m(&curve, rise) < 1.6 * LARGEST_ERROR_M);
     }
 }

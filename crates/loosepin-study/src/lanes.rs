@@ -61,7 +61,7 @@ impl StudyResponse {
                 &arms,
                 window.start_s,
                 window.end_s - window.start_s,
-                self.recorded_turns,
+                self.shared.nominal_curve.nodes.clone(),
             )?)
         } else {
             None

@@ -3,17 +3,18 @@
 use super::columns::{ColumnPlan, Spot};
 use super::extras::RunExtras;
 use super::file::{Deviation, EpistemicSubject, Study, Where};
-use super::ideal_curve::IdealCurve;
+use super::ideal_curve::{IdealCurve, IdealNodes};
 use super::recorder::Shared;
 use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
-use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample};
+use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
 };
-use loosepin_simulate::{Arms, IdealReference, RunFailure, Settings, Window};
+use loosepin_simulate::{Arms, IdealReference, Reading, RunFailure, Settings, Window};
 use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
+use std::sync::Arc;
 
 /// Poses of a curve, at most: every one has bounds of its own.
 pub const LARGEST_POSES: f64 = 2000.0;
@@ -322,6 +323,12 @@ fn check_drive(study: &Study) -> Result<(), PrepareError> {
 /// By this share of a turn a pose may lie beyond the end of the record: round-off of angles.
 const POSE_ROUND_OFF: f64 = 1e-9;
 
+/// The tables of the ideal motion may err by this share of the tolerance of positions, angles at the size of the mechanism.
+const SHARE_OF_TOLERANCE: f64 = 0.1;
+
+/// Loops are closed to less than this share of the size of the mechanism: no table can be held against anything nearer.
+const ROUND_OFF_OF_LOOPS: f64 = 1e-11;
+
 /// Every pose must be passed while the run is recorded.
 fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
     let recorded_turns = study.cycle.recorded_turns;
@@ -361,9 +368,29 @@ fn share_nominal(
     let arms = Arms::new(ideal, nominal);
     let span_s = nominal_window.end_s - nominal_window.start_s;
     let turns = study.cycle.recorded_turns;
+    let positions: Vec<(Reading, f64)> = plan
+        .outputs
+        .iter()
+        .zip(&is_used)
+        .filter(|(output, is_used)| **is_used && output.reading.is_position())
+        .map(|(output, _)| {
+            (output.reading, if matches!(output.reading, Reading::Angle(_)) { ideal.size_m } else { 1.0 })
+        })
+        .collect();
+    // A reference of its own: where a search for a position begins decides on its last bits.
+    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    let largest_error_m = (SHARE_OF_TOLERANCE * settings.tolerance_m).max(ROUND_OFF_OF_LOOPS * ideal.size_m);
+    let nodes = IdealNodes::new(turns, span_s, largest_error_m, |share| {
+        let time_s = nominal_window.start_s + share * span_s;
+        let jet = |(reading, arm_m): &(Reading, f64)| {
+            Ok(reference.jet(reading, &arms, time_s)?.map(|derivative| derivative * arm_m))
+        };
+        positions.iter().map(jet).collect::<Result<Vec<_>, SampleError>>()
+    })?;
+    let nodes = Arc::new(nodes);
     let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     let nominal_curve =
-        IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, turns)?;
+        IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, nodes)?;
     let mut pose_order: Vec<(f64, usize)> = plan
         .columns
         .iter()
