@@ -11,8 +11,8 @@ use std::sync::Arc;
 use super::assemble::Code;
 use super::error::NativeError;
 use super::evaluate::check_blocks;
+use super::place::Place;
 use super::program::Program;
-use super::sequence::Place;
 use super::translate::{KernelSize, translate};
 use super::{LARGEST_BLOCKS, Level};
 

@@ -44,6 +44,7 @@ mod level;
 mod lower;
 mod memory;
 mod node;
+mod place;
 mod program;
 mod registers;
 mod schedule;
@@ -61,8 +62,9 @@ pub use graph::{Graph, Mask, Value};
 pub use level::Level;
 pub use memory::Kernel;
 pub use node::Slot;
+pub use place::Place;
 pub use program::Program;
-pub use sequence::{Place, Routine, Sequence};
+pub use sequence::{Routine, Sequence};
 pub use translate::KernelSize;
 
 /// Most blocks of a program: as many as there are registers for their addresses that need not be saved for the caller.

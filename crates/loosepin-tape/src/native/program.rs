@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::error::NativeError;
 use super::graph::{Graph, Value};
 use super::node::{BinaryOperation, Node, NodeIndex, Slot, UnaryOperation};
-use super::sequence::Place;
+use super::place::Place;
 
 /// The operations that some outputs need, in an order in which they can be done, and where the outputs go.
 ///

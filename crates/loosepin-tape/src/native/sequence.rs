@@ -3,30 +3,9 @@
 use super::error::NativeError;
 use super::evaluate::Interpreted;
 use super::memory::{Kernel, PlacedKernel, parts};
+use super::place::Place;
 use super::program::Program;
 use super::{LARGEST_BLOCKS, Level};
-
-/// Where a block of a program begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
-    /// Which of the blocks that a sequence is run on.
-    pub block: usize,
-    /// At which value of it.
-    pub first: usize,
-}
-
-impl Place {
-    /// Each block where the block of the same number begins.
-    pub const ALL: [Self; LARGEST_BLOCKS] = {
-        let mut places = [Self { block: 0, first: 0 }; LARGEST_BLOCKS];
-        let mut block = 0;
-        while block < LARGEST_BLOCKS {
-            places[block].block = block;
-            block += 1;
-        }
-        places
-    };
-}
 
 /// A program, and its machine code where that is wanted and can be had.
 #[derive(Debug, Clone)]

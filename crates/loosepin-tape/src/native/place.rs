@@ -1,0 +1,25 @@
+//! Where the blocks of a program lie among those of a sequence of programs.
+
+use super::LARGEST_BLOCKS;
+
+/// Where a block of a program begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    /// Which of the blocks that a sequence is run on.
+    pub block: usize,
+    /// At which value of it.
+    pub first: usize,
+}
+
+impl Place {
+    /// Each block where the block of the same number begins.
+    pub const ALL: [Self; LARGEST_BLOCKS] = {
+        let mut places = [Self { block: 0, first: 0 }; LARGEST_BLOCKS];
+        let mut block = 0;
+        while block < LARGEST_BLOCKS {
+            places[block].block = block;
+            block += 1;
+        }
+        places
+    };
+}
