@@ -33,7 +33,7 @@ macro_rules! problems {
         pub enum $name:ident $(| $passed:ident($inner:ty))* {
             $(
                 $(#[$doc:meta])*
-                $variant:ident $({ $($field:ident: $type:ty),+ $(,)? })? => $code:expr,
+                $variant:ident $({ $($(#[$note:meta])* $field:ident: $type:ty),+ $(,)? })? => $code:expr,
                     says($($said:tt)+) $(, $hint:ident($($hinted:tt)+))?;
             )+
         }
@@ -42,7 +42,7 @@ macro_rules! problems {
         #[allow(missing_docs, reason = "the text of a problem says what each field is")]
         pub enum $name {
             $(#[doc = concat!("As [`", stringify!($inner), "`] has it.")] $passed($inner),)*
-            $($(#[$doc])* $variant $({ $($field: $type),+ })?,)+
+            $($(#[$doc])* $variant $({ $($(#[$note])* $field: $type),+ })?,)+
         }
 
         #[allow(unused_variables, reason = "no text needs all fields")]
