@@ -2,82 +2,97 @@
 
 use super::constraints::Opening;
 use crate::model::{QuantityError, describe_path};
+use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::{Dimension, format_value, quoted};
-use thiserror::Error;
 
-/// Why a model cannot be compiled.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum MechanismError {
-    /// The nominal values break a rule.
-    #[error(transparent)]
-    Quantity(#[from] QuantityError),
-    #[error(
-        "the mechanism has {mobility} degrees of freedom and {drives} {}: {} not determined",
-        if *drives == 1 { "drive" } else { "drives" },
-        undetermined_words(undetermined)
-    )]
-    TooFewDrives {
-        /// Degrees of freedom with all clearances at zero.
-        mobility: usize,
-        drives: usize,
-        /// Bodies that can still move when the drives stand still.
-        undetermined: Vec<String>,
-    },
-    #[error(
-        "the mechanism has {mobility} {} of freedom and {drives} drives: they work against each other",
-        if *mobility == 1 { "degree" } else { "degrees" }
-    )]
-    TooManyDrives {
-        /// Degrees of freedom with all clearances at zero.
-        mobility: usize,
-        drives: usize,
-    },
-    #[error("joint '{joint}' closes a loop in which every joint is driven")]
-    DrivenLoop { joint: String },
-    /// A joint with friction in a mechanism whose constraint forces are not determined.
-    #[error(
-        "joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints repeat each other"
-    )]
-    CarriedNotDetermined { joint: String },
-    #[error("the links cannot close at the start: {open} at best")]
-    CannotClose { open: Opening },
-    #[error("the links cannot close at the start that [initial] gives: {open} at best")]
-    CannotCloseAsGiven { open: Opening },
-    #[error(
-        "the initial state does not determine {}",
-        if *is_rate { rates_of(bodies) } else { places_of(bodies) }
-    )]
-    StartNotDetermined {
-        /// Whether rates are missing, not positions.
-        is_rate: bool,
-        /// Bodies that can still be placed, or moved, in more than one way.
-        bodies: Vec<String>,
-    },
-    #[error("the drives determine the motion; the initial state under [initial] has nothing to say")]
-    StartNotNeeded,
-    #[error("control '{control}' has nothing to move: the drives determine the motion")]
-    NothingToControl { control: String },
-    #[error("control '{control}' cannot feed inverse dynamics forward: {reason}")]
-    NoInverseDynamics { control: String, reason: &'static str },
-    #[error(
-        "{} cannot be {} at the start; the links and what else is given come no closer than {}",
-        describe_path(path),
-        format_value(*given_si, *dimension),
-        format_value(*found_si, *dimension)
-    )]
-    StartContradicts {
-        path: String,
-        given_si: f64,
-        /// The nearest one, SI.
-        found_si: f64,
-        dimension: Dimension,
-    },
-    #[error(
-        "the mechanism starts in a singular position: {} can move although every drive stands still",
-        if bodies.is_empty() { "a body".to_owned() } else { quoted(bodies) }
-    )]
-    SingularStart { bodies: Vec<String> },
+problems! {
+    /// Why a model cannot be compiled.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum MechanismError | Quantity(QuantityError) {
+        TooFewDrives {
+            /// Degrees of freedom with all clearances at zero.
+            mobility: usize,
+            drives: usize,
+            /// Bodies that can still move when the drives stand still.
+            undetermined: Vec<String>,
+        } => Code::TooFewDrives,
+            says(
+                "the mechanism has {mobility} degrees of freedom and {drives} {}: {} not determined",
+                if *drives == 1 { "drive" } else { "drives" },
+                undetermined_words(undetermined)
+            ),
+            hint("add a drive, or a joint that holds what can still move; what only forces move needs its start under \
+                  [initial]");
+        TooManyDrives {
+            /// Degrees of freedom with all clearances at zero.
+            mobility: usize,
+            drives: usize,
+        } => Code::TooManyDrives,
+            says(
+                "the mechanism has {mobility} {} of freedom and {drives} drives: they work against each other",
+                if *mobility == 1 { "degree" } else { "degrees" }
+            ),
+            hint("remove a drive");
+        DrivenLoop { joint: String } => Code::DrivenLoop,
+            says("joint '{joint}' closes a loop in which every joint is driven"),
+            hint("remove one of the drives of this loop");
+        /// A joint with friction in a mechanism whose constraint forces are not determined.
+        CarriedNotDetermined { joint: String } => Code::FrictionNotPossible,
+            says("joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints \
+                  repeat each other"),
+            hint("remove what holds the mechanism twice, or the friction");
+        CannotClose { open: Opening } => Code::CannotClose,
+            says("the links cannot close at the start: {open} at best"),
+            hint("check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near \
+                  the true one");
+        CannotCloseAsGiven { open: Opening } => Code::StartNotPossible,
+            says("the links cannot close at the start that [initial] gives: {open} at best"),
+            hint("leave out what follows from the other values under [initial]");
+        StartNotDetermined {
+            /// Whether rates are missing, not positions.
+            is_rate: bool,
+            /// Bodies that can still be placed, or moved, in more than one way.
+            bodies: Vec<String>,
+        } => Code::StartNotPossible,
+            says(
+                "the initial state does not determine {}",
+                if *is_rate { rates_of(bodies) } else { places_of(bodies) }
+            ),
+            hint(
+                "give the {} of one of them under [initial]",
+                if *is_rate { "angular velocity or velocity" } else { "angle or position" }
+            );
+        StartNotNeeded => Code::StartNotPossible,
+            says("the drives determine the motion; the initial state under [initial] has nothing to say"),
+            hint("remove [initial], or a drive");
+        NothingToControl { control: String } => Code::ControlNotPossible,
+            says("control '{control}' has nothing to move: the drives determine the motion"),
+            hint("remove the drive of what the control is to move, or the control");
+        NoInverseDynamics { control: String, reason: &'static str } => Code::ControlNotPossible,
+            says("control '{control}' cannot feed inverse dynamics forward: {reason}"),
+            hint("it is worked out for open chains on the ground whose every joint is driven or controlled; feed \
+                  forward an expression over time instead, or nothing");
+        StartContradicts {
+            path: String,
+            given_si: f64,
+            /// The nearest one, SI.
+            found_si: f64,
+            dimension: Dimension,
+        } => Code::StartNotPossible,
+            says(
+                "{} cannot be {} at the start; the links and what else is given come no closer than {}",
+                describe_path(path),
+                format_value(*given_si, *dimension),
+                format_value(*found_si, *dimension)
+            ),
+            hint("leave it out: it follows from the others; or change those");
+        SingularStart { bodies: Vec<String> } => Code::SingularPosition,
+            says(
+                "the mechanism starts in a singular position: {} can move although every drive stands still",
+                if bodies.is_empty() { "a body".to_owned() } else { quoted(bodies) }
+            ),
+            hint("start the drive a few degrees away");
+    }
 }
 
 /// Where bodies are, in words.
@@ -102,58 +117,70 @@ fn undetermined_words(bodies: &[String]) -> String {
     }
 }
 
-/// Why one set of values gives no motion of the ideal mechanism.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum SampleError {
-    /// A value breaks its rule.
-    #[error(transparent)]
-    Quantity(#[from] QuantityError),
-    /// A clearance is zero in one and above zero in the other of sample and compiled mechanism.
-    #[error("joint '{joint}' has a radial clearance of {}; the compiled mechanism treats it as {}", format_value(*clearance_m, Dimension::LENGTH), if *compiled_with_play { "a joint with play" } else { "ideal" })]
-    ClearanceChangesTopology {
-        joint: String,
-        clearance_m: f64,
-        /// Whether it had play when the mechanism was compiled.
-        compiled_with_play: bool,
-    },
-    #[error(
-        "joint '{joint}' has a radial clearance of {}; '{law}' was fitted to clearances from {} to {}",
-        format_value(*clearance_m, Dimension::LENGTH),
-        format_value(fitted_m[0], Dimension::LENGTH),
-        format_value(fitted_m[1], Dimension::LENGTH)
-    )]
-    ClearanceOutsideFit {
-        joint: String,
-        law: &'static str,
-        clearance_m: f64,
-        /// Smallest and largest clearance of the fit, m.
-        fitted_m: [f64; 2],
-    },
-    #[error(
-        "joint '{joint}' has a film by {law} with a roughness of {} at a radial clearance of {}; must lie between {} and {}",
-        format_value(*roughness_m, Dimension::LENGTH),
-        format_value(*clearance_m, Dimension::LENGTH),
-        format_value(allowed_m[0], Dimension::LENGTH),
-        format_value(allowed_m[1], Dimension::LENGTH)
-    )]
-    RoughnessOutsideFilm {
-        joint: String,
-        law: &'static str,
-        roughness_m: f64,
-        clearance_m: f64,
-        /// Smallest and largest roughness at this clearance, m.
-        allowed_m: [f64; 2],
-    },
-    #[error("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME))]
-    CannotClose { open: Opening, time_s: f64 },
-    #[error(
-        "{} is {}; the links and what else is given make it {}",
-        describe_path(path),
-        format_value(*given_si, *dimension),
-        format_value(*found_si, *dimension)
-    )]
-    StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension },
-    #[error("singular position at {}: the drives no longer determine the motion", format_value(*time_s, Dimension::TIME))]
-    Singular { time_s: f64 },
+problems! {
+    /// Why one set of values gives no motion of the ideal mechanism.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SampleError | Quantity(QuantityError) {
+        /// A clearance is zero in one and above zero in the other of sample and compiled mechanism.
+        ClearanceChangesTopology {
+            joint: String,
+            clearance_m: f64,
+            /// Whether it had play when the mechanism was compiled.
+            compiled_with_play: bool,
+        } => Code::ClearanceTouchesZero,
+            says(
+                "joint '{joint}' has a radial clearance of {}; the compiled mechanism treats it as {}",
+                format_value(*clearance_m, Dimension::LENGTH),
+                if *compiled_with_play { "a joint with play" } else { "ideal" }
+            ),
+            hint("with and without play are two mechanisms; run them one by one");
+        ClearanceOutsideFit {
+            joint: String,
+            law: &'static str,
+            clearance_m: f64,
+            /// Smallest and largest clearance of the fit, m.
+            fitted_m: [f64; 2],
+        } => Code::ClearanceOutsideFit,
+            says(
+                "joint '{joint}' has a radial clearance of {}; '{law}' was fitted to clearances from {} to {}",
+                format_value(*clearance_m, Dimension::LENGTH),
+                format_value(fitted_m[0], Dimension::LENGTH),
+                format_value(fitted_m[1], Dimension::LENGTH)
+            ),
+            hint("take another law for this clearance");
+        RoughnessOutsideFilm {
+            joint: String,
+            law: &'static str,
+            roughness_m: f64,
+            clearance_m: f64,
+            /// Smallest and largest roughness at this clearance, m.
+            allowed_m: [f64; 2],
+        } => Code::RoughnessOutsideFilm,
+            says(
+                "joint '{joint}' has a film by {law} with a roughness of {} at a radial clearance of {}; must lie \
+                 between {} and {}",
+                format_value(*roughness_m, Dimension::LENGTH),
+                format_value(*clearance_m, Dimension::LENGTH),
+                format_value(allowed_m[0], Dimension::LENGTH),
+                format_value(allowed_m[1], Dimension::LENGTH)
+            ),
+            hint("the roughness is the thickness below which the film no longer stiffens");
+        CannotClose { open: Opening, time_s: f64 } => Code::CannotClose,
+            says("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME)),
+            hint("the lengths do not allow the whole turn; check them, or drive another joint");
+        StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension } => Code::StartNotPossible,
+            says(
+                "{} is {}; the links and what else is given make it {}",
+                describe_path(path),
+                format_value(*given_si, *dimension),
+                format_value(*found_si, *dimension)
+            ),
+            hint("leave it out: it follows from the others; or change those");
+        Singular { time_s: f64 } => Code::SingularPosition,
+            says(
+                "singular position at {}: the drives no longer determine the motion",
+                format_value(*time_s, Dimension::TIME)
+            ),
+            hint("drive another joint, or stay away from this position");
+    }
 }
