@@ -1,63 +1,94 @@
 //! Errors of the entries of a file, whatever they mean.
 
-use thiserror::Error;
-
-use crate::diagnostics::{Code, Problem};
+use crate::diagnostics::{Code, problems};
 use crate::units::{Dimension, Rule, listed, quoted};
 
 /// The largest file that is read.
 pub(super) const LARGEST_FILE_BYTES: usize = 1 << 20;
 
-/// An error in a file or an entry of it. `entry` and `table` are paths in words.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum DocumentProblem {
-    #[error("cannot read {file}: {reason}")]
-    NotReadable { file: String, reason: String, hint: Option<String> },
-    #[error("the file is not UTF-8 text from here on")]
-    NotUtf8,
-    #[error("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read")]
-    TooLarge { file: String, size_bytes: usize },
-    #[error("not TOML here: {reason}")]
-    Syntax { reason: String, line: String },
-    #[error("{entry} has a decimal comma; numbers have a point")]
-    DecimalComma { entry: String, written: String },
-    #[error("'{key}' is defined twice")]
-    DuplicateKey { key: String },
-    #[error("{} has no key '{key}'", or_file(.table))]
-    UnknownKey { table: String, key: String, nearest: Option<String>, known: Vec<&'static str> },
-    #[error("{entry} is not yet supported by this version")]
-    NotYetSupported { entry: String, instead: String },
-    #[error("{entry} is not supported any more")]
-    RemovedKey { entry: String, instead: String },
-    #[error("{}{key} is missing", prefix(.table))]
-    MissingKey { table: String, key: &'static str, example: &'static str, doc: &'static str },
-    #[error("{}{key} is missing; must be {}", prefix(.table), one_of(.choices))]
-    MissingTag { table: String, key: &'static str, choices: Vec<&'static str> },
-    #[error("{}one of {} is missing", prefix(.table), quoted(.keys))]
-    MissingOneOf { table: String, keys: Vec<&'static str> },
-    #[error("{}{} cannot be used together; give exactly one of {}", prefix(.table), quoted(.given), quoted(.keys))]
-    MoreThanOneOf { table: String, given: Vec<&'static str>, keys: Vec<&'static str> },
-    #[error("{entry} is {found}; expected {due}")]
-    WrongType { entry: String, found: String, due: &'static str },
-    #[error("{entry} is still to be filled in")]
-    ToFillIn { entry: String },
-    #[error("{entry} has {found} entries; expected {due}")]
-    WrongLength { entry: String, found: usize, due: usize },
-    #[error("{entry} is '{found}'; must be {}", one_of(.choices))]
-    UnknownChoice { entry: String, found: String, choices: Vec<&'static str>, nearest: Option<String> },
-    #[error("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -")]
-    BadName { what: &'static str, name: String },
-    #[error("{entry} is {found}; must be a whole number from {least} to {most}")]
-    BadCount { entry: String, found: String, least: u64, most: u64 },
-    #[error("{entry} is {found} without a unit; must be {due}")]
-    MissingUnit { entry: String, found: String, due: Dimension },
-    #[error("{entry} is {found}; must be {due}")]
-    WrongDimension { entry: String, found: Dimension, due: Dimension },
-    #[error("{entry} is {found}; must be finite")]
-    NotFinite { entry: String, found: String },
-    #[error("{entry} {found}; must be {}", .rule.words())]
-    BreaksRule { entry: String, found: String, rule: Rule },
+problems! {
+    /// An error in a file or an entry of it. `entry` and `table` are paths in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum DocumentProblem {
+        NotReadable { file: String, reason: String, hint: Option<String> } => Code::FileNotReadable,
+            says("cannot read {file}: {reason}"),
+            hint_of(hint.clone());
+        NotUtf8 => Code::NotUtf8,
+            says("the file is not UTF-8 text from here on"),
+            hint("save the file as UTF-8");
+        TooLarge { file: String, size_bytes: usize } => Code::FileTooLarge,
+            says("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read");
+        Syntax { reason: String, line: String } => Code::TomlSyntax,
+            says("not TOML here: {reason}"),
+            hint_of(number_with_comma(line).map(|written| format!("decimal numbers have a point: {written}")));
+        DecimalComma { entry: String, written: String } => Code::ExpressionSyntax,
+            says("{entry} has a decimal comma; numbers have a point"),
+            hint("write \"{written}\"");
+        DuplicateKey { key: String } => Code::TomlSyntax,
+            says("'{key}' is defined twice"),
+            hint("define each key and each table once");
+        UnknownKey { table: String, key: String, nearest: Option<String>, known: Vec<&'static str> } =>
+            Code::UnknownKey,
+            says("{} has no key '{key}'", or_file(table)),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => format!("its keys are {}", known.join(", ")),
+            }));
+        NotYetSupported { entry: String, instead: String } => Code::NotYetSupported,
+            says("{entry} is not yet supported by this version"),
+            hint("{instead}");
+        RemovedKey { entry: String, instead: String } => Code::UnknownKey,
+            says("{entry} is not supported any more"),
+            hint("{instead}");
+        MissingKey { table: String, key: &'static str, example: &'static str, doc: &'static str } => Code::MissingKey,
+            says("{}{key} is missing", prefix(table)),
+            hint_of(Some(match *example {
+                "" => (*doc).to_owned(),
+                example => format!("for example {key} = {example} ({doc})"),
+            }));
+        MissingTag { table: String, key: &'static str, choices: Vec<&'static str> } => Code::MissingKey,
+            says("{}{key} is missing; must be {}", prefix(table), one_of(choices));
+        MissingOneOf { table: String, keys: Vec<&'static str> } => Code::MissingKey,
+            says("{}one of {} is missing", prefix(table), quoted(keys));
+        MoreThanOneOf { table: String, given: Vec<&'static str>, keys: Vec<&'static str> } => Code::ConflictingKeys,
+            says("{}{} cannot be used together; give exactly one of {}", prefix(table), quoted(given), quoted(keys));
+        WrongType { entry: String, found: String, due: &'static str } => Code::WrongType,
+            says("{entry} is {found}; expected {due}"),
+            hint_of((*due == TEXT_WITH_UNIT)
+                .then(|| "values with units are written as text, for example \"0.5 mm\"".to_owned()));
+        ToFillIn { entry: String } => Code::ToFillIn,
+            says("{entry} is still to be filled in");
+        WrongLength { entry: String, found: usize, due: usize } => Code::WrongType,
+            says("{entry} has {found} entries; expected {due}");
+        UnknownChoice { entry: String, found: String, choices: Vec<&'static str>, nearest: Option<String> } =>
+            Code::UnknownChoice,
+            says("{entry} is '{found}'; must be {}", one_of(choices)),
+            hint_of(nearest.as_ref().map(|nearest| format!("did you mean \"{nearest}\"?")));
+        BadName { what: &'static str, name: String } => Code::BadName,
+            says("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -");
+        BadCount { entry: String, found: String, least: u64, most: u64 } => Code::BadCount,
+            says("{entry} is {found}; must be a whole number from {least} to {most}");
+        MissingUnit { entry: String, found: String, due: Dimension } => Code::MissingUnit,
+            says("{entry} is {found} without a unit; must be {due}"),
+            hint_of(Some(with_unit(found, *due)));
+        WrongDimension { entry: String, found: Dimension, due: Dimension } => Code::WrongDimension,
+            says("{entry} is {found}; must be {due}"),
+            hint_of(Some(match due.example() {
+                Some(example) => format!("for example \"{example}\""),
+                None => format!("its unit is {}", due.si_unit()),
+            }));
+        NotFinite { entry: String, found: String } => Code::NotFinite,
+            says("{entry} is {found}; must be finite");
+        BreaksRule { entry: String, found: String, rule: Rule } =>
+            if is_probability(rule) { Code::BadProbability } else { Code::BreaksRule },
+            says("{entry} {found}; must be {}", rule.words()),
+            hint_of(is_probability(rule)
+                .then(|| "probabilities are written as numbers, 97.5 % is 0.975".to_owned()));
+    }
+}
+
+fn is_probability(rule: &Rule) -> bool {
+    matches!(rule, Rule::Probability | Rule::RequiredProbability)
 }
 
 /// A table in front of what is wrong with it; nothing for the top of the file.
@@ -85,71 +116,14 @@ fn number_with_comma(line: &str) -> Option<String> {
     })
 }
 
-impl Problem for DocumentProblem {
-    fn code(&self) -> Code {
-        match self {
-            Self::NotReadable { .. } => Code::FileNotReadable,
-            Self::NotUtf8 => Code::NotUtf8,
-            Self::TooLarge { .. } => Code::FileTooLarge,
-            Self::Syntax { .. } | Self::DuplicateKey { .. } => Code::TomlSyntax,
-            Self::UnknownKey { .. } | Self::RemovedKey { .. } => Code::UnknownKey,
-            Self::NotYetSupported { .. } => Code::NotYetSupported,
-            Self::MissingKey { .. } | Self::MissingTag { .. } | Self::MissingOneOf { .. } => Code::MissingKey,
-            Self::MoreThanOneOf { .. } => Code::ConflictingKeys,
-            Self::WrongType { .. } | Self::WrongLength { .. } => Code::WrongType,
-            Self::UnknownChoice { .. } => Code::UnknownChoice,
-            Self::ToFillIn { .. } => Code::ToFillIn,
-            Self::BadName { .. } => Code::BadName,
-            Self::BadCount { .. } => Code::BadCount,
-            Self::DecimalComma { .. } => Code::ExpressionSyntax,
-            Self::MissingUnit { .. } => Code::MissingUnit,
-            Self::WrongDimension { .. } => Code::WrongDimension,
-            Self::NotFinite { .. } => Code::NotFinite,
-            Self::BreaksRule { rule: Rule::Probability | Rule::RequiredProbability, .. } => Code::BadProbability,
-            Self::BreaksRule { .. } => Code::BreaksRule,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::BreaksRule { rule: Rule::Probability | Rule::RequiredProbability, .. } => {
-                Some("probabilities are written as numbers, 97.5 % is 0.975".to_owned())
-            }
-            Self::NotReadable { hint, .. } => hint.clone(),
-            Self::DecimalComma { written, .. } => Some(format!("write \"{written}\"")),
-            Self::Syntax { line, .. } => {
-                number_with_comma(line).map(|written| format!("decimal numbers have a point: {written}"))
-            }
-            Self::DuplicateKey { .. } => Some("define each key and each table once".to_owned()),
-            Self::NotUtf8 => Some("save the file as UTF-8".to_owned()),
-            Self::UnknownKey { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
-            Self::UnknownKey { known, .. } => Some(format!("its keys are {}", known.join(", "))),
-            Self::NotYetSupported { instead, .. } | Self::RemovedKey { instead, .. } => Some(instead.clone()),
-            Self::MissingKey { key, example, doc, .. } if !example.is_empty() => {
-                Some(format!("for example {key} = {example} ({doc})"))
-            }
-            Self::MissingKey { doc, .. } => Some((*doc).to_owned()),
-            Self::UnknownChoice { nearest: Some(nearest), .. } => Some(format!("did you mean \"{nearest}\"?")),
-            Self::MissingUnit { due, found, .. } => {
-                let customary = due.example().and_then(|example| example.split_once(' ')).map(|(_, unit)| unit);
-                let si = due.si_unit();
-                let number = if found.parse::<f64>().is_ok() { found.as_str() } else { "1" };
-                Some(match customary {
-                    Some(unit) if unit != si => {
-                        format!("write the unit, for example \"{number} {unit}\" or \"{number} {si}\"")
-                    }
-                    _ => format!("write the unit, for example \"{number} {si}\""),
-                })
-            }
-            Self::WrongDimension { due, .. } => Some(match due.example() {
-                Some(example) => format!("for example \"{example}\""),
-                None => format!("its unit is {}", due.si_unit()),
-            }),
-            Self::WrongType { due, .. } if *due == TEXT_WITH_UNIT => {
-                Some("values with units are written as text, for example \"0.5 mm\"".to_owned())
-            }
-            _ => None,
-        }
+/// How a number without a unit is written with one: the customary unit and that of SI.
+fn with_unit(found: &str, due: Dimension) -> String {
+    let customary = due.example().and_then(|example| example.split_once(' ')).map(|(_, unit)| unit);
+    let si = due.si_unit();
+    let number = if found.parse::<f64>().is_ok() { found } else { "1" };
+    match customary {
+        Some(unit) if unit != si => format!("write the unit, for example \"{number} {unit}\" or \"{number} {si}\""),
+        _ => format!("write the unit, for example \"{number} {si}\""),
     }
 }
 
