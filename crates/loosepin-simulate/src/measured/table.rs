@@ -259,7 +259,7 @@ impl TableReader {
                 place: *place,
             }),
             Err(error) => {
-                self.complain(&MeasuredProblem::Unit { error: error.problem }, *place);
+                self.complain(&MeasuredProblem::Unit(error.problem), *place);
                 None
             }
         }
