@@ -6,9 +6,7 @@ use super::quantity::{Origin, QuantityError, QuantityId};
 use super::topology::{Joint, Model};
 use std::sync::Arc;
 
-use thiserror::Error;
-
-use loosepin_text::diagnostics::{Code, Complaint, Place, Problem, Source, nearest_name};
+use loosepin_text::diagnostics::{Code, Complaint, Place, Source, nearest_name, problems};
 use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
 
 /// A quantity with the value that it is to have.
@@ -31,75 +29,39 @@ pub struct SettingRange {
     pub to_si: f64,
 }
 
-/// Why a setting cannot be read.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum SettingError {
-    #[error("'{text}' is not written path=value")]
-    NoEqualsSign { text: String },
-    #[error("'{text}' is not written path=from..to")]
-    NoRange { text: String },
-    #[error("{path} goes from {value} to the same value; must be two values")]
-    EmptyRange { path: String, value: String },
-    /// A path that cannot be set.
-    #[error(transparent)]
-    Path(#[from] PathError),
-    /// A value that cannot be read.
-    #[error(transparent)]
-    Value(#[from] ExpressionProblem),
-    #[error("{path} is {text} without a unit; must be {due}")]
-    MissingUnit { path: String, text: String, due: Dimension },
-    #[error("{path} is {found}; must be {due}")]
-    WrongDimension { path: String, found: Dimension, due: Dimension },
-    /// A value that breaks a rule.
-    #[error(transparent)]
-    Rule(#[from] QuantityError),
-    /// A law that the contact cannot have.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    #[error("there is no law of contact '{name}'")]
-    UnknownLaw { name: String, nearest: Option<String> },
-    #[error("'{path}' is set a second time")]
-    Twice { path: String },
-    #[error("{name} is {found}; must be {rule}")]
-    ArgumentBreaksRule { name: String, found: String, rule: &'static str },
+problems! {
+    /// Why a setting cannot be read.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SettingError | Path(PathError) | Value(ExpressionProblem) | Rule(QuantityError) | Law(LawError) {
+        NoEqualsSign { text: String } => Code::SettingSyntax,
+            says("'{text}' is not written path=value"),
+            hint("for example --set joint.gudgeon.radial_clearance=0.3mm");
+        NoRange { text: String } => Code::SettingSyntax,
+            says("'{text}' is not written path=from..to"),
+            hint("for example --over joint.gudgeon.radial_clearance=0.1mm..0.5mm");
+        EmptyRange { path: String, value: String } => Code::BreaksRule,
+            says("{path} goes from {value} to the same value; must be two values");
+        MissingUnit { path: String, text: String, due: Dimension } => Code::MissingUnit,
+            says("{path} is {text} without a unit; must be {due}"),
+            hint_of(Some(example_of(*due)));
+        WrongDimension { path: String, found: Dimension, due: Dimension } => Code::WrongDimension,
+            says("{path} is {found}; must be {due}"),
+            hint_of(Some(example_of(*due)));
+        UnknownLaw { name: String, nearest: Option<String> } => Code::UnknownChoice,
+            says("there is no law of contact '{name}'"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => "loosepin schema model lists them".to_owned(),
+            }));
+        Twice { path: String } => Code::SetTwice,
+            says("'{path}' is set a second time");
+        ArgumentBreaksRule { name: String, found: String, rule: &'static str } => Code::BreaksRule,
+            says("{name} is {found}; must be {rule}");
+    }
 }
 
-impl Problem for SettingError {
-    fn code(&self) -> Code {
-        match self {
-            Self::NoEqualsSign { .. } | Self::NoRange { .. } => Code::SettingSyntax,
-            Self::Path(error) => error.code(),
-            Self::Value(problem) => problem.code(),
-            Self::MissingUnit { .. } => Code::MissingUnit,
-            Self::WrongDimension { .. } => Code::WrongDimension,
-            Self::Rule(error) => error.code(),
-            Self::Law(error) => error.code(),
-            Self::UnknownLaw { .. } => Code::UnknownChoice,
-            Self::Twice { .. } => Code::SetTwice,
-            Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => Code::BreaksRule,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::NoEqualsSign { .. } => Some("for example --set joint.gudgeon.radial_clearance=0.3mm".to_owned()),
-            Self::NoRange { .. } => Some("for example --over joint.gudgeon.radial_clearance=0.1mm..0.5mm".to_owned()),
-            Self::Path(error) => error.hint(),
-            Self::Value(problem) => problem.hint(),
-            Self::MissingUnit { due, .. } | Self::WrongDimension { due, .. } => {
-                Some(due.example().map_or_else(
-                    || format!("its unit is {}", due.si_unit()),
-                    |example| format!("for example {example}"),
-                ))
-            }
-            Self::Rule(error) => error.hint(),
-            Self::Law(error) => error.hint(),
-            Self::UnknownLaw { nearest: Some(nearest), .. } => Some(format!("did you mean '{nearest}'?")),
-            Self::UnknownLaw { nearest: None, .. } => Some("loosepin schema model lists them".to_owned()),
-            Self::Twice { .. } | Self::ArgumentBreaksRule { .. } | Self::EmptyRange { .. } => None,
-        }
-    }
+fn example_of(due: Dimension) -> String {
+    due.example().map_or_else(|| format!("its unit is {}", due.si_unit()), |example| format!("for example {example}"))
 }
 
 impl Model {
