@@ -3,32 +3,20 @@
 use super::ids::ContactId;
 use super::path_error::PathError;
 use super::topology::{JointKind, Model, Stiffness};
-use thiserror::Error;
-
 use crate::contact::{NormalDescription, point_law};
-use loosepin_text::diagnostics::{Code, Problem, nearest_name};
+use loosepin_text::diagnostics::{Code, nearest_name, problems};
 
-/// Why a contact cannot have a law.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum LawError {
-    #[error("{law} needs {key} of {table}, which the model does not give")]
-    NeedsKey { law: &'static str, key: &'static str, table: String },
-    /// A linear law beside others: its stiffness has another unit and stands in place of the materials.
-    #[error("{law} takes its stiffness in another way than {beside}, the law of {table} in the model")]
-    OtherStiffness { law: &'static str, beside: &'static str, table: String },
-}
-
-impl Problem for LawError {
-    fn code(&self) -> Code {
-        Code::LawNotPossible
-    }
-
-    fn hint(&self) -> Option<String> {
-        Some(match self {
-            Self::NeedsKey { law, key, table } => format!("add {key} to {table}, or leave {law} out"),
-            Self::OtherStiffness { law, .. } => format!("leave {law} out, or give it a model of its own"),
-        })
+problems! {
+    /// Why a contact cannot have a law.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum LawError {
+        NeedsKey { law: &'static str, key: &'static str, table: String } => Code::LawNotPossible,
+            says("{law} needs {key} of {table}, which the model does not give"),
+            hint("add {key} to {table}, or leave {law} out");
+        /// A linear law beside others: its stiffness has another unit and stands in place of the materials.
+        OtherStiffness { law: &'static str, beside: &'static str, table: String } => Code::LawNotPossible,
+            says("{law} takes its stiffness in another way than {beside}, the law of {table} in the model"),
+            hint("leave {law} out, or give it a model of its own");
     }
 }
 
