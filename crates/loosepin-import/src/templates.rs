@@ -4,9 +4,7 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
-use loosepin_text::diagnostics::{Code, Problem};
+use loosepin_text::diagnostics::{Code, problems};
 
 /// A model file and a study file to start from.
 #[derive(Debug, Clone, Copy)]
@@ -68,31 +66,15 @@ pub fn find_template(name: &str) -> Option<&'static Template> {
     TEMPLATES.iter().find(|template| template.name == name)
 }
 
-/// Why a template cannot be written.
-#[derive(Debug, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum TemplateError {
-    #[error("{} is there already; it is not overwritten", path.display())]
-    Exists { path: PathBuf },
-    #[error("cannot write {}: {source}", path.display())]
-    Write { path: PathBuf, source: io::Error },
-}
-
-impl Problem for TemplateError {
-    fn code(&self) -> Code {
-        match self {
-            Self::Exists { .. } => Code::FileExists,
-            Self::Write { .. } => Code::FolderNotUsable,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::Exists { .. } => {
-                Some("give another folder, for example: loosepin new TEMPLATE my_mechanism".to_owned())
-            }
-            Self::Write { .. } => None,
-        }
+problems! {
+    /// Why a template cannot be written.
+    #[derive(Debug)]
+    pub enum TemplateError {
+        Exists { path: PathBuf } => Code::FileExists,
+            says("{} is there already; it is not overwritten", path.display()),
+            hint("give another folder, for example: loosepin new TEMPLATE my_mechanism");
+        Write { path: PathBuf, source: io::Error } => Code::FolderNotUsable,
+            says("cannot write {}: {source}", path.display());
     }
 }
 
