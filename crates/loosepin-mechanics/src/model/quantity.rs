@@ -2,9 +2,7 @@
 
 use std::collections::HashMap;
 
-use thiserror::Error;
-
-use loosepin_text::diagnostics::{Code, Problem, Span};
+use loosepin_text::diagnostics::{Code, Span, problems};
 use loosepin_text::document::describe_path;
 use loosepin_text::units::{Dimension, Expression, Op, Rule, format_value, run};
 
@@ -73,22 +71,28 @@ impl std::ops::Index<QuantityId> for Values {
     }
 }
 
-/// Why a set of values is physically impossible.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs, reason = "the text of an error says what it is, and names its fields")]
-pub enum QuantityError {
-    #[error("{} {}; must be {rule}", describe_path(.path), format_value(*.value_si, *.dimension))]
-    BreaksRule { path: String, value_si: f64, dimension: Dimension, rule: &'static str },
-    #[error(
-        "{} {}; must be below {} {}",
-        describe_path(.path),
-        format_value(*.value_si, *.dimension),
-        describe_path(.limit_path),
-        format_value(*.limit_si, *.dimension)
-    )]
-    OutOfOrder { path: String, value_si: f64, limit_path: String, limit_si: f64, dimension: Dimension },
-    #[error("{path} is not a free number of the model; it cannot be set")]
-    NotSettable { path: String },
+problems! {
+    /// Why a set of values is physically impossible.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum QuantityError {
+        BreaksRule { path: String, value_si: f64, dimension: Dimension, rule: &'static str } =>
+            if value_si.is_finite() { Code::BreaksRule } else { Code::NotFinite },
+            says("{} {}; must be {rule}", describe_path(path), format_value(*value_si, *dimension)),
+            hint_of(hint_at(path));
+        OutOfOrder { path: String, value_si: f64, limit_path: String, limit_si: f64, dimension: Dimension } =>
+            Code::OutOfOrder,
+            says(
+                "{} {}; must be below {} {}",
+                describe_path(path),
+                format_value(*value_si, *dimension),
+                describe_path(limit_path),
+                format_value(*limit_si, *dimension)
+            ),
+            hint_of(hint_at(path));
+        NotSettable { path: String } => Code::NotSettable,
+            says("{path} is not a free number of the model; it cannot be set"),
+            hint_of(hint_at(path));
+    }
 }
 
 impl QuantityError {
@@ -100,24 +104,15 @@ impl QuantityError {
     }
 }
 
-impl Problem for QuantityError {
-    fn code(&self) -> Code {
-        match self {
-            Self::BreaksRule { value_si, .. } if !value_si.is_finite() => Code::NotFinite,
-            Self::BreaksRule { .. } => Code::BreaksRule,
-            Self::OutOfOrder { .. } => Code::OutOfOrder,
-            Self::NotSettable { .. } => Code::NotSettable,
-        }
-    }
-
-    fn hint(&self) -> Option<String> {
-        match self.path().rsplit('.').next() {
-            Some("radial_clearance") => Some("clearance is bearing radius minus journal radius".to_owned()),
-            Some("restitution") => Some("1 loses no energy; 0 would end every impact at rest".to_owned()),
-            Some("lower_speed") => Some("friction grows from nothing at lower_speed to full at upper_speed".to_owned()),
-            _ => None,
-        }
-    }
+/// The way out where the quantity at `path` is at fault.
+fn hint_at(path: &str) -> Option<String> {
+    let hint = match path.rsplit('.').next()? {
+        "radial_clearance" => "clearance is bearing radius minus journal radius",
+        "restitution" => "1 loses no energy; 0 would end every impact at rest",
+        "lower_speed" => "friction grows from nothing at lower_speed to full at upper_speed",
+        _ => return None,
+    };
+    Some(hint.to_owned())
 }
 
 impl QuantityTable {
