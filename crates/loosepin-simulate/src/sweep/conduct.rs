@@ -9,11 +9,10 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{QuantityId, SetValues, SettingRange};
 use loosepin_result::simulation::Override;
 use loosepin_result::sweep::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
-use loosepin_text::diagnostics::{Code, Problem};
+use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use thiserror::Error;
 
 /// Plan of a sweep.
 #[derive(Debug, Clone)]
@@ -40,43 +39,24 @@ impl SweepPlan {
     }
 }
 
-/// Why a sweep has no result.
-#[derive(Debug, Error)]
-pub enum SweepError {
-    /// The threads could not be started.
-    #[error("the threads could not be started: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// No run came to its end.
-    #[error("all {runs} runs failed; the first one: {reason}")]
-    AllFailed {
-        /// How many.
-        runs: usize,
-        /// Why the first one did.
-        reason: String,
-    },
-    /// It was interrupted.
-    #[error("interrupted after {finished} of {runs} runs")]
-    Interrupted {
-        /// Runs that were finished.
-        finished: usize,
-        /// All runs.
-        runs: usize,
-    },
-}
-
-impl Problem for SweepError {
-    fn code(&self) -> Code {
-        match self {
-            Self::Threads(_) => Code::NoThreads,
-            Self::AllFailed { .. } => Code::AllRunsFailed,
-            Self::Interrupted { .. } => Code::Interrupted,
-        }
-    }
-    fn hint(&self) -> Option<String> {
-        match self {
-            Self::AllFailed { .. } => Some("loosepin simulate with --set shows a single run".to_owned()),
-            Self::Threads(_) | Self::Interrupted { .. } => None,
-        }
+problems! {
+    /// Why a sweep has no result.
+    #[derive(Debug)]
+    pub enum SweepError {
+        /// The threads could not be started.
+        Threads { source: rayon::ThreadPoolBuildError } => Code::NoThreads,
+            says("the threads could not be started: {source}");
+        /// No run came to its end.
+        AllFailed {
+            runs: usize,
+            /// Why the first one did.
+            reason: String,
+        } => Code::AllRunsFailed,
+            says("all {runs} runs failed; the first one: {reason}"),
+            hint("loosepin simulate with --set shows a single run");
+        /// It was interrupted.
+        Interrupted { finished: usize, runs: usize } => Code::Interrupted,
+            says("interrupted after {finished} of {runs} runs");
     }
 }
 
@@ -96,7 +76,8 @@ pub fn sweep(
 ) -> Result<SweepRecord, SweepError> {
     let outputs: Vec<Column> = columns(mechanism).into_iter().filter(|column| column.reading.is_position()).collect();
     let runs = SweepRuns { mechanism, ideal: mechanism.without_play(), set, plan, outputs: &outputs };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|source| SweepError::Threads { source })?;
     let (taken, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let parts: Vec<Vec<(usize, SweepPoint)>> = pool.install(|| {
         (0..threads).into_par_iter().with_max_len(1).map(|_| runs.on_a_thread(&taken, &finished, heard, stop)).collect()
