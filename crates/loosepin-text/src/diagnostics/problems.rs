@@ -26,6 +26,7 @@
 ///
 /// `pub enum Name | Variant(Other) {` adds a variant for each problem of another such type, which keeps its text, code and hint.
 /// `says` and `hint` take what `format!` takes, with the fields by their names; `hint_of` takes an `Option<String>`.
+/// A field has a doc comment where its name does not say what it is.
 #[macro_export]
 macro_rules! problems {
     (
