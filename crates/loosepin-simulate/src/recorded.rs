@@ -26,7 +26,7 @@ impl Sequences {
         let routines = Routine::all(all, level, lanes);
         let sequence = |calls: &[(usize, [Place; BLOCKS])]| {
             let calls: Vec<_> = calls.iter().map(|(program, places)| (&routines[*program], &places[..])).collect();
-            match Sequence::new(lanes, &calls) {
+            match Sequence::new(&calls) {
                 Ok(sequence) => sequence,
                 Err(error) => unreachable!("programs and places are of one layout: {error}"),
             }

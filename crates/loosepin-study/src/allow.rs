@@ -131,11 +131,11 @@ fn loosest_fit<'a>(
 ) -> Result<[Option<Tried<'a>>; 2], StudyError> {
     let mut beyond = None;
     for fit in allowance.fits.iter().rev() {
-        let tried = Some((fit.clearance_m[1], Some(fit)));
-        if is_met((fit.clearance_m[1], Some(fit)))? {
-            return Ok([tried, beyond]);
+        let tried = (fit.clearance_m[1], Some(fit));
+        if is_met(tried)? {
+            return Ok([Some(tried), beyond]);
         }
-        beyond = tried;
+        beyond = Some(tried);
     }
     Ok([None, beyond])
 }

@@ -36,8 +36,8 @@ impl Kernel {
     ///
     /// [`NativeError::NotSupported`] where the processor lacks the instructions of `level`,
     /// [`NativeError::ExecutableMemoryRefused`] where the operating system allows no code of our own: then
-    /// [`super::Sequence`] interprets the program and gives the same numbers. [`NativeError::UnevenLanes`], [`NativeError::TooManyBlocks`],
-    /// [`NativeError::BlockTooLarge`] and [`NativeError::FrameTooLarge`] for what no processor can do.
+    /// [`super::Sequence`] interprets the program and gives the same numbers. [`NativeError::UnevenLanes`],
+    /// [`NativeError::TooManyBlocks`], [`NativeError::BlockTooLarge`] and [`NativeError::FrameTooLarge`] for what no processor can do.
     pub fn compile(program: &Program, level: Level, lanes: usize) -> Result<Self, NativeError> {
         let (code, size) = translate(program, level, lanes)?;
         Self::new(&code, size, program.values_per_block().to_vec(), level, lanes)

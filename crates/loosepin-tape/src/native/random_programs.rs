@@ -291,7 +291,7 @@ fn identity_a_sequence_gives_the_same_bits_as_its_programs_one_by_one() {
         for level in Level::ALL.into_iter().filter(|level| level.is_supported()).map(Some).chain([None]) {
             let routines = Routine::all(programs.clone(), level, LANES);
             let calls: Vec<_> = calls.iter().map(|(program, places)| (&routines[*program], &places[..])).collect();
-            let sequence = Sequence::new(LANES, &calls).expect("places of the right size");
+            let sequence = Sequence::new(&calls).expect("places of the right size");
             let mut found = start.clone();
             let [a, b, c, d, e, f, g, h] = &mut found[..] else { unreachable!("eight blocks") };
             sequence.run(&mut [a, b, c, d, e, f, g, h], &mut Vec::new()).expect("blocks of the right length");
@@ -375,7 +375,7 @@ fn refusals_say_what_is_wrong_and_what_the_rule_is() {
     );
     for level in [Level::best(), None] {
         let routine = &Routine::all(vec![program.clone()], level, 8)[0];
-        let sequence = |places: &[Place]| Sequence::new(8, &[(routine, places)]);
+        let sequence = |places: &[Place]| Sequence::new(&[(routine, places)]);
         let refused = |places: &[Place]| text(sequence(places).map(|_| ()));
         let at = |block, first| Place { block, first };
         assert_eq!(refused(&[at(0, 0)]), "called with 1 blocks; must be at least 2");

@@ -12,6 +12,7 @@ use super::{LARGEST_BLOCKS, Level};
 pub struct Routine {
     program: Program,
     kernel: Option<Kernel>,
+    lanes: usize,
 }
 
 impl Routine {
@@ -23,42 +24,43 @@ impl Routine {
             Err(_) => programs.iter().map(|program| Kernel::compile(program, level, lanes).ok()).collect(),
         });
         let kernels = kernels.into_iter().chain(std::iter::repeat(None));
-        programs.into_iter().zip(kernels).map(|(program, kernel)| Self { program, kernel }).collect()
+        programs.into_iter().zip(kernels).map(|(program, kernel)| Self { program, kernel, lanes }).collect()
     }
 }
 
 /// Routines in an order, each on blocks that are parts of those that the sequence is run on.
 #[derive(Debug, Clone)]
 pub struct Sequence {
-    lanes: usize,
     calls: Vec<Call>,
 }
 
 #[derive(Debug, Clone)]
 enum Call {
     Machine(Box<PlacedKernel>),
-    Interpreted(Interpreted),
+    Interpreted { program: Interpreted, lanes: usize },
 }
 
 impl Sequence {
-    /// `calls` for so many lanes: of each the routine, and by block of its program where that lies. Places behind those that the
+    /// `calls`: of each the routine, and by block of its program where that lies. Places behind those that the
     /// program uses do not count, nor do those of blocks of which it uses nothing.
     ///
     /// # Errors
     ///
     /// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], [`NativeError::PlacesOverlap`].
-    pub fn new(lanes: usize, calls: &[(&Routine, &[Place])]) -> Result<Self, NativeError> {
-        let call = |&(Routine { program, kernel }, places): &(&Routine, &[Place])| {
-            parts(program.values_per_block(), places, lanes)?;
-            match kernel {
-                Some(kernel) => Ok(Call::Machine(Box::new(PlacedKernel::new(kernel, places)?))),
-                None => Ok(Call::Interpreted(Interpreted::new(&program.placed(places)))),
-            }
+    pub fn new(calls: &[(&Routine, &[Place])]) -> Result<Self, NativeError> {
+        let call = |&(Routine { program, kernel, lanes }, places): &(&Routine, &[Place])| {
+            Ok(match kernel {
+                Some(kernel) => Call::Machine(Box::new(PlacedKernel::new(kernel, places)?)),
+                None => {
+                    parts(program.values_per_block(), places, *lanes)?;
+                    Call::Interpreted { program: Interpreted::new(&program.placed(places)), lanes: *lanes }
+                }
+            })
         };
-        Ok(Self { lanes, calls: calls.iter().map(call).collect::<Result<_, _>>()? })
+        Ok(Self { calls: calls.iter().map(call).collect::<Result<_, _>>()? })
     }
 
-    /// Runs on `blocks`: value `i` of block `b` in lane `l` is `blocks[b][i * lanes + l]`. The bits are the same as machine code and
+    /// Runs on `blocks`: value `i` of block `b` in lane `l` is `blocks[b][i * lanes + l]`, with the lanes of the routines. The bits are the same as machine code and
     /// interpreted, except for which of the numbers "not a number" a result is. `scratch` is work space, which grows to what is
     /// needed and can be used again.
     ///
@@ -69,7 +71,7 @@ impl Sequence {
         for call in &self.calls {
             match call {
                 Call::Machine(kernel) => kernel.run(blocks)?,
-                Call::Interpreted(program) => program.run(self.lanes, blocks, scratch)?,
+                Call::Interpreted { program, lanes } => program.run(*lanes, blocks, scratch)?,
             }
         }
         Ok(())

@@ -159,7 +159,8 @@ macro_rules! film_laws {
                 match self {
                     $(Self::$variant(film) => film.force(motion)),*
                 }
-            }        }
+            }
+        }
     };
 }
 

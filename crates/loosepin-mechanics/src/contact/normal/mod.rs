@@ -99,7 +99,8 @@ macro_rules! normal_laws {
                 match self {
                     $(Self::$variant(contact) => contact.needs_effective_mass()),*
                 }
-            }        }
+            }
+        }
     };
 }
 
