@@ -355,6 +355,9 @@ pub struct ExportArguments {
     /// Write only this output; may be repeated [default: all]
     #[arg(long = "output", value_name = "NAME")]
     pub outputs: Vec<String>,
+    /// Replace another export
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Print the JSON Schema of model or study files

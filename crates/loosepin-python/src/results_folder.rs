@@ -98,14 +98,13 @@ fn conducted(
 
 /// The finished result that is in `folder`.
 fn read(folder: &ResultsFolder) -> Result<Conducted, Complaints> {
-    let result = read_summary(folder.path()).map_err(complain)?;
-    let path = folder.path().join(RUNS_FILE);
-    let bytes =
-        std::fs::read(&path).map_err(|source| complain(loosepin::results::ResultsError::Read { path, source }))?;
-    let runs = read_runs_parquet(bytes).map_err(complain)?;
-    let surrogates = match folder.path().join(SURROGATES_FILE).exists() {
-        true => Some(SavedSurrogates::from_json(&folder.read(SURROGATES_FILE).map_err(complain)?).map_err(complain)?),
-        false => None,
+    let result = read_summary(folder).map_err(complain)?;
+    let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(complain)?).map_err(complain)?;
+    let surrogates = if folder.has(SURROGATES_FILE) {
+        let text = folder.read_text(SURROGATES_FILE).map_err(complain)?;
+        Some(SavedSurrogates::from_json(&text).map_err(complain)?)
+    } else {
+        None
     };
     Ok(Conducted { result, runs, surrogates })
 }

@@ -10,7 +10,7 @@ problems! {
     #[derive(Debug, Clone, PartialEq, Eq)]
     pub enum StoreError {
         /// Another process has it open.
-        InUse { path: PathBuf } => Code::StoreInUse,
+        InUse { path: PathBuf } => Code::FolderInUse,
             says("{} is in use by another loosepin", path.display()),
             hint("wait for it to end, or give another folder by --out");
         /// It holds runs of this very study, and nobody said what is to become of them.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::files::SURROGATES_FILE;
 use super::saved_surrogates::{SavedSurrogateError, SavedSurrogates};
-use loosepin_store::results::{ResultsError, write_whole};
+use loosepin_store::results::{Claim, FinishedResult, InputsHasher, Place, ResultKind, ResultsError, ResultsFolder};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::quoted;
 
@@ -14,6 +14,10 @@ problems! {
     /// Why surrogates are not written as ONNX.
     #[derive(Debug)]
     pub enum ExportError | Write(ResultsError) {
+        /// No file of surrogates.
+        NoSurrogates { folder: PathBuf } => Code::NoResults,
+            says("the study in {} has no {SURROGATES_FILE}", folder.display()),
+            hint("a study that asks for surrogates leaves this file: surrogate = \"network\"");
         /// No file of surrogates.
         Read { path: PathBuf, source: io::Error } => Code::NoResults,
             says("cannot read {}: {source}", path.display()),
@@ -25,21 +29,22 @@ problems! {
         /// No output of that name.
         NoSuchOutput { asked: String, known: Vec<String> } => Code::SurrogateNotExported,
             says("no surrogate of '{asked}'; there are surrogates of {}", quoted(known));
-        /// Another file of that name is there.
-        Exists { path: PathBuf } => Code::FileExists,
-            says("{} is there already, and holds something else; it is not overwritten", path.display()),
-            hint("give another folder");
     }
 }
 
 /// Writes the surrogates of `results`, a folder of results or its `surrogates.json`, as ONNX files into `folder`, which is made where there
-/// is none; of the outputs with the names `only`, of all where that is empty. Gives the paths of the files.
+/// is none; of the outputs with the names `only`, of all where that is empty. Another export there is replaced `with_force` alone. Gives
+/// the paths of the files.
 ///
 /// # Errors
 /// [`ExportError`]; nothing is written where one of the surrogates has no form in ONNX.
-pub fn export_networks(results: &Path, only: &[String], folder: &Path) -> Result<Vec<PathBuf>, ExportError> {
-    let path = if results.is_dir() { results.join(SURROGATES_FILE) } else { results.to_owned() };
-    let text = fs::read_to_string(&path).map_err(|source| ExportError::Read { path: path.clone(), source })?;
+pub fn export_networks(
+    results: &Path,
+    only: &[String],
+    folder: &Path,
+    with_force: bool,
+) -> Result<Vec<PathBuf>, ExportError> {
+    let (path, text) = surrogates_text(results)?;
     let of_file = |source: SavedSurrogateError| ExportError::Surrogate { path: path.clone(), source };
     let saved = SavedSurrogates::from_json(&text).map_err(of_file)?;
     if let Some(asked) = only.iter().find(|asked| saved.outputs.iter().all(|output| output.output != **asked)) {
@@ -48,18 +53,49 @@ pub fn export_networks(results: &Path, only: &[String], folder: &Path) -> Result
         return Err(ExportError::NoSuchOutput { asked: asked.clone(), known });
     }
     let is_asked = |output: &usize| only.is_empty() || only.contains(&saved.outputs[*output].output);
-    let file = |output: usize| -> Result<(PathBuf, Vec<u8>), ExportError> {
-        Ok((folder.join(saved.onnx_file_name(output)), saved.to_onnx(output).map_err(of_file)?))
+    let file = |output: usize| -> Result<(String, Vec<u8>), ExportError> {
+        Ok((saved.onnx_file_name(output), saved.to_onnx(output).map_err(of_file)?))
     };
     let files = (0..saved.outputs.len()).filter(is_asked).map(file).collect::<Result<Vec<_>, _>>()?;
-    // The same export again writes the same bytes.
-    let is_other = |(path, bytes): &&(PathBuf, Vec<u8>)| path.exists() && fs::read(path).ok().as_ref() != Some(bytes);
-    if let Some((path, _)) = files.iter().find(is_other) {
-        return Err(ExportError::Exists { path: path.clone() });
+    let mut inputs = InputsHasher::new(ResultKind::Networks);
+    inputs.add("surrogates", &text);
+    for output in only {
+        inputs.add("output", output);
     }
-    fs::create_dir_all(folder).map_err(|source| ResultsError::Write { path: folder.to_owned(), source })?;
-    for (path, bytes) in &files {
-        write_whole(path, bytes)?;
+    let claim = Claim {
+        kind: ResultKind::Networks,
+        name: saved.study.clone(),
+        inputs: inputs.finish(),
+        place: Place::Folder(folder.to_owned()),
+        with_force,
+    };
+    let mut written = claim.take()?;
+    if !written.is_finished()
+        && let Err(error) = write(&mut written, &files)
+    {
+        written.abandon()?;
+        return Err(error.into());
     }
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    Ok(files.into_iter().map(|(file_name, _)| folder.join(file_name)).collect())
+}
+
+/// The text of saved surrogates, and the path of its file.
+fn surrogates_text(results: &Path) -> Result<(PathBuf, String), ExportError> {
+    if !results.is_dir() {
+        let read = fs::read_to_string(results);
+        let text = read.map_err(|source| ExportError::Read { path: results.to_owned(), source })?;
+        return Ok((results.to_owned(), text));
+    }
+    let study = FinishedResult::open(results)?;
+    match study.read_text(SURROGATES_FILE) {
+        Err(ResultsError::NotListed { .. }) => Err(ExportError::NoSurrogates { folder: results.to_owned() }),
+        text => Ok((results.join(SURROGATES_FILE), text?)),
+    }
+}
+
+fn write(folder: &mut ResultsFolder, files: &[(String, Vec<u8>)]) -> Result<(), ResultsError> {
+    for (file_name, bytes) in files {
+        folder.write(file_name, bytes)?;
+    }
+    folder.finish()
 }

@@ -6,10 +6,7 @@ use std::time::SystemTime;
 use super::conduct::Conducted;
 use super::error::StudyError;
 use super::file::Study;
-use super::files::{
-    BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, SURROGATES_FILE, TIMING_FILE, Timing, runs_parquet, surrogates_json,
-    write_study,
-};
+use super::files::{RUNS_FILE, SURROGATES_FILE, Timing, runs_parquet, surrogates_json, write_study};
 use super::runs::RunsTable;
 use loosepin_result::study::StudyResult;
 use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
@@ -49,8 +46,8 @@ pub enum Begun {
     Open(ResultsFolder, RunStore),
 }
 
-/// Opens the store of finished runs in the folder that `claim` asks for by `open`, and takes the folder. The store comes first, since
-/// it is locked while it is open: whoever is refused has changed nothing in the folder.
+/// Takes the folder that `claim` asks for, and opens the store of finished runs in it by `open`. The store comes before the result is
+/// begun: whoever is refused by it has changed nothing in the folder.
 ///
 /// # Errors
 /// The folder holds something else; the store cannot be used, or holds runs and nobody said what is to become of them.
@@ -58,25 +55,22 @@ pub fn begin_in_folder(
     claim: &Claim,
     open: impl Fn(&Path) -> Result<RunStore, StoreError>,
 ) -> Result<Begun, Complaints> {
-    let lock = |folder: &Path| {
-        let path = folder.join(STORE_FILE);
-        let was_there = path.exists();
-        open(&path).map_err(|error| {
-            // What was made and cannot be used goes; what another process has made meanwhile is his.
-            if !was_there && !matches!(error, StoreError::InUse { .. }) {
-                let _ = remove_store(&path);
-            }
-            complain(error)
-        })
-    };
     let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
-    match claim.take_locked(&store_files, lock)? {
-        (folder, Some(store)) => Ok(Begun::Open(folder, store)),
-        (folder, None) => {
-            remove_store(&folder.path().join(STORE_FILE)).map_err(complain)?;
-            Ok(Begun::Finished(folder))
-        }
+    let folder = claim.lock(&store_files).map_err(complain)?;
+    let path = folder.path().join(STORE_FILE);
+    if folder.is_finished() {
+        remove_store(&path).map_err(complain)?;
+        return Ok(Begun::Finished(folder.begin().map_err(complain)?));
     }
+    let was_there = path.exists();
+    let store = open(&path).map_err(|error| {
+        // What was made and cannot be used goes; what another process has made is his.
+        if !was_there && !matches!(error, StoreError::InUse { .. }) {
+            let _ = remove_store(&path);
+        }
+        complain(error)
+    })?;
+    Ok(Begun::Open(folder.begin().map_err(complain)?, store))
 }
 
 /// Writes what came of a study that began at `started` into its folder, or keeps there what there is of it; `page` makes its report.
@@ -132,10 +126,7 @@ fn write(
         let text = surrogates_json(surrogates).map_err(complain)?;
         folder.write(SURROGATES_FILE, text.as_bytes()).map_err(complain)?;
     }
-    write_study(folder.path(), &conducted.result, &conducted.runs, timing).map_err(complain)?;
-    for file_name in [BOUNDS_FILE, RUNS_FILE, TIMING_FILE, SUMMARY_FILE] {
-        folder.add_file(file_name);
-    }
+    write_study(folder, &conducted.result, &conducted.runs, timing).map_err(complain)?;
     folder.write(REPORT_FILE, page(&conducted.result).as_bytes()).map_err(complain)?;
     folder.finish().map_err(complain)
 }

@@ -8,8 +8,8 @@ use crate::ending::{Done, Ending, Failure};
 
 /// Writes the networks, and says what does not go along with them.
 pub fn run(arguments: &ExportArguments) -> Ending {
-    let ExportArguments { results, folder, outputs } = arguments;
-    let files = export_networks(results, outputs, folder).map_err(|error| Failure::of(&error))?;
+    let ExportArguments { results, folder, outputs, force } = arguments;
+    let files = export_networks(results, outputs, folder, *force).map_err(|error| Failure::of(&error))?;
     for file in &files {
         console::message(&format!("wrote {}", file.display()));
     }

@@ -63,7 +63,7 @@ pub trait StoredResult: DeserializeOwned {
     /// # Errors
     /// A file that is not there, or that another version wrote.
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
-        let text = folder.read(SUMMARY_FILE)?;
+        let text = folder.read_text(SUMMARY_FILE)?;
         serde_json::from_str(&text).map_err(|error| folder.foreign_file(SUMMARY_FILE, error).into())
     }
 

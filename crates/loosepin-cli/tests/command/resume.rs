@@ -208,11 +208,11 @@ fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
     ];
     let folders = [desk.path("bounds"), desk.path("shared.shard-1-of-2")];
     let before = folders.each_ref().map(|folder| files(folder));
+    let holders = at_work.each_ref().map(std::process::Child::id);
     let in_use = |folder: &str| {
-        format!(
-            "error[E0907]: {folder}/runs.sqlite is in use by another loosepin\n\
-             hint: wait for it to end, or give another folder by --out\n"
-        )
+        let holder = if folder == "bounds" { holders[0] } else { holders[1] };
+        let name = "(study 'half a turn', since ";
+        [format!("error[E0907]: {folder} is in use by process {holder} on "), name.to_owned()]
     };
     let seconds: [(Vec<&str>, &str); 5] = [
         (vec!["study", "study.toml", "--out", "bounds", "--resume"], "bounds"),
@@ -223,7 +223,11 @@ fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
     ];
     for (arguments, folder) in &seconds {
         let second = desk.run(arguments);
-        assert_eq!((second.status, second.messages), (2, in_use(folder)), "{arguments:?}");
+        assert_eq!(second.status, 2, "{arguments:?}");
+        let [start, name] = in_use(folder);
+        assert!(second.messages.starts_with(&start) && second.messages.contains(&name), "{}", second.messages);
+        let end = "; nothing in it is changed\nhint: wait for it to end, or give another folder by --out\n";
+        assert!(second.messages.ends_with(end), "{}", second.messages);
         for (folder, before) in folders.iter().zip(&before) {
             assert!(files(folder) == *before, "{arguments:?} has changed {}", folder.display());
         }

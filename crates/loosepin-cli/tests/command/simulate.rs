@@ -221,6 +221,56 @@ fn a_finished_run_is_told_and_its_report_written_again() {
 }
 
 #[test]
+fn two_runs_do_not_write_into_one_folder() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let others = ["simulate", "model.toml", "--turns", "0.4", "--out", "run", "--force"];
+    // Of minutes, so that it is at work when the other one comes.
+    let mut first =
+        desk.command(&["simulate", "model.toml", "--turns", "2000", "--out", "run"]).spawn().expect("it starts");
+    while !desk.path("run/loosepin.json").exists() {
+        assert!(first.try_wait().expect("it can be asked").is_none(), "it ended before it had a folder");
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let second = desk.run(&others);
+    first.kill().expect("it is at work still");
+    first.wait().expect("it ends");
+    assert_eq!(second.status, 2, "{}", second.messages);
+    let holder = format!("error[E0907]: run is in use by process {} on ", first.id());
+    assert!(second.messages.starts_with(&holder), "{}", second.messages);
+    assert!(second.messages.contains(" (simulation 'slider-crank at 5000 rpm, play in the gudgeon', since "));
+    // Nobody holds it now, though the file of its lock was left.
+    desk.succeed(&others);
+    let names =
+        std::fs::read_dir(desk.path("run")).expect("a folder").map(|entry| entry.expect("readable").file_name());
+    let mut names: Vec<_> = names.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.sort();
+    assert_eq!(names, ["history.csv", "impacts.csv", "loosepin.json", "report.html", "summary.json"]);
+}
+
+#[test]
+fn a_result_whose_files_were_changed_is_refused() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let arguments = ["simulate", "model.toml", "--turns", "0.1", "--out", "run"];
+    desk.succeed(&arguments);
+    let history = desk.read("run/history.csv");
+    desk.write("run/history.csv", &history.replacen('0', "1", 1));
+    let refused = "error[E0913]: run/history.csv is not the file that the simulation 'slider-crank at 5000 rpm, play in the \
+                   gudgeon' wrote: its BLAKE3 hash is not the one in loosepin.json\n\
+                   hint: put the file back as it was, or run it again with --force";
+    desk.fail(&["report", "run"], refused);
+    desk.fail(&arguments, refused);
+    std::fs::remove_file(desk.path("run/history.csv")).expect("removable");
+    desk.fail(
+        &["report", "run"],
+        "error[E0913]: run/history.csv is missing; it belongs to the finished simulation 'slider-crank at 5000 rpm, play in the \
+         gudgeon'\n\
+         hint: put the file back, or run it again with --force",
+    );
+    desk.write("run/history.csv", &history);
+    desk.succeed(&["report", "run"]);
+}
+
+#[test]
 fn folders_that_hold_something_else_are_refused() {
     let desk = Desk::with_model("slider_crank_5000");
     desk.succeed(&["simulate", "model.toml", "--turns", "0.5", "--out", "run"]);

@@ -30,6 +30,33 @@ problems! {
         HoldsOtherFiles { folder: PathBuf, example: String } => Code::FolderHoldsOther,
             says("{} holds files that are not results, '{example}' for one; nothing is overwritten", folder.display()),
             hint("give another folder, or --force to write beside these files and over those of the same names");
+        /// Another process writes there; `holder` is what it says of itself.
+        InUse { folder: PathBuf, holder: Option<String> } => Code::FolderInUse,
+            says(
+                "{} is in use by {}; nothing in it is changed",
+                folder.display(),
+                holder.as_deref().unwrap_or("another loosepin")
+            ),
+            hint("wait for it to end, or give another folder by --out");
+        /// A file of a finished result is missing.
+        Missing { path: PathBuf, kind: ResultKind, name: String } => Code::ResultNotWhole,
+            says("{} is missing; it belongs to the finished {} '{name}'", path.display(), kind.words()),
+            hint("put the file back, or run it again with --force");
+        /// A file of a finished result has another hash than when it was written.
+        Changed { path: PathBuf, kind: ResultKind, name: String } => Code::ResultNotWhole,
+            says(
+                "{} is not the file that the {} '{name}' wrote: its BLAKE3 hash is not the one in {MARKER_FILE}",
+                path.display(),
+                kind.words()
+            ),
+            hint("put the file back as it was, or run it again with --force");
+        /// A finished result that has no such file.
+        NotListed { path: PathBuf, kind: ResultKind, name: String } => Code::NoResults,
+            says("{} is no file of the {} '{name}'", path.display(), kind.words());
+        /// A result that has no page.
+        NoPage { folder: PathBuf } => Code::NoResults,
+            says("{} holds exported networks; they have no report", folder.display()),
+            hint("give the folder of the study that they were exported from");
         /// A file where a folder is due.
         NotAFolder { path: PathBuf } => Code::FolderNotUsable,
             says("{} is a file; expected a folder", path.display());

@@ -17,16 +17,19 @@ pub enum ResultKind {
     Study,
     /// Runs for many values of a quantity.
     Sweep,
+    /// Neural networks of a study, for other programs.
+    Networks,
 }
 
 impl ResultKind {
-    /// As a noun: `simulation`, `motion`, `study`, `sweep`.
+    /// As a noun: `simulation`, `motion`, `study`, `sweep`, `export of networks`.
     pub fn words(self) -> &'static str {
         match self {
             Self::Simulation => "simulation",
             Self::Motion => "motion",
             Self::Study => "study",
             Self::Sweep => "sweep",
+            Self::Networks => "export of networks",
         }
     }
 }

@@ -1,9 +1,15 @@
 //! The small file by which a folder of results is known.
 
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
 use serde::{Deserialize, Serialize};
 
 use super::error::ResultsError;
-use super::kind::ResultKind;
+use super::kind::{MARKER_FILE, ResultKind};
+use super::whole::write_whole;
 
 /// The content of [`super::MARKER_FILE`]: what a folder holds, and from which inputs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,15 +24,38 @@ pub struct Marker {
     pub version: String,
     /// Whether all files are there.
     pub is_finished: bool,
-    /// Names of the files that belong to the result, this one left out.
-    pub files: Vec<String>,
+    /// BLAKE3 of each file that belongs to the result, by name; none for a file that differs from run to run. This one is left out.
+    pub files: BTreeMap<String, Option<String>>,
     /// Files of the finished result that this one replaces: each waits as `NAME.replaced` until this one is finished.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub replaced: Vec<String>,
 }
 
 impl Marker {
-    /// The text of the file.
+    /// That of `folder`.
+    ///
+    /// # Errors
+    /// There is none, or another version wrote it.
+    pub(super) fn read(folder: &Path) -> Result<Self, ResultsError> {
+        let path = folder.join(MARKER_FILE);
+        match fs::read_to_string(&path) {
+            Ok(text) => serde_json::from_str(&text).map_err(|source| ResultsError::ForeignMarker { path, source }),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                Err(ResultsError::NoMarker { folder: folder.to_owned() })
+            }
+            Err(source) => Err(ResultsError::Read { path, source }),
+        }
+    }
+
+    /// Writes it, whole or not at all.
+    ///
+    /// # Errors
+    /// An error of the file system.
+    pub(super) fn write(&self, folder: &Path) -> Result<(), ResultsError> {
+        write_whole(&folder.join(MARKER_FILE), self.to_text()?.as_bytes())
+    }
+
+    /// Its text.
     ///
     /// # Errors
     /// An error of JSON.
@@ -35,4 +64,58 @@ impl Marker {
         text.push('\n');
         Ok(text)
     }
+
+    /// Holds every listed file against its hash, except those that are `written_again` anyway.
+    ///
+    /// # Errors
+    /// A file is missing, or is not the one that was written.
+    pub(super) fn verify(&self, folder: &Path, written_again: &[&str]) -> Result<(), ResultsError> {
+        let hashed = self.files.iter().filter_map(|(file_name, hash)| Some((file_name, hash.as_ref()?)));
+        for (file_name, expected) in hashed.filter(|(file_name, _)| !written_again.contains(&file_name.as_str())) {
+            let Some(path) = inside(folder, file_name) else { return Err(self.changed(folder, file_name)) };
+            let mut hasher = blake3::Hasher::new();
+            fs::File::open(&path)
+                .and_then(|mut file| io::copy(&mut file, &mut hasher))
+                .map_err(|error| self.not_readable(path, error))?;
+            if hasher.finalize().to_hex().as_str() != expected {
+                return Err(self.changed(folder, file_name));
+            }
+        }
+        Ok(())
+    }
+
+    /// The contents of a listed file, held against its hash.
+    ///
+    /// # Errors
+    /// The file is not listed, is missing, or is not the one that was written.
+    pub(super) fn read_file(&self, folder: &Path, file_name: &str) -> Result<Vec<u8>, ResultsError> {
+        let path = folder.join(file_name);
+        let Some(listed) = self.files.get(file_name) else {
+            return Err(ResultsError::NotListed { path, kind: self.kind, name: self.name.clone() });
+        };
+        let contents = fs::read(&path).map_err(|error| self.not_readable(path, error))?;
+        match listed {
+            Some(expected) if blake3::hash(&contents).to_hex().as_str() != expected => {
+                Err(self.changed(folder, file_name))
+            }
+            _ => Ok(contents),
+        }
+    }
+
+    fn changed(&self, folder: &Path, file_name: &str) -> ResultsError {
+        ResultsError::Changed { path: folder.join(file_name), kind: self.kind, name: self.name.clone() }
+    }
+
+    fn not_readable(&self, path: PathBuf, error: io::Error) -> ResultsError {
+        match error.kind() {
+            io::ErrorKind::NotFound => ResultsError::Missing { path, kind: self.kind, name: self.name.clone() },
+            _ => ResultsError::Read { path, source: error },
+        }
+    }
+}
+
+/// A file of the folder; nothing where the name leads out of it.
+pub(super) fn inside(folder: &Path, file_name: &str) -> Option<PathBuf> {
+    let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
+    is_inside.then(|| folder.join(file_name))
 }

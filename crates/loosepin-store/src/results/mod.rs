@@ -3,19 +3,25 @@
 //! A folder of results has a small file [`MARKER_FILE`] that says what it holds and from which inputs. `docs/files/results.md`
 //! describes the files beside it.
 
+mod claim;
 mod error;
 mod folder;
 mod inputs;
 mod kind;
+mod lock;
 mod marker;
 mod shards;
+mod whole;
 
+pub use claim::{Claim, LockedFolder, Place};
 pub use error::ResultsError;
-pub use folder::{Claim, Place, ResultsFolder, write_whole};
+pub use folder::{FinishedResult, ResultsFolder};
 pub use inputs::{InputsHash, InputsHasher};
 pub use kind::{MARKER_FILE, ResultKind};
+pub use lock::LOCK_FILE;
 pub use marker::Marker;
 pub use shards::{SHARD_FILE, ShardFolders, ShardRecord, ShardsError};
+pub use whole::write_whole;
 
 /// Name of the page that people read.
 pub const REPORT_FILE: &str = "report.html";

@@ -7,8 +7,7 @@ mod json;
 mod runs_table;
 mod timing;
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub use bounds_table::{BOUNDS_COLUMNS, bounds_csv};
 pub use json::{read_json, to_json};
@@ -20,7 +19,7 @@ use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
 use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;
-use loosepin_store::results::{ResultsError, write_whole};
+use loosepin_store::results::{ResultsError, ResultsFolder};
 use loosepin_text::diagnostics::{Code, problems};
 
 /// Name of the file with one bound a row.
@@ -70,17 +69,21 @@ problems! {
     }
 }
 
-/// Writes `summary.json`, `bounds.csv`, `runs.parquet` and `timing.json` into a folder that exists. Each file appears
-/// whole or not at all, `summary.json` last, so that its presence means a finished study.
+/// Writes `summary.json`, `bounds.csv`, `runs.parquet` and `timing.json`. Each file appears whole or not at all.
 ///
 /// # Errors
 /// What cannot be laid out, and what the file system refuses.
-pub fn write_study(folder: &Path, result: &StudyResult, runs: &RunsTable, timing: &Timing) -> Result<(), FilesError> {
+pub fn write_study(
+    folder: &mut ResultsFolder,
+    result: &StudyResult,
+    runs: &RunsTable,
+    timing: &Timing,
+) -> Result<(), FilesError> {
     let summary = to_json(result)?;
-    write_whole(&folder.join(BOUNDS_FILE), &bounds_csv(result)?)?;
-    write_whole(&folder.join(RUNS_FILE), &runs_parquet(runs)?)?;
-    write_whole(&folder.join(TIMING_FILE), to_json(timing)?.as_bytes())?;
-    Ok(write_whole(&folder.join(SUMMARY_FILE), summary.as_bytes())?)
+    folder.write(BOUNDS_FILE, &bounds_csv(result)?)?;
+    folder.write(RUNS_FILE, &runs_parquet(runs)?)?;
+    folder.write_without_hash(TIMING_FILE, to_json(timing)?.as_bytes())?;
+    Ok(folder.write(SUMMARY_FILE, summary.as_bytes())?)
 }
 
 /// The text of `surrogates.json`.
@@ -100,13 +103,13 @@ struct Header {
 /// Reads the `summary.json` of a folder.
 ///
 /// # Errors
-/// A file that is not there, or that another version wrote.
-pub fn read_summary(folder: &Path) -> Result<StudyResult, FilesError> {
-    let path = folder.join(SUMMARY_FILE);
-    let text = fs::read_to_string(&path).map_err(|source| ResultsError::Read { path: path.clone(), source })?;
+/// A file that is not there, is not as it was written, or that another version wrote.
+pub fn read_summary(folder: &ResultsFolder) -> Result<StudyResult, FilesError> {
+    let text = folder.read_text(SUMMARY_FILE)?;
     // Looked at before the rest, which another format may not have.
     let Header { format } = read_json(&text, SUMMARY_FILE)?;
     if format != FORMAT {
+        let path = folder.path().join(SUMMARY_FILE);
         return Err(FilesError::OtherFormat { path, found: format, known: FORMAT });
     }
     read_json(&text, SUMMARY_FILE)

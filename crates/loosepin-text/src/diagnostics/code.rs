@@ -432,9 +432,10 @@ A file with a key `model` at its top is a study."
 "A value of the result has no form in JSON, CSV or Parquet, or its columns do not fit together. This is a slip of ours: please \
 report it with the files that lead to it."
 
-    StoreInUse "E0907" "a store of finished runs is in use"
-"While a study runs, its runs.sqlite is locked, so that two processes never write into one folder of results. Wait for the other \
-one to end, or give a folder of its own by --out."
+    FolderInUse "E0907" "a folder of results is in use"
+"While a command writes into a folder of results, it holds the folder's lock (loosepin.lock; a study also locks its runs.sqlite), so that \
+two processes never write into one result. Wait for the other one to end, or give a folder of its own by --out. The lock ends with \
+its process, even when that is killed: a file loosepin.lock that is left behind need not be removed."
 
     StoreOfOther "E0908" "a store holds the runs of something else"
 "The finished runs in a runs.sqlite belong to one study, one model and one version of the program: other inputs or another version \
@@ -456,6 +457,10 @@ shards that are missing."
     RoundOpen "E0912" "a round of a study waits for its shards"
 "A study asks for its runs in rounds, and each round depends on the results of those before. Every shard makes its part of a round; \
 `loosepin merge` joins the parts and opens the next round, or writes the results after the last one."
+
+    ResultNotWhole "E0913" "a finished result is not as it was written"
+"loosepin.json lists the files of a result with their BLAKE3 hashes, and every command that reads a result holds them against it. A file \
+is missing or was changed since: restore the folder from a copy, or make the result again with --force."
 
     NoSurrogateAnswer "E0920" "saved surrogates give no answer"
 "A surrogates.json needs values for all its inputs, within the training ranges; there is no extrapolation. A file of another version, \

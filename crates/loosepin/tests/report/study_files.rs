@@ -3,8 +3,10 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 
 use loosepin::diagnostics::Problem;
+use loosepin::results::{Claim, InputsHasher, LOCK_FILE, MARKER_FILE, Place, ResultKind};
 use loosepin::study::files::{
     BOUNDS_COLUMNS, BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, bounds_csv, read_json,
     read_runs_parquet, read_summary, runs_parquet, to_json, write_study,
@@ -186,18 +188,30 @@ fn crooked_tables_are_refused_in_words() {
     assert_eq!(refused(vec![column("a", 3), column("a", 3)]), "column 'a' of the runs stands twice; names must differ");
 }
 
+/// Asks for `folder`.
+fn claim(folder: &Path) -> Claim {
+    Claim {
+        kind: ResultKind::Study,
+        name: "worn pin".to_owned(),
+        inputs: InputsHasher::new(ResultKind::Study).finish(),
+        place: Place::Folder(folder.to_owned()),
+        with_force: false,
+    }
+}
+
 #[test]
 fn a_folder_holds_the_four_files_and_no_partial_ones() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let (result, runs) = (worn_pin(), runs_table());
-    write_study(folder.path(), &result, &runs, &timing()).expect("the folder can be written");
+    let mut results = claim(folder.path()).take().expect("an empty folder");
+    write_study(&mut results, &result, &runs, &timing()).expect("the folder can be written");
     let mut names: Vec<String> = fs::read_dir(folder.path())
         .expect("the folder can be read")
         .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
         .collect();
     names.sort();
-    assert_eq!(names, [BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE]);
-    assert!(read_summary(folder.path()).expect("the summary can be read") == result);
+    assert_eq!(names, [BOUNDS_FILE, MARKER_FILE, LOCK_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE]);
+    assert!(read_summary(&results).expect("the summary can be read") == result);
     let text = fs::read_to_string(folder.path().join(TIMING_FILE)).expect("the times can be read");
     assert_eq!(read_json::<Timing>(&text, TIMING_FILE).ok(), Some(timing()));
 }
@@ -207,8 +221,9 @@ fn another_format_is_refused_by_its_name() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(SUMMARY_FILE);
     // What the other one holds does not matter.
-    fs::write(&path, "{\"format\": 1, \"study\": \"older\"}").expect("writable");
-    let error = read_summary(folder.path()).expect_err("an older format");
+    let mut results = claim(folder.path()).take().expect("an empty folder");
+    results.write(SUMMARY_FILE, b"{\"format\": 1, \"study\": \"older\"}").expect("writable");
+    let error = read_summary(&results).expect_err("an older format");
     assert_eq!(error.to_string(), format!("{} has format 1; this version reads format 2", path.display()));
     assert_eq!(error.hint().as_deref(), Some("run the study again, or use the version that wrote it"));
 }
@@ -216,9 +231,11 @@ fn another_format_is_refused_by_its_name() {
 #[test]
 fn what_cannot_be_written_is_named() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let missing = folder.path().join("missing");
-    let error = write_study(&missing, &worn_pin(), &runs_table(), &timing()).expect_err("the folder is not there");
-    assert!(error.to_string().starts_with(&format!("cannot write {}", missing.join(BOUNDS_FILE).display())), "{error}");
-    let error = read_summary(&missing).expect_err("the folder is not there");
-    assert!(error.to_string().starts_with("cannot read "), "{error}");
+    let removed = folder.path().join("removed");
+    let mut results = claim(&removed).take().expect("a new folder");
+    fs::remove_dir_all(&removed).expect("removable");
+    let error = write_study(&mut results, &worn_pin(), &runs_table(), &timing()).expect_err("the folder is not there");
+    assert!(error.to_string().starts_with(&format!("cannot write {}", removed.join(BOUNDS_FILE).display())), "{error}");
+    let error = read_summary(&results).expect_err("nothing was written");
+    assert!(error.to_string().contains("summary.json is no file of the study"), "{error}");
 }

@@ -236,8 +236,9 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
     }
     // Polynomials are not made of layers.
     let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("surrogates.json"), &text).expect("a file");
-    let error = export_networks(folder.path(), &[], &folder.path().join("onnx")).expect_err("polynomials").to_string();
+    let file = folder.path().join("surrogates.json");
+    std::fs::write(&file, &text).expect("a file");
+    let error = export_networks(&file, &[], &folder.path().join("onnx"), false).expect_err("polynomials").to_string();
     assert!(
         error.contains(
             "surrogates.json: output 'slider dimensional' is learned by polynomial chaos; neural networks alone can be \

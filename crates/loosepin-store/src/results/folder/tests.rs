@@ -1,7 +1,7 @@
 //! Folders are claimed, refused, taken over and finished.
 
 use super::*;
-use crate::results::InputsHasher;
+use crate::results::{Claim, InputsHasher, Place};
 use loosepin_text::diagnostics::Problem;
 
 fn claim(path: &Path, input: &str, with_force: bool) -> Claim {
@@ -51,7 +51,8 @@ fn a_finished_result_is_kept_and_an_unfinished_one_taken_over() {
     let path = root.path().join("out");
     let mut folder = claim(&path, "a", false).take().expect("a new folder");
     folder.write("history.csv", b"half").expect("writable");
-    assert!(matches!(ResultsFolder::open(&path), Err(ResultsError::Unfinished { .. })));
+    assert!(matches!(FinishedResult::open(&path), Err(ResultsError::Unfinished { .. })));
+    drop(folder);
     finished(&path, "a");
     assert!(claim(&path, "a", false).take().expect("ours").is_finished());
     assert!(!claim(&path, "a", true).take().expect("ours").is_finished());
@@ -118,8 +119,8 @@ fn folders_that_hold_no_results_are_refused() {
         claim(&file, "a", true).take().expect_err("a file").to_string(),
         format!("{} is a file; expected a folder", file.display())
     );
-    assert!(matches!(ResultsFolder::open(&root.path().join("none")), Err(ResultsError::NoSuchFolder { .. })));
-    assert!(matches!(ResultsFolder::open(root.path()), Err(ResultsError::NoMarker { .. })));
+    assert!(matches!(FinishedResult::open(&root.path().join("none")), Err(ResultsError::NoSuchFolder { .. })));
+    assert!(matches!(FinishedResult::open(root.path()), Err(ResultsError::NoMarker { .. })));
 }
 
 #[test]
@@ -182,7 +183,7 @@ fn what_was_to_be_replaced_survives_a_crash() {
     let names: Vec<String> = contents(&path).into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["history.csv", MARKER_FILE]);
     assert_eq!(
-        ResultsFolder::open(&path).expect("finished").marker.inputs_blake3,
+        FinishedResult::open(&path).expect("finished").marker.inputs_blake3,
         claim(&path, "b", false).inputs.to_string()
     );
 }
@@ -203,47 +204,116 @@ fn a_crash_while_files_are_renamed_loses_nothing() {
     // As if it had stopped between the end of the new result and the removal of the old one.
     fs::write(path.join("history.csv.replaced"), "old").expect("writable");
     let text = fs::read_to_string(path.join(MARKER_FILE)).expect("the marker");
-    let text =
-        text.replace("\"history.csv\"\n  ]", "\"history.csv\"\n  ],\n  \"replaced\": [\n    \"history.csv\"\n  ]");
-    fs::write(path.join(MARKER_FILE), text).expect("writable");
+    let mut marker: Marker = serde_json::from_str(&text).expect("a marker");
+    marker.replaced.push("history.csv".to_owned());
+    marker.write(&path).expect("writable");
     assert!(claim(&path, "a", false).take().expect("ours").is_finished());
     assert_eq!(contents(&path), before);
 }
 
 #[test]
-fn a_lock_that_is_refused_changes_nothing() {
+fn a_lock_that_is_given_back_changes_nothing() {
     let root = tempfile::tempdir().expect("a folder");
-    let refuse = |_: &Path| -> Result<(), Complaints> {
-        Err(Complaints::one(&ResultsError::NoSuchFolder { folder: "busy".into() }, None))
-    };
     let fresh = root.path().join("a/b/out");
-    claim(&fresh, "a", false).take_locked(&[], refuse).expect_err("busy");
-    assert!(first_entry(root.path(), &[]).expect("readable").is_none(), "folders that were made for it are gone");
+    drop(claim(&fresh, "a", false).lock(&[]).expect("a new folder"));
+    assert!(!root.path().join("a").exists(), "folders that were made for it are gone");
     finished(&fresh, "a");
-    let before = fs::read(fresh.join(MARKER_FILE)).expect("the marker");
-    claim(&fresh, "b", true).take_locked(&[], refuse).expect_err("busy");
-    assert_eq!(fs::read(fresh.join(MARKER_FILE)).expect("the marker"), before);
-    assert!(fresh.join("history.csv").exists());
-    assert!(claim(&fresh, "a", false).take_locked(&[], refuse).expect("finished").1.is_none(), "without the lock");
+    let before = contents(&fresh);
+    drop(claim(&fresh, "b", true).lock(&[]).expect("forced"));
+    assert_eq!(contents(&fresh), before);
+    let error = claim(&fresh, "b", false).lock(&[]).expect_err("of another");
+    assert!(matches!(error, ResultsError::HoldsOtherResults { .. }));
+    assert_eq!(contents(&fresh), before);
 }
 
 #[test]
-fn what_is_finished_while_the_lock_is_waited_for_is_found() {
+fn a_folder_in_use_is_refused_and_its_holder_named() {
     let root = tempfile::tempdir().expect("a folder");
     let path = root.path().join("out");
-    let lock = |folder: &Path| -> Result<(), Complaints> {
-        if !folder.join(MARKER_FILE).exists() {
-            finished(folder, "a");
-        }
-        Ok(())
-    };
-    let (folder, held) = claim(&path, "a", false).take_locked(&["lock"], lock).expect("finished meanwhile");
-    assert!(folder.is_finished() && held.is_none());
-    // What a process leaves that was killed between lock and marker says nothing of the folder.
+    let mut first = claim(&path, "a", false).take().expect("a new folder");
+    first.write("history.csv", b"of a").expect("writable");
+    for with_force in [false, true] {
+        let error = claim(&path, "a", with_force).take().expect_err("in use");
+        assert_eq!(error.code(), loosepin_text::diagnostics::Code::FolderInUse);
+        let words = error.to_string();
+        let holder = format!("is in use by process {}", std::process::id());
+        assert!(words.contains(&holder) && words.contains("simulation 'Worn pin / 5000 rpm'"), "{words}");
+    }
+    // Other inputs, with force: the two that were mixed.
+    assert!(matches!(claim(&path, "b", true).take(), Err(ResultsError::InUse { .. })));
+    first.finish().expect("writable");
+    assert!(matches!(ResultsFolder::reopen(&path), Err(ResultsError::InUse { .. })));
+    FinishedResult::open(&path).expect("to read, it is free");
+    drop(first);
+    assert_eq!(ResultsFolder::reopen(&path).expect("free").read("history.csv").expect("listed"), b"of a");
+}
+
+#[test]
+fn files_made_under_the_lock_alone_say_nothing() {
+    let root = tempfile::tempdir().expect("a folder");
     let left = root.path().join("left");
     fs::create_dir(&left).expect("writable");
-    fs::write(left.join("lock"), "").expect("writable");
-    let take = |lock_files: &[&str]| claim(&left, "a", false).take_locked(lock_files, |_| Ok(()));
-    take(&[]).expect_err("a file of somebody's");
-    take(&["lock"]).expect("nobody's");
+    fs::write(left.join("runs.sqlite"), "").expect("writable");
+    claim(&left, "a", false).lock(&[]).expect_err("a file of somebody's");
+    claim(&left, "a", false).lock(&["runs.sqlite"]).expect("nobody's");
+}
+
+#[test]
+fn every_reader_holds_the_files_against_their_hashes() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    let mut folder = claim(&path, "a", false).take().expect("a new folder");
+    folder.write("history.csv", b"time_s\n0\n").expect("writable");
+    folder.write_without_hash("timing.json", b"{}").expect("writable");
+    folder.finish().expect("writable");
+    drop(folder);
+    let before = contents(&path);
+    let refused = |expected: &str| {
+        for error in [
+            FinishedResult::open(&path).expect_err("not whole"),
+            ResultsFolder::reopen(&path).expect_err("not whole"),
+            claim(&path, "a", false).take().expect_err("not whole"),
+        ] {
+            assert_eq!(error.code(), loosepin_text::diagnostics::Code::ResultNotWhole);
+            assert!(error.to_string().contains(expected), "{error}");
+            assert!(error.hint().is_some_and(|hint| hint.contains("--force")));
+        }
+    };
+    fs::write(path.join("history.csv"), "time_s\n1\n").expect("writable");
+    refused("history.csv is not the file that the simulation 'Worn pin / 5000 rpm' wrote");
+    fs::remove_file(path.join("history.csv")).expect("writable");
+    refused("history.csv is missing; it belongs to the finished simulation 'Worn pin / 5000 rpm'");
+    fs::write(path.join("history.csv"), "time_s\n0\n").expect("writable");
+    // Times differ from run to run, and may.
+    fs::write(path.join("timing.json"), "{\"runs\": 1}").expect("writable");
+    let read = FinishedResult::open(&path).expect("whole again");
+    assert_eq!(read.read_text("history.csv").expect("listed"), "time_s\n0\n");
+    assert!(matches!(read.read("notes.txt"), Err(ResultsError::NotListed { .. })));
+    let marker = |all: &[(String, String)]| all.iter().find(|(name, _)| name == MARKER_FILE).cloned();
+    assert_eq!(marker(&contents(&path)), marker(&before));
+}
+
+#[test]
+fn a_page_that_is_written_again_enters_the_list_again() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    finished(&path, "a");
+    let mut folder = ResultsFolder::reopen(&path).expect("finished");
+    folder.write("report.html", b"first").expect("writable");
+    folder.write("report.html", b"second").expect("writable");
+    drop(folder);
+    assert_eq!(FinishedResult::open(&path).expect("whole").read("report.html").expect("listed"), b"second");
+    // As if the machine had stopped between the page and its entry.
+    let text = fs::read_to_string(path.join(MARKER_FILE)).expect("the marker");
+    let mut marker: Marker = serde_json::from_str(&text).expect("a marker");
+    marker.files.remove("report.html");
+    marker.write(&path).expect("writable");
+    fs::write(path.join("report.html"), "third").expect("writable");
+    FinishedResult::open(&path).expect("the result is whole without its page");
+    // As if somebody had changed it: it is written again.
+    ResultsFolder::reopen(&path).expect("finished").write("report.html", b"second").expect("writable");
+    fs::write(path.join("report.html"), "changed").expect("writable");
+    FinishedResult::open(&path).expect_err("its page is not as it was written");
+    ResultsFolder::reopen(&path).expect("its page does not matter").write("report.html", b"second").expect("writable");
+    assert_eq!(FinishedResult::open(&path).expect("whole").read("report.html").expect("listed"), b"second");
 }
