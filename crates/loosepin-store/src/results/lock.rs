@@ -66,9 +66,8 @@ impl FolderLock {
 
     /// Says in the file who holds it.
     fn name_holder(&mut self, work: &str) -> io::Result<()> {
-        let (process, since) = (std::process::id(), humantime::format_rfc3339_seconds(SystemTime::now()));
         self.file.set_len(0)?;
-        writeln!(self.file, "process {process}{} ({work}, since {since})", on_host())
+        writeln!(self.file, "process {}{} ({work}{})", std::process::id(), on_host(), since(SystemTime::now()))
     }
 }
 
@@ -109,6 +108,12 @@ fn holder(mut file: File) -> Option<String> {
     Some(line.chars().take(LONGEST_CHARS).collect()).filter(|line: &String| !line.is_empty())
 }
 
+/// `, since DATE`, where the clock of the machine shows a date that has a form.
+fn since(now: SystemTime) -> String {
+    let is_set = now.duration_since(SystemTime::UNIX_EPOCH).is_ok();
+    if is_set { format!(", since {}", humantime::format_rfc3339_seconds(now)) } else { String::new() }
+}
+
 /// ` on NAME`, where the machine says its name: a folder may be shared by several.
 fn on_host() -> String {
     let named = fs::read_to_string("/proc/sys/kernel/hostname").ok();
@@ -146,6 +151,13 @@ mod tests {
         fs::write(folder.join(LOCK_FILE), "process 1 (a simulation, since yesterday)\nand more").expect("writable");
         drop(FolderLock::take(&folder, "simulation 'two'").expect("nobody holds it"));
         assert!(folder.exists(), "it was there before");
+    }
+
+    #[test]
+    fn a_clock_before_1970_is_left_out() {
+        let epoch = SystemTime::UNIX_EPOCH;
+        assert_eq!(since(epoch - std::time::Duration::from_secs(1)), "");
+        assert_eq!(since(epoch), ", since 1970-01-01T00:00:00Z");
     }
 
     #[test]
