@@ -61,7 +61,7 @@ impl Mechanism {
         let equations = StartEquations::new(model, &ideal, &geometry, &numbers);
         let assembly = assembly::assemble(&equations, values, size_m)?;
         let Mobility { degrees_of_freedom, redundant, independent_rows } =
-            mobility::count(model, &ideal, &geometry, &assembly.coordinates)?;
+            mobility::count(model, &ideal, &geometry, &assembly.coordinates, size_m)?;
         let by_body = |angles: &Vec<f64>| ideal.slot_of_body.iter().map(|&slot| angles[slot]).collect();
         let plays: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect();
         let mut mechanism = Self {
@@ -83,7 +83,7 @@ impl Mechanism {
         kinematics.set_positions(&mechanism.ideal, &geometry, &mechanism.ideal_start);
         let real_geometry = Geometry::new(model, &mechanism.real, values);
         let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
-        mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start);
+        mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start, size_m);
         let rows_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
         if rows_repeat && let Some(joint) = model.joints.iter().find(|joint| joint.friction.is_some()) {
             return Err(MechanismError::CarriedNotDetermined { joint: joint.name.clone() });

@@ -190,7 +190,7 @@ impl<'a> IdealMotion<'a> {
             constraints::residuals(tree, &self.geometry, &self.kinematics, &mut self.residuals);
             constraints::jacobian(tree, &self.geometry, &self.kinematics, &mut self.jacobian);
             if n < tree.constraint_rows() {
-                self.rows = independent_rows(tree, &self.jacobian, n);
+                self.rows = independent_rows(tree, &self.jacobian, n, self.mechanism.size_m);
                 if self.rows.len() < n {
                     return Err(SampleError::Singular { time_s });
                 }
@@ -207,7 +207,9 @@ impl<'a> IdealMotion<'a> {
             }
             self.pivot_ratio = solve_square(&mut matrix, n, &mut self.right_hand_side);
             self.matrix = matrix;
-            if !(self.pivot_ratio > SINGULAR_PIVOT_RATIO) {
+            // Pivots of lengths and of angles differ by the size of the mechanism too: without dimension they tell.
+            let is_singular = |jacobian: &[f64]| eliminate_free(tree, jacobian, self.mechanism.size_m).rank() < n;
+            if !(self.pivot_ratio > SINGULAR_PIVOT_RATIO) && is_singular(&self.jacobian) {
                 return Err(SampleError::Singular { time_s });
             }
             for k in 0..n {
@@ -263,7 +265,7 @@ impl<'a> IdealMotion<'a> {
 }
 
 /// The rows that full pivoting takes first: the `wanted` most independent ones, ascending.
-fn independent_rows(tree: &Tree, jacobian: &[f64], wanted: usize) -> Vec<usize> {
-    let dependent = eliminate_free(tree, jacobian).dependent_rows();
+fn independent_rows(tree: &Tree, jacobian: &[f64], wanted: usize, size_m: f64) -> Vec<usize> {
+    let dependent = eliminate_free(tree, jacobian, size_m).dependent_rows();
     (0..tree.constraint_rows()).filter(|row| !dependent.contains(row)).take(wanted).collect()
 }

@@ -5,11 +5,11 @@ use super::error::MechanismError;
 use super::geometry::Geometry;
 use super::initial::{StartEquations, conditions};
 use super::kinematics::Kinematics;
-use super::tree::Tree;
+use super::tree::{Attachment, Cut, Tree};
 use crate::model::{BodyId, Model};
 use loosepin_math::Elimination;
 
-/// Pivots below this share of the largest count as zero. Redundant rows leave round-off (1e-16), real ones of ordinary
+/// Pivots of a dimensionless Jacobian below this share of the largest count as zero. Redundant rows leave round-off (1e-16), real ones of ordinary
 /// mechanisms leave more than 1e-4.
 pub(super) const RANK_TOLERANCE: f64 = 1e-9;
 
@@ -33,17 +33,20 @@ pub fn count(
     tree: &Tree,
     geometry: &Geometry<f64>,
     coordinates: &[f64],
+    size_m: f64,
 ) -> Result<Mobility, MechanismError> {
     let (rows, columns, drives) = (tree.constraint_rows(), tree.coordinates(), tree.drives.len());
+    let scale = Scale::new(tree, size_m);
     let at_start = jacobian_at(tree, geometry, coordinates);
-    let all = Elimination::new(&at_start, rows, columns, RANK_TOLERANCE);
+    let all = Elimination::new(&scale.dimensionless(&at_start), rows, columns, RANK_TOLERANCE);
     let degrees_of_freedom = columns - all.rank();
     if degrees_of_freedom < drives {
         return Err(MechanismError::TooManyDrives { mobility: degrees_of_freedom, drives });
     }
-    let free = eliminate_free(tree, &at_start);
+    let free = eliminate_free(tree, &at_start, size_m);
     if free.rank() < tree.free {
-        let moving = |elimination: &Elimination| moving_bodies(model, tree, geometry, coordinates, elimination);
+        let moving =
+            |elimination: &Elimination| moving_bodies((model, tree, geometry), coordinates, elimination, &scale);
         if degrees_of_freedom <= drives {
             return Err(MechanismError::SingularStart { bodies: moving(&free) });
         }
@@ -63,7 +66,9 @@ pub fn count(
             with_given.resize((rows + given) * columns, 0.0);
             let equations = StartEquations::new(model, tree, geometry, &[]);
             equations.gradients(&kinematics, is_rate, &mut with_given[rows * columns..]);
-            let start = eliminate(tree, &with_given);
+            let are_lengths = conditions(model, is_rate).map(|(_, initial)| initial.dimension().length != 0.0);
+            let scale = scale.with_rows(are_lengths);
+            let start = eliminate(tree, &scale.dimensionless(&with_given));
             if start.rank() < tree.free {
                 return Err(MechanismError::StartNotDetermined { is_rate, bodies: moving(&start) });
             }
@@ -87,16 +92,17 @@ pub fn count(
 }
 
 /// Free coordinates that the loops of ideal joints leave open in the configuration `coordinates`.
-pub fn open_freedoms(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> usize {
-    tree.free - eliminate_free(tree, &jacobian_at(tree, geometry, coordinates)).rank()
+pub fn open_freedoms(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64], size_m: f64) -> usize {
+    tree.free - eliminate_free(tree, &jacobian_at(tree, geometry, coordinates), size_m).rank()
 }
 
 /// Eliminates the part of a Jacobian that belongs to the free coordinates: its rank, and which rows carry it.
-pub(super) fn eliminate_free(tree: &Tree, jacobian: &[f64]) -> Elimination {
-    eliminate(tree, &jacobian[..tree.constraint_rows() * tree.coordinates()])
+pub(super) fn eliminate_free(tree: &Tree, jacobian: &[f64], size_m: f64) -> Elimination {
+    let loops = &jacobian[..tree.constraint_rows() * tree.coordinates()];
+    eliminate(tree, &Scale::new(tree, size_m).dimensionless(loops))
 }
 
-/// As [`eliminate_free`], for any number of rows.
+/// As [`eliminate_free`], for any number of rows without dimension.
 fn eliminate(tree: &Tree, jacobian: &[f64]) -> Elimination {
     let columns = tree.coordinates();
     let rows = jacobian.len() / columns.max(1);
@@ -113,13 +119,66 @@ fn jacobian_at(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Ve
     jacobian
 }
 
+/// What makes a Jacobian dimensionless: lengths counted in sizes of the mechanism, so that they weigh like angles however small or large
+/// it is. The size is rounded to a power of two: then no entry is rounded.
+struct Scale {
+    size_m: f64,
+    rows_are_lengths: Vec<bool>,
+    columns_are_lengths: Vec<bool>,
+}
+
+impl Scale {
+    /// Of the constraint rows and all coordinates of `tree`.
+    fn new(tree: &Tree, size_m: f64) -> Self {
+        let of_cut = |cut: &Cut| {
+            let (rows, holds_angle) = (cut.kind.rows(), cut.kind.holds_angle());
+            (0..rows).map(move |row| !(holds_angle && row + 1 == rows))
+        };
+        let of_couplings = tree.couplings.iter().map(|places| places[1].is_prismatic);
+        let mut columns_are_lengths = vec![false; tree.coordinates()];
+        for link in &tree.links {
+            match link.attachment {
+                Attachment::Prismatic { coordinate, .. } => columns_are_lengths[coordinate] = true,
+                Attachment::Free { first } => columns_are_lengths[first..first + 2].fill(true),
+                _ => {}
+            }
+        }
+        Self {
+            size_m: size_m.log2().round().exp2(),
+            rows_are_lengths: tree.cuts.iter().flat_map(of_cut).chain(of_couplings).collect(),
+            columns_are_lengths,
+        }
+    }
+
+    /// The same with further rows.
+    fn with_rows(&self, are_lengths: impl Iterator<Item = bool>) -> Self {
+        Self {
+            rows_are_lengths: self.rows_are_lengths.iter().copied().chain(are_lengths).collect(),
+            columns_are_lengths: self.columns_are_lengths.clone(),
+            ..*self
+        }
+    }
+
+    fn dimensionless(&self, jacobian: &[f64]) -> Vec<f64> {
+        let rows = jacobian.chunks(self.columns_are_lengths.len().max(1)).zip(&self.rows_are_lengths);
+        let of_row = |(row, &is_row_length): (&[f64], &bool)| {
+            let entry = |(entry, &is_column_length): (&f64, &bool)| match (is_row_length, is_column_length) {
+                (true, false) => entry / self.size_m,
+                (false, true) => entry * self.size_m,
+                _ => *entry,
+            };
+            row.iter().zip(&self.columns_are_lengths).map(entry).collect::<Vec<f64>>()
+        };
+        rows.flat_map(of_row).collect()
+    }
+}
+
 /// Names of the bodies that move along the first direction that the constraints leave free.
 fn moving_bodies(
-    model: &Model,
-    tree: &Tree,
-    geometry: &Geometry<f64>,
+    (model, tree, geometry): (&Model, &Tree, &Geometry<f64>),
     coordinates: &[f64],
     free: &Elimination,
+    scale: &Scale,
 ) -> Vec<String> {
     let mut kinematics = Kinematics::new(tree);
     kinematics.set_positions(tree, geometry, coordinates);
@@ -127,11 +186,14 @@ fn moving_bodies(
     for column in free.free_columns() {
         let mut rates = free.null_direction(column);
         rates.resize(tree.coordinates(), 0.0);
+        for (rate, &is_length) in rates.iter_mut().zip(&scale.columns_are_lengths) {
+            *rate *= if is_length { scale.size_m } else { 1.0 };
+        }
         kinematics.set_velocities(tree, &rates);
         for (index, link) in tree.links.iter().enumerate() {
             let twist = kinematics.twists[index + 1];
-            // The free coordinate moves with rate one; slower than 1e-6 is round-off of the elimination.
-            moves[link.body.0] |= twist.linear.length() > 1e-6 || twist.angular.abs() > 1e-6;
+            // The free coordinate moves with rate one, or one size a second; slower than 1e-6 is round-off of the elimination.
+            moves[link.body.0] |= twist.linear.length() > 1e-6 * scale.size_m || twist.angular.abs() > 1e-6;
         }
     }
     (0..model.bodies.len()).map(BodyId).filter(|b| moves[b.0]).map(|b| model.bodies[b.0].name.clone()).collect()

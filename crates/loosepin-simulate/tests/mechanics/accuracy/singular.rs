@@ -1,7 +1,8 @@
 //! Dead points, crossings of branches and positions close to them.
 
 use super::motion::{motion_of, output};
-use super::{Built, build_case_with, build_text};
+use super::{Built, build_case_with, build_text, cases};
+use loosepin_mechanics::mechanism::IdealMotion;
 
 /// Singular positions are located to 1e-12 of a turn; a dead point is found where the loops no longer close to 1e-9 of the
 /// size, whose square root is 3e-5 rad away at most.
@@ -171,5 +172,30 @@ fn identity_sound_mechanisms_have_no_singular_positions() {
     for case in ["slider_crank_5000", "four_bar_600", "six_bar", "scotch_yoke"] {
         let record = motion_of(&super::build_case(case), 90);
         assert!(record.singular_positions.is_empty(), "{case}: {:?}", record.singular_positions);
+    }
+}
+
+/// The model of a case with every length `factor` times as large; masses stay.
+fn scaled(case: &str, factor: f64) -> Built {
+    let text = std::fs::read_to_string(cases().join(case).join("model.toml")).expect("the case is there");
+    let times = |length: &str| Some(format!("{:e} mm", factor * length.strip_suffix(" mm")?.parse::<f64>().ok()?));
+    let parts = text.split('"').map(|part| times(part).unwrap_or_else(|| part.to_owned()));
+    build_text(&parts.collect::<Vec<String>>().join("\""))
+}
+
+#[test]
+fn identity_degrees_of_freedom_are_those_of_any_size() {
+    for case in ["slider_crank_worn_pin", "inverted_slider_crank_literal", "four_bar_600", "eight_bar"] {
+        let natural = scaled(case, 1.0);
+        for factor in [1e-9, 1e-3, 1e10] {
+            let built = scaled(case, factor);
+            let (own, due) = (&built.mechanism, &natural.mechanism);
+            assert_eq!(own.degrees_of_freedom, due.degrees_of_freedom, "{case} times {factor}");
+            assert_eq!(own.dynamic_freedoms, due.dynamic_freedoms, "{case} times {factor}");
+            assert_eq!(own.redundant.len(), due.redundant.len(), "{case} times {factor}");
+            let sample = built.sample();
+            let start = IdealMotion::new(own, &sample.ideal, &sample.drives);
+            assert!(start.is_ok(), "{case} times {factor}: {:?}", start.err());
+        }
     }
 }
