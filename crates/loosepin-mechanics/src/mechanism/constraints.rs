@@ -238,7 +238,7 @@ impl RowOwner {
 pub struct Opening {
     /// Path of the joint or coupling.
     pub path: String,
-    /// How far it stays open, m or rad.
+    /// How far it stays open, m or rad; not a number where lengths are so large that none holds it.
     pub gap: f64,
     /// Dimension of the residual.
     pub dimension: Dimension,
@@ -258,6 +258,26 @@ impl Opening {
 
 impl fmt::Display for Opening {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} stays {} open", describe_path(&self.path), format_value(self.gap, self.dimension))
+        let path = describe_path(&self.path);
+        if self.gap.is_finite() {
+            write!(f, "{path} stays {} open", format_value(self.gap, self.dimension))
+        } else {
+            write!(f, "the gap of {path} is too large for a number")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Opening;
+    use loosepin_text::units::Dimension;
+
+    #[test]
+    fn a_gap_that_no_number_holds_is_not_shown_as_one() {
+        let said = |gap: f64| Opening { path: "joint.guide".to_owned(), gap, dimension: Dimension::LENGTH }.to_string();
+        assert_eq!(said(1.5e-3), "joint 'guide' stays 1.5 mm open");
+        for gap in [f64::NAN, f64::INFINITY] {
+            assert_eq!(said(gap), "the gap of joint 'guide' is too large for a number");
+        }
     }
 }
