@@ -1,17 +1,23 @@
 //! What does not repeat from run to run, kept apart so that everything else can be compared byte for byte.
 
-use std::time::SystemTime;
+use std::time::{SystemTime, UNIX_EPOCH};
 
+use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
+
+/// 1 January of the year 10000: from there on a date has no form in RFC 3339.
+const YEAR_10000_S: u64 = 253_402_300_800;
 
 /// Times, machine and thread counts of one study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
-    /// When the study began, RFC 3339 in UTC.
+    /// When the study began, RFC 3339 in UTC; empty where the clock stands before 1970 or after 9999.
     pub started_utc: String,
-    /// From start to end, in wall time.
+    /// From start to end, in wall time; not a number where the clock was set back meanwhile.
+    #[serde(with = "extended")]
     pub elapsed_s: f64,
     /// Finished runs per second and thread.
+    #[serde(with = "extended")]
     pub runs_per_second_and_thread: f64,
     /// Threads used.
     pub threads: usize,
@@ -27,7 +33,7 @@ impl Timing {
         // A clock that was set back meanwhile gives no time rather than a wrong one.
         let elapsed_s = started.elapsed().map_or(f64::NAN, |elapsed| elapsed.as_secs_f64());
         Timing {
-            started_utc: humantime::format_rfc3339_seconds(started).to_string(),
+            started_utc: date(started),
             elapsed_s,
             runs_per_second_and_thread: runs as f64 / (elapsed_s * threads as f64),
             threads,
@@ -37,9 +43,41 @@ impl Timing {
     }
 }
 
+/// `time` in UTC; empty where RFC 3339 has no form for it.
+fn date(time: SystemTime) -> String {
+    let since_1970 = time.duration_since(UNIX_EPOCH).ok();
+    let is_written = since_1970.is_some_and(|since| since.as_secs() < YEAR_10000_S);
+    if is_written { humantime::format_rfc3339_seconds(time).to_string() } else { String::new() }
+}
+
 /// What Linux calls the processor; empty elsewhere.
 fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let line = text.lines().find(|line| line.starts_with("model name"));
     line.and_then(|line| line.split_once(':')).map(|(_, name)| name.trim().to_owned()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Timing, YEAR_10000_S, date};
+    use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+    #[test]
+    fn a_clock_outside_of_the_calendar_gives_no_date() {
+        let day = Duration::from_secs(86_400);
+        assert_eq!(date(UNIX_EPOCH + day), "1970-01-02T00:00:00Z");
+        assert_eq!(date(UNIX_EPOCH - day), "");
+        assert_eq!(date(UNIX_EPOCH + Duration::from_secs(YEAR_10000_S - 1)), "9999-12-31T23:59:59Z");
+        assert_eq!(date(UNIX_EPOCH + Duration::from_secs(YEAR_10000_S)), "");
+        assert_eq!(Timing::since(UNIX_EPOCH - day, 3, 2).started_utc, "");
+    }
+
+    #[test]
+    fn times_read_back_where_the_clock_was_set_back() {
+        let timing = Timing::since(SystemTime::now() + Duration::from_secs(3600), 3, 2);
+        assert!(timing.elapsed_s.is_nan());
+        let text = serde_json::to_string(&timing).unwrap();
+        let read: Timing = serde_json::from_str(&text).unwrap();
+        assert!(read.elapsed_s.is_nan() && read.started_utc == timing.started_utc, "{text}");
+    }
 }
