@@ -263,8 +263,19 @@ pub(super) fn folder_name(name: &str) -> String {
     let folder: String = folder.chars().take(LONGEST_NAME_CHARS).collect();
     match folder.trim_end_matches('-') {
         "" => "unnamed".to_owned(),
+        // Windows takes these for devices, whatever stands behind a point.
+        name if is_device(name) => format!("{name}-results"),
         name => name.to_owned(),
     }
+}
+
+/// Whether Windows keeps this name, in small letters, for a device.
+fn is_device(name: &str) -> bool {
+    let is_numbered = |kind: &str| {
+        let number = name.strip_prefix(kind).map(|rest| rest.chars().collect::<Vec<char>>());
+        matches!(number.as_deref(), Some([digit]) if digit.is_ascii_digit() || "¹²³".contains(*digit))
+    };
+    ["con", "prn", "aux", "nul"].contains(&name) || is_numbered("com") || is_numbered("lpt")
 }
 
 #[cfg(test)]

@@ -29,6 +29,16 @@ fn names_become_folder_names() {
         ("../../etc", "etc"),
         ("Kurbel-Schubgetriebe (groß)", "kurbel-schubgetriebe-groß"),
         ("...", "unnamed"),
+        // What Windows keeps for devices, and what it cuts off.
+        ("CON", "con-results"),
+        ("nul.", "nul-results"),
+        ("Aux", "aux-results"),
+        ("COM1", "com1-results"),
+        ("lpt9 ", "lpt9-results"),
+        ("COM¹", "com¹-results"),
+        ("COM10", "com10"),
+        ("Console", "console"),
+        ("trailing dots ...", "trailing-dots"),
     ] {
         assert_eq!(folder_name(name), folder);
     }
