@@ -28,7 +28,15 @@ problems! {
         /// The file system refused.
         NotUsable { path: PathBuf, reason: String } => Code::FolderNotUsable,
             says("cannot use {}: {reason}", path.display()),
-            hint("its runs are kept: when there is room again, --resume goes on with them");
+            hint("make the folder usable, or give another one by --out");
+        /// The file system took no further runs; `kept` of them are in it.
+        NotSaved { path: PathBuf, reason: String, kept: u64 } => Code::FolderNotUsable,
+            says("cannot write to {}: {reason}", path.display()),
+            hint_of(Some(match kept {
+                0 => "no run could be kept: begin again when there is room".to_owned(),
+                1 => "1 run is kept: when there is room again, --resume goes on with it".to_owned(),
+                _ => format!("{kept} runs are kept: when there is room again, --resume goes on with them"),
+            }));
     }
 }
 

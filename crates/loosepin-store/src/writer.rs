@@ -81,7 +81,12 @@ impl Waiting {
             return;
         }
         if let Err(error) = file.commit(&waiting.rows) {
-            *broken = Some(error);
+            *broken = Some(match error {
+                StoreError::NotUsable { path, reason } => {
+                    StoreError::NotSaved { path, reason, kept: file.runs().unwrap_or(0) }
+                }
+                error => error,
+            });
             flag.store(true, Ordering::Relaxed);
         }
     }

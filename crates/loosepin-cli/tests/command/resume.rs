@@ -7,7 +7,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
-use super::command_line::Desk;
+use super::command_line::{Desk, Said};
 
 /// A study of seconds, with two rounds and a direct study of the inverse question.
 const STUDY: &str = r#"
@@ -243,4 +243,24 @@ fn a_second_process_is_refused_and_leaves_every_byte_as_it_was() {
     let refused = desk.run(&["study", "study.toml", "--out", "shown"]);
     assert!(refused.messages.starts_with("error[E0910]: shown/runs.sqlite holds "), "{}", refused.messages);
     assert!(["loosepin.json", "runs.parquet"].map(|file| bytes(&desk, "shown", file)) == before);
+}
+
+/// A file of at most 32 KiB stands for a full disk.
+#[test]
+fn on_a_full_disk_nobody_is_told_of_runs_that_are_not_kept() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    desk.write("study.toml", STUDY);
+    let script = "trap '' XFSZ; ulimit -f 64; exec \"$0\" study study.toml --out full";
+    let mut shell = Command::new("sh");
+    shell.args(["-c", script, env!("CARGO_BIN_EXE_loosepin")]).current_dir(desk.path("."));
+    let said: Said = shell.output().expect("a shell").into();
+    assert_eq!(said.status, 2, "{}", said.messages);
+    assert!(said.messages.contains("error[E0903]: cannot write to full/runs.sqlite: "), "{}", said.messages);
+    assert!(
+        said.messages.contains("\nhint: no run could be kept: begin again when there is room"),
+        "{}",
+        said.messages
+    );
+    // And so it does.
+    desk.succeed(&["study", "study.toml", "--out", "full", "--resume"]);
 }
