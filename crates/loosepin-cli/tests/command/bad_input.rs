@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::command_line::{Desk, case_text};
+use super::command_line::{Desk, Said, case_text};
 
 /// Messages of `check`, `simulate` and `motion` on a model of a case with one text of it replaced.
 fn bad_model(case: &str, from: &str, to: &str, messages: &str) {
@@ -469,4 +469,71 @@ fn an_initial_state_of_what_the_drives_move() {
         "model.toml:64:2: error[E0706]: the drives determine the motion; the initial state under [initial] has nothing to say\n\
          hint: remove [initial], or a drive",
     );
+}
+
+#[test]
+fn numbers_have_the_digits_that_tell_them_from_their_limit() {
+    let desk = Desk::new();
+    let text = case_text("slider_crank_worn_pin", "model.toml");
+    desk.write("model.toml", &text.replace("\nrestitution = 0.8", "\nrestitution = 1.0000001"));
+    desk.fail(
+        &["check", "model.toml"],
+        "model.toml:31:15: error[E0501]: contact 'steel_pin': restitution 1.0000001; must be in (0, 1]\n\
+         hint: 1 loses no energy; 0 would end every impact at rest",
+    );
+    bad_study(
+        "[\"0.1 mm\", \"0.5 mm\"]",
+        "[\"0.500000001 mm\", \"0.5 mm\"]",
+        "study.toml:22:49: error[E0601]: epistemic 'joint.gudgeon.radial_clearance': interval begins at 0.500000001 mm and ends at \
+         0.5 mm; the lower end must be first\nhint: write [\"0.5 mm\", \"0.500000001 mm\"]",
+    );
+}
+
+#[test]
+fn a_unit_that_is_not_known_is_taken_for_one_of_what_is_due() {
+    let desk = Desk::new();
+    let text = case_text("slider_crank_worn_pin", "model.toml");
+    desk.write("model.toml", &text.replace("radial_clearance = \"0.3 mm\"", "radial_clearance = \"0.3 mn\""));
+    desk.fail(
+        &["check", "model.toml"],
+        "model.toml:50:25: error[E0302]: 'mn' is not a known unit\nhint: did you mean 'mm'?",
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn control_characters_do_not_reach_the_terminal() {
+    const NAME: &str = "a\u{1b}[31mb.toml";
+    let desk = Desk::new();
+    let text = case_text("slider_crank_worn_pin", "model.toml");
+    desk.write(NAME, &text);
+    let said = desk.succeed(&["check", NAME]);
+    assert!(said.output.starts_with("a\\u{1b}[31mb.toml: "), "{:?}", said.output.lines().next());
+    let named = text.replace("name = \"slider-crank with a worn gudgeon pin\"", "name = \"a\\u001b[31mb\"");
+    desk.write(NAME, &named);
+    desk.fail(
+        &["check", NAME],
+        "a\\u{1b}[31mb.toml:1:8: error[E0203]: name holds the control character \\u{1b}; it cannot be shown\nhint: leave it out",
+    );
+    desk.fail(&["check", "none\u{1b}.toml"], "error[E0101]: cannot read none\\u{1b}.toml: there is no such file");
+}
+
+/// Whoever closes a pipe has read enough; where there is nowhere to print to, nobody has.
+#[cfg(unix)]
+#[test]
+fn a_closed_standard_output_is_an_error_and_a_closed_pipe_is_none() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    let run = |redirection: &str| {
+        let script = format!("\"$0\" check model.toml {redirection}");
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", &script, env!("CARGO_BIN_EXE_loosepin")]).current_dir(desk.path("."));
+        let said: Said = shell.output().expect("a shell").into();
+        (said.status, said.messages)
+    };
+    let closed = "error: cannot write to standard output: it is closed\n".to_owned();
+    assert_eq!(run(">&-"), (2, closed.clone()));
+    assert_eq!(run("--help >&-"), (2, closed));
+    assert_eq!(run("> /dev/null"), (0, String::new()));
+    let piped = run("> /dev/null; { \"$0\" check model.toml; echo $? >&2; } | true");
+    assert_eq!(piped, (0, "0\n".to_owned()));
 }

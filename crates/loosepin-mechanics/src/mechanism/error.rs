@@ -3,7 +3,7 @@
 use super::constraints::Opening;
 use crate::model::{QuantityError, describe_path};
 use loosepin_text::diagnostics::{Code, problems};
-use loosepin_text::units::{Dimension, format_value, quoted};
+use loosepin_text::units::{Dimension, format_apart, format_value, quoted};
 
 problems! {
     /// Why a model cannot be compiled.
@@ -141,12 +141,10 @@ problems! {
             /// Smallest and largest clearance of the fit, m.
             fitted_m: [f64; 2],
         } => Code::ClearanceOutsideFit,
-            says(
-                "joint '{joint}' has a radial clearance of {}; '{law}' was fitted to clearances from {} to {}",
-                format_value(*clearance_m, Dimension::LENGTH),
-                format_value(fitted_m[0], Dimension::LENGTH),
-                format_value(fitted_m[1], Dimension::LENGTH)
-            ),
+            says("{}", {
+                let [clearance, from, to] = format_apart([*clearance_m, fitted_m[0], fitted_m[1]], Dimension::LENGTH);
+                format!("joint '{joint}' has a radial clearance of {clearance}; '{law}' was fitted to clearances from {from} to {to}")
+            }),
             hint("take another law for this clearance");
         RoughnessOutsideFilm {
             joint: String,
@@ -156,25 +154,24 @@ problems! {
             /// Smallest and largest roughness at this clearance, m.
             allowed_m: [f64; 2],
         } => Code::RoughnessOutsideFilm,
-            says(
-                "joint '{joint}' has a film by {law} with a roughness of {} at a radial clearance of {}; must lie \
-                 between {} and {}",
-                format_value(*roughness_m, Dimension::LENGTH),
-                format_value(*clearance_m, Dimension::LENGTH),
-                format_value(allowed_m[0], Dimension::LENGTH),
-                format_value(allowed_m[1], Dimension::LENGTH)
-            ),
+            says("{}", {
+                let [roughness, least, most] =
+                    format_apart([*roughness_m, allowed_m[0], allowed_m[1]], Dimension::LENGTH);
+                format!(
+                    "joint '{joint}' has a film by {law} with a roughness of {roughness} at a radial clearance of {}; must lie \
+                     between {least} and {most}",
+                    format_value(*clearance_m, Dimension::LENGTH)
+                )
+            }),
             hint("the roughness is the thickness below which the film no longer stiffens");
         CannotClose { open: Opening, time_s: f64 } => Code::CannotClose,
             says("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME)),
             hint("the lengths do not allow the whole turn; check them, or drive another joint");
         StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension } => Code::StartNotPossible,
-            says(
-                "{} is {}; the links and what else is given make it {}",
-                describe_path(path),
-                format_value(*given_si, *dimension),
-                format_value(*found_si, *dimension)
-            ),
+            says("{}", {
+                let [given, found] = format_apart([*given_si, *found_si], *dimension);
+                format!("{} is {given}; the links and what else is given make it {found}", describe_path(path))
+            }),
             hint("leave it out: it follows from the others; or change those");
         Singular { time_s: f64 } => Code::SingularPosition,
             says(

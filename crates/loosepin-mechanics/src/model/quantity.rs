@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use loosepin_text::diagnostics::{Code, Span, problems};
 use loosepin_text::document::describe_path;
-use loosepin_text::units::{Dimension, Expression, Op, Rule, format_value, run};
+use loosepin_text::units::{Dimension, Expression, Op, Rule, format_apart, format_refused, run};
 
 /// Index of a quantity in a [`QuantityTable`] and of its value in [`Values`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -77,17 +77,11 @@ problems! {
     pub enum QuantityError {
         BreaksRule { path: String, value_si: f64, dimension: Dimension, rule: &'static str } =>
             if value_si.is_finite() { Code::BreaksRule } else { Code::NotFinite },
-            says("{} {}; must be {rule}", describe_path(path), format_value(*value_si, *dimension)),
+            says("{} {}; must be {rule}", describe_path(path), format_refused(*value_si, *dimension)),
             hint_of(hint_at(path));
         OutOfOrder { path: String, value_si: f64, limit_path: String, limit_si: f64, dimension: Dimension } =>
             Code::OutOfOrder,
-            says(
-                "{} {}; must be below {} {}",
-                describe_path(path),
-                format_value(*value_si, *dimension),
-                describe_path(limit_path),
-                format_value(*limit_si, *dimension)
-            ),
+            says("{}", out_of_order([path, limit_path], [*value_si, *limit_si], *dimension)),
             hint_of(hint_at(path));
         NotSettable { path: String } => Code::NotSettable,
             says("{path} is not a free number of the model; it cannot be set"),
@@ -102,6 +96,12 @@ impl QuantityError {
             Self::BreaksRule { path, .. } | Self::OutOfOrder { path, .. } | Self::NotSettable { path } => path,
         }
     }
+}
+
+/// Which of two values is not below the other, told apart.
+fn out_of_order([path, limit_path]: [&str; 2], values_si: [f64; 2], dimension: Dimension) -> String {
+    let [value, limit] = format_apart(values_si, dimension);
+    format!("{} {value}; must be below {} {limit}", describe_path(path), describe_path(limit_path))
 }
 
 /// The way out where the quantity at `path` is at fault.

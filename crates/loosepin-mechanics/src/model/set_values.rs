@@ -7,7 +7,7 @@ use super::setting::{Setting, SettingError, measured};
 use super::topology::Model;
 use crate::contact::NormalDescription;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, nearest_name};
-use loosepin_text::units::{Dimension, Rule, format_value};
+use loosepin_text::units::{Dimension, Rule, format_refused};
 
 /// Settings read from text, and the values of the model that follow from them.
 #[derive(Debug, Clone)]
@@ -131,7 +131,7 @@ pub fn measured_argument(name: &str, text: &str, due: Dimension, rule: Rule) -> 
         if rule.allows(value_si) {
             return Ok(());
         }
-        let found = format_value(value_si, due);
+        let found = format_refused(value_si, due);
         Err(SettingError::ArgumentBreaksRule { name: name.to_owned(), found, rule: rule.words() })
     })
 }

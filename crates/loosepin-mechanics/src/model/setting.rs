@@ -180,7 +180,10 @@ pub(super) fn measured(
     let complain = |error: SettingError, span: std::ops::Range<usize>| {
         Complaint::error(&error, Some(Place::new(source, start + span.start..start + span.end)))
     };
-    let measured = parse_quantity(text).map_err(|error| complain(error.problem.into(), error.span))?;
+    let measured = parse_quantity(text).map_err(|error| {
+        let error = error.for_due(text, due);
+        complain(error.problem.into(), error.span)
+    })?;
     let (path, found) = (name.to_owned(), measured.dimension);
     let checked = if found == due {
         check(measured.value_si)

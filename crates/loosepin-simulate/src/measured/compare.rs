@@ -6,7 +6,7 @@ use super::problem::MeasuredProblem;
 use super::table::MeasuredTable;
 use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
-use loosepin_text::units::{Dimension, format_value};
+use loosepin_text::units::{Dimension, format_apart};
 
 /// Round-off of the ends of a record, as a share of its length.
 const ROUND_OFF: f64 = 1e-9;
@@ -90,12 +90,8 @@ fn check_range(table: &MeasuredTable, axis: &[f64], at_si: &[f64]) -> Result<(),
         Abscissa::Time => Dimension::TIME,
         Abscissa::DriveAngle => Dimension::ANGLE,
     };
-    let problem = MeasuredProblem::OutsideRecord {
-        name: table.name.clone(),
-        found: format_value(at_si[row], dimension),
-        from: format_value(from, dimension),
-        to: format_value(to, dimension),
-    };
+    let [found, from, to] = format_apart([at_si[row], from, to], dimension);
+    let problem = MeasuredProblem::OutsideRecord { name: table.name.clone(), found, from, to };
     Err(Complaint::error(&problem, Some(Place::new(&table.source, table.places[row]))).into())
 }
 

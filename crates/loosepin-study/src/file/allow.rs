@@ -6,7 +6,7 @@ use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule, format_value};
+use loosepin_text::units::{Dimension, Rule, format_apart};
 use loosepin_uncertainty::{Distribution, EpistemicVariable, Parameter};
 
 impl StudyReader {
@@ -66,7 +66,7 @@ impl StudyReader {
         if let Some([offer, _]) = costs.iter().rev().find(|[offer, _]| *offer > up_to)
             && let Some(list) = table.get("cost")
         {
-            let [offer, up_to] = [*offer, up_to].map(|value| format_value(value, dimension));
+            let [offer, up_to] = format_apart([*offer, up_to], dimension);
             return self.refused(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, list.span);
         }
         Some(Allowance { path, input, least_si: least, up_to_si: up_to, fits: Vec::new(), costs })
@@ -122,7 +122,7 @@ impl StudyReader {
     }
 
     fn above(&mut self, entry: &Entry<'_>, found: f64, least: f64, dimension: Dimension) {
-        let [found, least] = [found, least].map(|value| format_value(value, dimension));
+        let [found, least] = format_apart([found, least], dimension);
         self.complain(&StudyProblem::AllowedRange { entry: entry.path.describe(), found, least }, entry);
     }
 }

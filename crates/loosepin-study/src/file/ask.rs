@@ -15,7 +15,7 @@ use loosepin_mechanics::model::OutputKind;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule, format_value};
+use loosepin_text::units::{Dimension, Rule, format_refused, format_value};
 use loosepin_uncertainty::EpistemicVariable;
 
 /// Words for statistics that are written in another form.
@@ -346,7 +346,7 @@ impl StudyReader {
         if rule.allows(limit) {
             return Some(limit);
         }
-        let found = format_value(limit, dimension);
+        let found = format_refused(limit, dimension);
         self.refused(&StudyProblem::Limit { entry: entry.path.describe(), found, rule: rule.words() }, entry.span)
     }
 }

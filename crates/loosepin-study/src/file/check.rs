@@ -8,7 +8,7 @@ use loosepin_mechanics::model::{QuantityError, QuantityId};
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::diagnostics::Place;
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, format_number, format_value};
+use loosepin_text::units::{Dimension, format_apart, format_number, format_value};
 use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
 
 /// Share of a distribution that may be impossible; what is drawn there is a failed run.
@@ -119,7 +119,7 @@ impl StudyReader {
             if !is_geometric || is_inside || !self.plays_of(quantity).is_empty() {
                 return None;
             }
-            let [value, from, to] = [nominal[quantity], from, to].map(|value| format_value(value, known.dimension));
+            let [value, from, to] = format_apart([nominal[quantity], from, to], known.dimension);
             Some((table, path.clone(), StudyProblem::FarFromModel { path: path.clone(), value, from, to }))
         };
         let found: Vec<(&str, String, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();

@@ -5,7 +5,7 @@ use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule, format_number, format_value};
+use loosepin_text::units::{Dimension, Rule, format_apart, format_number};
 use loosepin_uncertainty::{
     EpistemicVariable, Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS,
 };
@@ -208,42 +208,41 @@ impl StudyReader {
 
 /// The text of an error, values with their unit.
 fn evidence_words(error: &EvidenceError, dimension: Dimension) -> String {
-    let text = |value_si: f64| format_value(value_si, dimension);
+    let apart = |values_si: [f64; 2]| format_apart(values_si, dimension);
+    let shares = |values: [f64; 2]| format_apart(values, Dimension::NUMBER);
     match *error {
         EvidenceError::Sum { sum } => format!("the masses sum to {}; must be 1, within 1e-6", format_number(sum)),
         EvidenceError::NotIncreasing { first_probability, first, second_probability, second } => format!(
             "the quantile {} at {} stands after {} at {}; probabilities and quantiles must increase",
-            text(second),
-            format_number(second_probability),
-            text(first),
-            format_number(first_probability)
+            apart([second, first])[0],
+            shares([second_probability, first_probability])[0],
+            apart([second, first])[1],
+            shares([second_probability, first_probability])[1]
         ),
-        EvidenceError::OutsideSupport { what, value, lower, upper } => format!(
-            "the {what} {}; must lie between the ends {} and {} of the support",
-            text(value),
-            text(lower),
-            text(upper)
-        ),
+        EvidenceError::OutsideSupport { what, value, lower, upper } => {
+            let [value, lower, upper] = format_apart([value, lower, upper], dimension);
+            format!("the {what} {value}; must lie between the ends {lower} and {upper} of the support")
+        }
         _ => error.to_string(),
     }
 }
 
 /// The text of an error, values with their unit.
 fn fuzzy_words(error: &FuzzyError, dimension: Dimension) -> String {
-    let text = |value_si: f64| format_value(value_si, dimension);
     match *error {
         FuzzyError::Corners { first, second } => {
-            format!("corner {} after {}; corners must not decrease", text(second), text(first))
+            let [first, second] = format_apart([first, second], dimension);
+            format!("corner {second} after {first}; corners must not decrease")
         }
-        FuzzyError::NotNested { alpha, lower, upper, outer_alpha, outer_lower, outer_upper } => format!(
-            "the cut at {} from {} to {} is not within the cut at {} from {} to {}; cuts must be nested",
-            format_number(alpha),
-            text(lower),
-            text(upper),
-            format_number(outer_alpha),
-            text(outer_lower),
-            text(outer_upper)
-        ),
+        FuzzyError::NotNested { alpha, lower, upper, outer_alpha, outer_lower, outer_upper } => {
+            let [alpha, outer_alpha] = format_apart([alpha, outer_alpha], Dimension::NUMBER);
+            let [lower, upper, outer_lower, outer_upper] =
+                format_apart([lower, upper, outer_lower, outer_upper], dimension);
+            format!(
+                "the cut at {alpha} from {lower} to {upper} is not within the cut at {outer_alpha} from {outer_lower} to \
+                 {outer_upper}; cuts must be nested"
+            )
+        }
         _ => error.to_string(),
     }
 }

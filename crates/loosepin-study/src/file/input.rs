@@ -1,5 +1,7 @@
 //! Random and epistemic inputs.
 
+use core::f64::consts::TAU;
+
 use super::description::{EpistemicInput, EpistemicSubject, RandomInput};
 use super::keys::{
     BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
@@ -11,7 +13,7 @@ use super::reader::StudyReader;
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, QuantityId};
 use loosepin_text::document::{DocumentProblem, Entry, Keys, Table};
-use loosepin_text::units::{Dimension, Rule, format_number, format_value};
+use loosepin_text::units::{Dimension, Rule, format_apart, format_value};
 use loosepin_uncertainty::{Distribution, EpistemicVariable, Interval, Members};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
@@ -191,10 +193,10 @@ impl StudyReader {
         let interval = self.interval(entry, quantity, path)?;
         let dimension = self.model.quantities[quantity].dimension;
         let width = interval.upper() - interval.lower();
-        let periods = core::f64::consts::TAU / width;
+        let periods = TAU / width;
         let is_whole = (periods - periods.round()).abs() <= PERIOD_ROUND_OFF * periods && periods.round() >= 1.0;
         if dimension == Dimension::ANGLE && !is_whole {
-            let found = format_value(width, dimension);
+            let [found, _] = format_apart([width, TAU / periods.round().max(1.0)], dimension);
             return self.refused(&StudyProblem::Period { entry: entry.path.describe(), found }, entry.span);
         }
         Some(interval)
@@ -217,13 +219,13 @@ impl StudyReader {
         let [lower, upper] = [0, 1].map(|index: usize| self.reader.measured(&pair[index], dimension, Rule::Finite));
         let (lower, upper) = lower.zip(upper)?;
         let words = entry.path.describe();
-        let text = |value_si| format_value(value_si, dimension);
+        let [lower_words, upper_words] = format_apart([lower, upper], dimension);
         if lower > upper {
-            let problem = StudyProblem::IntervalTurnedRound { entry: words, lower: text(lower), upper: text(upper) };
+            let problem = StudyProblem::IntervalTurnedRound { entry: words, lower: lower_words, upper: upper_words };
             return self.refused(&problem, entry.span);
         }
         if lower == upper {
-            return self.refused(&StudyProblem::IntervalWithoutWidth { entry: words, value: text(lower) }, entry.span);
+            return self.refused(&StudyProblem::IntervalWithoutWidth { entry: words, value: lower_words }, entry.span);
         }
         Interval::try_new(lower, upper).ok().map(|interval| (interval, pair))
     }
@@ -263,12 +265,9 @@ impl StudyReader {
                 let (lower, upper) = self.ends(&table, dimension)?;
                 let mode = mode?;
                 if mode < lower || mode > upper {
-                    let rule = format!(
-                        "from the lower end {} to the upper end {}",
-                        format_value(lower, dimension),
-                        format_value(upper, dimension)
-                    );
-                    self.refuse(&table, "mode", mode, dimension, rule);
+                    let [found, lower, upper] = format_apart([mode, lower, upper], dimension);
+                    let rule = format!("from the lower end {lower} to the upper end {upper}");
+                    self.refuse(&table, "mode", found, rule);
                     return None;
                 }
                 Some(Distribution::Triangular { lower, mode, upper })
@@ -296,8 +295,8 @@ impl StudyReader {
         if lower < upper {
             return Some((lower, upper));
         }
-        let rule = format!("below the upper end {}", format_value(upper, dimension));
-        self.refuse(table, "lower", lower, dimension, rule);
+        let [found, limit] = format_apart([lower, upper], dimension);
+        self.refuse(table, "lower", found, format!("below the upper end {limit}"));
         None
     }
 
@@ -305,7 +304,7 @@ impl StudyReader {
         if value > 0.0 {
             return true;
         }
-        self.refuse(table, key, value, dimension, "> 0".to_owned());
+        self.refuse(table, key, format_value(value, dimension), "> 0".to_owned());
         false
     }
 
@@ -325,14 +324,13 @@ impl StudyReader {
         if shapes.contains(&shape) {
             return Some(shape);
         }
-        let rule = format!("from {} to {}", format_number(*shapes.start()), format_number(*shapes.end()));
-        self.refuse(table, key, shape, Dimension::NUMBER, rule);
+        let [found, least, most] = format_apart([shape, *shapes.start(), *shapes.end()], Dimension::NUMBER);
+        self.refuse(table, key, found, format!("from {least} to {most}"));
         None
     }
 
-    pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension, rule: String) {
+    pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, found: String, rule: String) {
         if let Some(entry) = table.get(key) {
-            let found = format_value(value, dimension);
             // A value that stands nowhere in the file: the end of what is looked at of a parameter with a distribution.
             let is_quantile = entry.is_table() && self.reader.any_keys(&entry).iter().any(|key| is_family(key.name));
             let rule = if is_quantile {

@@ -10,7 +10,7 @@ use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{Entry, Table, read_beside};
-use loosepin_text::units::{Dimension, Rule, format_number, format_value};
+use loosepin_text::units::{Dimension, Rule, format_apart, format_number};
 use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
 
 /// Shapes of gamma and Weibull distributions that are accepted: beyond, they are one value or next to two.
@@ -127,8 +127,8 @@ impl StudyReader {
                 if mean > lower {
                     return Some(Distribution::Exponential { mean, lower });
                 }
-                let rule = format!("above the lower end {}", format_value(lower, dimension));
-                self.refuse(&table, "mean", mean, dimension, rule);
+                let [found, limit] = format_apart([mean, lower], dimension);
+                self.refuse(&table, "mean", found, format!("above the lower end {limit}"));
                 None
             }
             _ => self.discrete(&table, dimension),
@@ -189,8 +189,8 @@ impl StudyReader {
         if lower < upper {
             return Some(Distribution::Truncated { of: Box::new(distribution), lower, upper });
         }
-        let rule = format!("below the upper end {}", format_value(upper, dimension));
-        self.refuse(&table, "lower", lower, dimension, rule);
+        let [found, limit] = format_apart([lower, upper], dimension);
+        self.refuse(&table, "lower", found, format!("below the upper end {limit}"));
         None
     }
 
@@ -276,7 +276,7 @@ impl StudyReader {
         }
         let [lower, upper] = tolerance.limits.map(|limit| limit.value_si);
         if !(lower < upper) {
-            let [lower, upper] = [lower, upper].map(|limit| format_value(limit, dimension));
+            let [lower, upper] = format_apart([lower, upper], dimension);
             return self.refused(&RandomProblem::NoRoom { entry: entry.path.describe(), lower, upper }, entry.span);
         }
         let [cp_value, cpk_value] = [&cp, &cpk].map(|read| read.as_ref().and_then(|(value, _)| *value));

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display};
 
+use super::visible::visible;
 use super::{Code, Place};
 
 /// Something wrong that can be complained about: `Display` says what is wrong, both numbers with units, the rule.
@@ -64,8 +65,8 @@ impl Complaint {
         Complaint {
             code: problem.code(),
             severity: Severity::Error,
-            message: problem.to_string(),
-            hint: problem.hint(),
+            message: visible(&problem.to_string()).into_owned(),
+            hint: problem.hint().map(|hint| visible(&hint).into_owned()),
             place,
             labels: Vec::new(),
         }
@@ -78,7 +79,7 @@ impl Complaint {
 
     /// The complaint with a second place.
     pub fn with_label(mut self, place: Place, text: impl Into<String>) -> Complaint {
-        self.labels.push(Label { place, text: text.into() });
+        self.labels.push(Label { place, text: visible(&text.into()).into_owned() });
         self
     }
 

@@ -10,6 +10,7 @@ mod problems;
 mod render;
 mod source;
 mod suggestion;
+mod visible;
 
 pub use code::{CODES, Code, CodeEntry};
 pub use complaint::{Complaint, Complaints, Label, Problem, Severity};
@@ -17,3 +18,4 @@ pub use problems::problems;
 pub use render::Colour;
 pub use source::{Place, Source, Span};
 pub use suggestion::nearest_name;
+pub use visible::{first_control_character, visible};

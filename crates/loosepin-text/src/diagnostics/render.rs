@@ -4,6 +4,7 @@ use std::fmt;
 
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 
+use super::visible::visible;
 use super::{Complaint, Complaints, Severity};
 
 /// Complaints shown before the rest is only counted.
@@ -23,12 +24,12 @@ impl fmt::Display for Complaint {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(place) = &self.place {
             let (line, column) = place.line_and_column();
-            write!(formatter, "{}:{line}:{column}: ", place.source.name())?;
+            write!(formatter, "{}:{line}:{column}: ", visible(place.source.name()))?;
         }
         write!(formatter, "{}[{}]: {}", self.severity, self.code, self.message)?;
         for label in &self.labels {
             let (line, column) = label.place.line_and_column();
-            write!(formatter, "\n{}:{line}:{column}: note: {}", label.place.source.name(), label.text)?;
+            write!(formatter, "\n{}:{line}:{column}: note: {}", visible(label.place.source.name()), label.text)?;
         }
         match &self.hint {
             Some(hint) => write!(formatter, "\nhint: {hint}"),
@@ -87,7 +88,7 @@ impl Complaint {
         if let Some(place) = &self.place {
             group = group.element(
                 Snippet::source(place.source.text())
-                    .path(place.source.name())
+                    .path(visible(place.source.name()))
                     .annotation(AnnotationKind::Primary.span(place.source.clamp(place.span)))
                     .annotations(self.labels_in(place.source.name())),
             );
@@ -97,7 +98,7 @@ impl Complaint {
             if !same_file {
                 group = group.element(
                     Snippet::source(label.place.source.text())
-                        .path(label.place.source.name())
+                        .path(visible(label.place.source.name()))
                         .annotation(annotation(label)),
                 );
             }

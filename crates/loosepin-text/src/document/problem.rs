@@ -56,6 +56,9 @@ problems! {
             says("{entry} is {found}; expected {due}"),
             hint_of((*due == TEXT_WITH_UNIT)
                 .then(|| "values with units are written as text, for example \"0.5 mm\"".to_owned()));
+        ControlCharacter { entry: String, character: char } => Code::WrongType,
+            says("{entry} holds the control character {}; it cannot be shown", character.escape_unicode()),
+            hint("leave it out");
         ToFillIn { entry: String } => Code::ToFillIn,
             says("{entry} is still to be filled in");
         WrongLength { entry: String, found: usize, due: usize } => Code::WrongType,

@@ -12,8 +12,8 @@ use super::keys::Keys;
 use super::meant_file::{file_of_like_name, files_inside};
 use super::path::{EntryPath, is_name};
 use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
-use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, nearest_name};
-use crate::units::{Dimension, Measured, Rule, format_value, parse_quantity};
+use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, first_control_character, nearest_name};
+use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 
 /// Mark in a file where a value is still to be filled in.
 const TO_FILL_IN: &str = "?";
@@ -335,9 +335,13 @@ impl Reader {
         self.refuse(&problem, entry.span)
     }
 
-    /// Text that is not empty.
+    /// Text that is not empty and can be shown.
     pub fn text<'t>(&mut self, entry: &Entry<'t>) -> Option<&'t str> {
         match entry.value {
+            DeValue::String(text) if let Some(character) = first_control_character(text) => {
+                let problem = DocumentProblem::ControlCharacter { entry: entry.path.describe(), character };
+                self.refuse(&problem, entry.span)
+            }
             DeValue::String(text) if !text.trim().is_empty() => Some(text),
             DeValue::String(_) => {
                 let problem = DocumentProblem::WrongType {
@@ -431,6 +435,7 @@ impl Reader {
                         let problem = DocumentProblem::DecimalComma { entry: entry.path.describe(), written };
                         return self.refuse(&problem, entry.span);
                     }
+                    let error = error.for_due(text, dimension);
                     let span = self.inside(entry, text, &error.span);
                     return self.refuse(&error.problem, span);
                 }
@@ -467,7 +472,7 @@ impl Reader {
         if rule.allows(value_si) {
             return true;
         }
-        let found = format_value(value_si, dimension);
+        let found = format_refused(value_si, dimension);
         let problem = DocumentProblem::BreaksRule { entry: entry.path.describe(), found, rule };
         self.complain(&problem, entry.span);
         false

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::{Dimension, LONGEST_EXPRESSION_CHARS};
-use crate::diagnostics::{Code, problems};
+use super::{Dimension, LONGEST_EXPRESSION_CHARS, UNITS};
+use crate::diagnostics::{Code, nearest_name, problems};
 
 /// A problem in the text of a value, and where in that text it is.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -15,6 +15,23 @@ pub struct ExpressionError {
     pub problem: ExpressionProblem,
     /// Byte range within the text.
     pub span: Range<usize>,
+}
+
+impl ExpressionError {
+    /// The error in `text`, where a value of dimension `due` is to stand: where the unit alone is not known, the hint names one that
+    /// measures what is due.
+    #[must_use]
+    pub fn for_due(mut self, text: &str, due: Dimension) -> Self {
+        if let ExpressionProblem::UnknownUnit { symbol, nearest } = &mut self.problem {
+            let before = text.trim().strip_suffix(symbol.as_str());
+            let is_alone = before.is_some_and(|number| number.trim().parse::<f64>().is_ok());
+            let measuring = UNITS.iter().filter(|unit| unit.dimension == due).map(|unit| unit.symbol);
+            if let Some(unit) = nearest_name(symbol, measuring).filter(|_| is_alone) {
+                *nearest = Some(unit.to_owned());
+            }
+        }
+        self
+    }
 }
 
 problems! {

@@ -1,7 +1,8 @@
 //! SI values as text for people, in the units that they read.
 
+use super::Rule;
 use super::dimension::Dimension;
-use super::number::format_number;
+use super::number::{ALL_DIGITS, SHOWN_DIGITS, format_digits};
 use super::parser::{Measured, parse_unit};
 
 /// The unit in which a quantity is shown.
@@ -49,7 +50,11 @@ impl ReadableUnit {
 
     /// `value_si` as text with this unit, for example `0.5 mm`.
     pub fn format(&self, value_si: f64) -> String {
-        let number = format_number(self.number(value_si));
+        self.format_digits(value_si, SHOWN_DIGITS)
+    }
+
+    fn format_digits(&self, value_si: f64, digits: usize) -> String {
+        let number = format_digits(self.number(value_si), digits);
         if self.text.is_empty() { number } else { format!("{number} {}", self.text) }
     }
 }
@@ -59,9 +64,52 @@ pub fn format_value(value_si: f64, dimension: Dimension) -> String {
     ReadableUnit::default_for(dimension).format(value_si)
 }
 
+/// SI values that are held against one another, as by [`format_value`], with as many further digits as tell those apart that differ:
+/// `1.0000001` beside `1`.
+pub fn format_apart<const N: usize>(values_si: [f64; N], dimension: Dimension) -> [String; N] {
+    let unit = ReadableUnit::default_for(dimension);
+    let texts = |digits: usize| values_si.map(|value_si| unit.format_digits(value_si, digits));
+    let is_same = |a: f64, b: f64| a == b || a.is_nan() && b.is_nan();
+    let are_apart = |texts: &[String; N]| {
+        (0..N).all(|k| (0..k).all(|other| texts[k] != texts[other] || is_same(values_si[k], values_si[other])))
+    };
+    (SHOWN_DIGITS..ALL_DIGITS).map(texts).find(are_apart).unwrap_or_else(|| texts(ALL_DIGITS))
+}
+
+/// A value that broke a [`Rule`], with as many digits as tell it from the numbers of the rule.
+pub fn format_refused(value_si: f64, dimension: Dimension) -> String {
+    let [zero, half, one, turns] = Rule::LIMITS;
+    let [found, ..] = format_apart([value_si, zero, half, one, turns], dimension);
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_that_are_held_against_one_another_are_told_apart() {
+        let apart = |values: [f64; 2], dimension| format_apart(values, dimension);
+        assert_eq!(apart([0.3e-3, 0.300_000_01e-3], Dimension::LENGTH), ["0.3 mm", "0.30000001 mm"]);
+        assert_eq!(apart([0.3e-3, 0.4e-3], Dimension::LENGTH), ["0.3 mm", "0.4 mm"]);
+        assert_eq!(apart([1.0, 1.0], Dimension::NUMBER), ["1", "1"]);
+        assert_eq!(apart([1.0, 1.0 + f64::EPSILON], Dimension::NUMBER), ["1", "1.0000000000000002"]);
+        assert_eq!(format_refused(1.000_000_1, Dimension::NUMBER), "1.0000001");
+        assert_eq!(format_refused(1.0 / 3.0, Dimension::NUMBER), "0.3333333");
+        assert_eq!(format_refused(f64::NAN, Dimension::NUMBER), "NaN");
+        assert_eq!(format_refused(-0.05e-3, Dimension::LENGTH), "-0.05 mm");
+        assert_eq!(format_refused(1e6 + 1e-3, Dimension::NUMBER), "1000000.001");
+    }
+
+    #[test]
+    fn every_number_that_a_rule_names_is_one_of_its_limits() {
+        for rule in Rule::ALL {
+            let words = rule.words().split(|c: char| !(c.is_ascii_digit() || c == '.' || c == 'e'));
+            for number in words.filter_map(|word| word.parse::<f64>().ok()) {
+                assert!(Rule::LIMITS.contains(&number), "{number} of {}", rule.words());
+            }
+        }
+    }
 
     #[test]
     fn values_show_units_people_read() {

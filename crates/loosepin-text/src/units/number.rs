@@ -1,13 +1,20 @@
 //! Numbers as text for people.
 
 /// Significant digits shown: more than a person reads, fewer than round-off reaches.
-const SHOWN_DIGITS: usize = 7;
+pub(super) const SHOWN_DIGITS: usize = 7;
+/// Digits that tell any two numbers apart.
+pub(super) const ALL_DIGITS: usize = 17;
 
 /// Decimal exponents outside this range are written with an exponent.
 const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=6;
 
 /// A number with up to seven significant digits and no trailing zeros, for example `0.05`, `6.61e10`.
 pub fn format_number(value: f64) -> String {
+    format_digits(value, SHOWN_DIGITS)
+}
+
+/// A number with up to `digits` significant digits and no trailing zeros.
+pub(super) fn format_digits(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -20,11 +27,11 @@ pub fn format_number(value: f64) -> String {
             "-infinity".to_owned()
         };
     }
-    let scientific = format!("{value:.*e}", SHOWN_DIGITS - 1);
+    let scientific = format!("{value:.*e}", digits - 1);
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if PLAIN_EXPONENTS.contains(&exponent) {
-        let decimals = usize::try_from(SHOWN_DIGITS as i32 - 1 - exponent).unwrap_or(0);
+        let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
         without_trailing_zeros(&format!("{value:.decimals$}")).to_owned()
     } else {
         format!("{}e{exponent}", without_trailing_zeros(mantissa))

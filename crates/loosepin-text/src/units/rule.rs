@@ -12,6 +12,10 @@ macro_rules! rules {
         }
 
         impl Rule {
+            /// All rules.
+            #[cfg(test)]
+            pub(super) const ALL: &[Rule] = &[$(Rule::$rule,)+];
+
             /// Whether a value keeps the rule. No value that is not finite keeps any.
             pub fn allows(self, $x: f64) -> bool {
                 $x.is_finite() && match self { $(Rule::$rule => $holds,)+ }
@@ -23,6 +27,11 @@ macro_rules! rules {
             }
         }
     };
+}
+
+impl Rule {
+    /// The numbers that rules name.
+    pub(super) const LIMITS: [f64; 4] = [0.0, 0.5, 1.0, MOST_TURNS];
 }
 
 rules! {

@@ -137,7 +137,7 @@ fn settings_are_checked_for_unit_dimension_and_rule() {
     );
     assert_eq!(
         refused("joint.gudgeon.radial_clearance=0.3 mn"),
-        "--set:1:36: error[E0302]: 'mn' is not a known unit\nhint: did you mean 'mN'?"
+        "--set:1:36: error[E0302]: 'mn' is not a known unit\nhint: did you mean 'mm'?"
     );
 }
 

@@ -113,7 +113,7 @@ impl ModelReader {
 
     /// The quantity at an entry, of a given dimension.
     pub fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
-        let expression = self.expression(entry)?;
+        let expression = self.expression_of(entry, Some(dimension))?;
         if !self.reader.measures(entry, expression.dimension, dimension) {
             return None;
         }
@@ -122,6 +122,11 @@ impl ModelReader {
 
     /// The text or number at an entry as an expression over parameters.
     pub fn expression(&mut self, entry: &Entry<'_>) -> Option<Expression> {
+        self.expression_of(entry, None)
+    }
+
+    /// As [`ModelReader::expression`]; where a dimension is due, hints name its units.
+    fn expression_of(&mut self, entry: &Entry<'_>, due: Option<Dimension>) -> Option<Expression> {
         match self.reader.written(entry)? {
             Written::Number(value) => Some(Expression::number(value)),
             Written::Text(text) => match parse_expression(text, &self.parameters) {
@@ -132,6 +137,7 @@ impl ModelReader {
                 Err(error) => {
                     let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
                     if !is_echo {
+                        let error = due.map_or(error.clone(), |due| error.for_due(text, due));
                         let span = self.reader.inside(entry, text, &error.span);
                         self.reader.complain(&error.problem, span);
                     }
