@@ -3,18 +3,20 @@
 use std::env;
 use std::io::{self, IsTerminal, Write};
 
-use loosepin::diagnostics::{Colour, Complaints};
+use loosepin::diagnostics::{Colour, Complaints, visible};
 use loosepin::report::TERMINAL_COLUMNS;
 
 use crate::ending::Failure;
+use crate::standard_output;
 
 /// Writes data. Whoever closes the pipe has read enough: `loosepin ... | head` is no error, and ends as it would have without.
 ///
 /// # Errors
-/// Standard output is full.
+/// Standard output is full, or was closed from the beginning.
 pub fn print(text: &str) -> Result<(), Failure> {
+    standard_output::check().map_err(Failure::Output)?;
     let mut output = io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+    match output.write_all(visible(text).as_bytes()).and_then(|()| output.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         _ => Ok(()),
     }
@@ -22,6 +24,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// Writes a line for people. Where nobody can be told, nothing is lost that matters.
 pub fn message(text: &str) {
+    coloured(&visible(text));
+}
+
+/// Writes a line for people that may have colours.
+fn coloured(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
@@ -31,7 +38,7 @@ pub fn complain(complaints: &Complaints) {
         message(&complaints.to_string());
         return;
     }
-    message(complaints.render(colour()).trim_end());
+    coloured(complaints.render(colour()).trim_end());
     if let Some(complaint) = complaints.sorted().first() {
         message(&format!("\n`loosepin explain {}` explains this error", complaint.code));
     }

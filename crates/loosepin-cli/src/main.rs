@@ -9,6 +9,7 @@ mod command;
 mod console;
 mod ending;
 mod progress;
+mod standard_output;
 
 use std::process::ExitCode;
 
@@ -17,7 +18,10 @@ use clap::Parser;
 use ending::{Done, Ending, Failure};
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return told(&error),
+    };
     let ending = match &arguments.command {
         Command::New(new) => command::new::run(new),
         Command::Import(import) => command::import::run(import),
@@ -36,6 +40,14 @@ fn main() -> ExitCode {
         Command::Export(export) => command::export::run(export),
     };
     exit_code(ending)
+}
+
+/// Shows help, the version, or what is wrong with the arguments.
+fn told(message: &clap::Error) -> ExitCode {
+    match standard_output::check() {
+        Err(error) if !message.use_stderr() => exit_code(Err(Failure::Output(error))),
+        _ => message.exit(),
+    }
 }
 
 /// Says why a command failed, and gives its exit status.

@@ -195,7 +195,8 @@ fn contact_lines(
         numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
     {
         lines.push(format!(
-            "the law is valid for impacts up to {limit_m_s:.2} m/s; a run gives the share of faster ones"
+            "the law is valid for impacts up to {}; a run gives the share of faster ones",
+            rounded_speed(limit_m_s)
         ));
     }
     lines
@@ -397,7 +398,26 @@ fn angle(angle_rad: f64) -> String {
     format_value((within / SHOWN_ANGLE_RAD).round() * SHOWN_ANGLE_RAD, Dimension::ANGLE)
 }
 
+/// A speed with two digits, however small it is.
+fn rounded_speed(speed_m_s: f64) -> String {
+    let rounded: f64 = format!("{speed_m_s:.1e}").parse().unwrap_or(speed_m_s);
+    format_value(rounded, Dimension::VELOCITY)
+}
+
 /// A length in mm, without the unit, free of round-off.
 fn millimetres(length_m: f64) -> String {
     format_number((length_m / SHOWN_LENGTH_M).round() * SHOWN_LENGTH_M * 1e3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded_speed;
+
+    #[test]
+    fn a_slow_speed_keeps_its_digits() {
+        assert_eq!(
+            [0.050_31, 0.002_14, 12.34, 3e-7].map(rounded_speed),
+            ["0.05 m/s", "0.0021 m/s", "12 m/s", "3e-7 m/s"]
+        );
+    }
 }
