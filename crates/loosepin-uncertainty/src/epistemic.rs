@@ -55,9 +55,9 @@ impl Members {
         &self.values
     }
 
-    /// Which member `value` is; the first where it is none.
-    pub fn index_of(&self, value: f64) -> usize {
-        self.values.iter().position(|&member| member == value).unwrap_or(0)
+    /// Which member `value` is; nothing where it is none.
+    pub fn index_of(&self, value: f64) -> Option<usize> {
+        self.values.iter().position(|&member| member == value)
     }
 
     /// The member on which `fraction` in \[0, 1\] falls when each takes the same share.

@@ -228,7 +228,7 @@ fn group_bounds(
                     (lower, upper) =
                         (not_known(lower, request, Direction::Minimum), not_known(upper, request, Direction::Maximum));
                 }
-                let mut pair = BoundPair { lower, upper, failed_runs: missing, ..pair.clone() };
+                let mut pair = BoundPair { lower, upper, central: None, failed_runs: missing, ..pair.clone() };
                 (pair.column, pair.statistic) = (request.column, request.statistic);
                 pair.unbounded_by_failures =
                     is_over_finished(request.statistic) && (missing > 0 || pair.unbounded_by_failures);

@@ -225,3 +225,22 @@ fn rules_about_combinations_are_told_with_their_numbers() {
          hint: shorten the lists, or take numbers that lie close together as an interval"
     );
 }
+
+#[test]
+fn a_run_with_a_value_of_no_list_is_refused() {
+    let sampling = Sampling { inner: 64, ..Sampling::default() };
+    let plan = DoubleLoop::try_new(Problem { sampling, ..sum(&[Statistic::Mean]) }).unwrap();
+    let mut table = SampleTable::new(1);
+    for mut inputs in plan.next_round(&table).unwrap() {
+        if inputs.point == 1 {
+            inputs.epistemic[0] = 0.25;
+        }
+        let value = inputs.random[0] + inputs.epistemic[0];
+        table.push(inputs, Ok(&[value])).unwrap();
+    }
+    let refused = plan.results(&table).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "point 1 has 0.25 for epistemic input 0, which is none of its list\nhint: add the runs as the plan gave them"
+    );
+}

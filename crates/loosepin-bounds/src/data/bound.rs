@@ -88,6 +88,10 @@ pub struct BoundPair {
     /// taken as low as possible; not a number where no run finished. Where several focal elements are added, both sums; for
     /// probabilities of a random set both ends, and none where runs failed.
     pub seen: Vec<f64>,
+    /// The statistic where every epistemic input is in its middle, lists at their first members, by the estimate that the bounds are made of:
+    /// failed runs taken as low as possible, and as high as possible. Nothing where no runs were made there, and where masses of several
+    /// focal elements add: then no single value of the inputs has all of the mass.
+    pub central: Option<[f64; 2]>,
     /// Failed runs of this column among those of the double loop. They are taken as unknown: they widen probabilities and
     /// quantiles in `value` already.
     pub failed_runs: usize,
@@ -99,7 +103,7 @@ impl BoundPair {
     /// Bounds without what was seen at single points.
     pub(crate) fn new(column: usize, statistic: Statistic, [lower, upper]: [Bound; 2], failed_runs: usize) -> Self {
         let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
-        Self { column, statistic, lower, upper, seen: Vec::new(), failed_runs, unbounded_by_failures }
+        Self { column, statistic, lower, upper, seen: Vec::new(), central: None, failed_runs, unbounded_by_failures }
     }
 
     /// Weaker guarantee of the two ends: failed runs may have had any response, so that of means and deviations no bound exists then.

@@ -6,7 +6,7 @@ use crate::data::problem::{Problem, Reading};
 use crate::data::statistic::Statistic;
 use crate::data::table::{RunInputs, SampleTable};
 use crate::estimators::estimate::Confidence;
-use crate::estimators::pool::Pool;
+use crate::estimators::pool::{Pool, PoolPoint};
 use crate::readings::setup::Setup;
 use crate::search::design::{first_points, structural_point_count};
 use crate::search::parts::{Element, Structure};
@@ -187,9 +187,14 @@ impl DoubleLoop {
         }
     }
 
-    /// Whether every outer point of `pool` has all its inner runs.
+    /// Whether every outer point of `pool` has all its inner runs, and members of lists alone.
     pub(super) fn check_points(&self, pool: &Pool) -> Result<(), PlanError> {
         let expected = self.inner_runs();
+        for PoolPoint { point, epistemic, .. } in &pool.points {
+            if let Some(input) = self.setup.epistemic_box.stranger(epistemic) {
+                return Err(PlanError::UnknownMember { point: *point, input, value: epistemic[input] });
+            }
+        }
         match pool.points.iter().find(|point| point.runs != expected) {
             Some(point) => Err(PlanError::UnfinishedPoint { point: point.point, found: point.runs, expected }),
             None => Ok(()),

@@ -35,6 +35,15 @@ pub enum PlanError {
         found: usize,
         expected: usize,
     },
+    #[error(
+        "point {point} has {value} for epistemic input {input}, which is none of its list\nhint: add the runs as the plan gave them"
+    )]
+    UnknownMember {
+        /// Outer index.
+        point: u32,
+        input: usize,
+        value: f64,
+    },
     #[error("the table is empty\nhint: run the rounds first")]
     NoRuns,
 }

@@ -23,6 +23,7 @@ impl Experiment<'_> {
         elements: &[Focal<'_>],
     ) -> Vec<BoundPair> {
         let is_one = elements.len() == 1;
+        let centre = self.centre(elements);
         let jobs: Vec<QuantileJob> = requests
             .iter()
             .filter_map(|request| match request.statistic {
@@ -48,7 +49,19 @@ impl Experiment<'_> {
                         place.map_or_else(|| self.unknown(direction), |place| quantiles[place].clone())
                     }),
                     Statistic::StandardDeviation if !is_one || self.is_mixed() => self.deviations(column, elements),
-                    _ => Direction::BOTH.map(|direction| self.added(&modelled, elements, direction)),
+                    // A mean over a mixture is the sum of mass times mean; a probability is the mean of a hit.
+                    Statistic::Mean
+                    | Statistic::ProbabilityAbove(_)
+                    | Statistic::ProbabilityBelow(_)
+                    | Statistic::ProbabilityBeyond(_) => {
+                        Direction::BOTH.map(|direction| self.added(&modelled, elements, direction))
+                    }
+                    // Of one element nothing is added.
+                    Statistic::Quantile(_) | Statistic::StandardDeviation => {
+                        Direction::BOTH.map(|direction| self.bound(&modelled, direction, &elements[0]))
+                    }
+                    // These have no measure.
+                    Statistic::Cdf | Statistic::SimultaneousBand(_) => return None,
                 };
                 let at: Vec<f64> = measure.low.iter().map(Estimate::lower_limit).collect();
                 // Of several elements the sum has been attained, at no single point.
@@ -57,7 +70,8 @@ impl Experiment<'_> {
                 } else {
                     Direction::BOTH.map(|direction| sum_of_extremes(elements, &at, direction)).to_vec()
                 };
-                Some(BoundPair { seen, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+                let central = centre.map(|point| modelled.at(point));
+                Some(BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
             })
             .collect()
     }

@@ -9,6 +9,10 @@ use crate::search::measure::Measure;
 use crate::search::models::Search;
 use crate::search::parts::{Cut, Element};
 use crate::search::search_box::{Place, Region};
+use loosepin_uncertainty::EpistemicVariable;
+
+/// A value of the plan that differs from the middle by less than this share of it differs by round-off.
+const MIDDLE_ROUND_OFF: f64 = 1e-12;
 
 /// The runs at all outer points, with their places in the search box.
 pub(crate) struct Experiment<'a> {
@@ -40,6 +44,16 @@ impl<'a> Experiment<'a> {
             members: region.members(&self.places),
         };
         cut.elements.iter().map(focal).collect()
+    }
+
+    /// The outer point at which every epistemic input is in its middle, lists at their first members, where all of the mass is in one
+    /// element and that point in it.
+    pub fn centre(&self, elements: &[Focal<'_>]) -> Option<usize> {
+        let [whole] = elements else { return None };
+        let middle: Vec<f64> = self.setup.problem.epistemic.iter().map(EpistemicVariable::middle).collect();
+        let is_near = |(value, middle): (&f64, &f64)| (value - middle).abs() <= MIDDLE_ROUND_OFF * middle.abs();
+        let is_centre = |point: &usize| self.pool.points[*point].epistemic.iter().zip(&middle).all(is_near);
+        whole.members.iter().copied().find(is_centre)
     }
 
     /// Models for everything that `measures` search.

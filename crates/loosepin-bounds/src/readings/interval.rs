@@ -26,6 +26,8 @@ pub(crate) struct Modelled<'a> {
     search: &'a Search<'a>,
     branches: Vec<Branch<'a>>,
     margin_branches: Vec<Branch<'a>>,
+    /// Values by which points are compared, for each direction: the target where models take part of its differences for noise.
+    scores: [Vec<f64>; 2],
 }
 
 /// Where a statistic goes furthest.
@@ -77,7 +79,32 @@ impl Experiment<'_> {
 impl<'a> Modelled<'a> {
     pub fn new(search: &'a Search<'a>, measure: &'a Measure, samples: &'a [&'a Sample]) -> Self {
         let margin_branches = measure.margin.as_ref().map_or_else(Vec::new, |margin| search.branches(&margin.target));
-        Self { measure, samples, search, branches: search.branches(&measure.target), margin_branches }
+        let branches = search.branches(&measure.target);
+        let lowest = smoothed(&measure.target, &branches, |point| measure.target_errors[point]);
+        // Failed runs move the two estimates apart; the target is the low one.
+        let gaps = measure.low.iter().zip(&measure.high).map(|(low, high)| high.value - low.value);
+        let highest = lowest.iter().zip(gaps).map(|(score, gap)| if gap.is_finite() { score + gap } else { *score });
+        let scores = [lowest.clone(), highest.collect()];
+        Self { measure, samples, search, branches, margin_branches, scores }
+    }
+
+    /// The statistic at a point as it is compared with all others in `direction`: no bound over a box that holds the point is narrower.
+    fn compared(&self, direction: Direction, point: usize) -> f64 {
+        let score = self.scores(direction)[point];
+        match self.measure.kind {
+            MeasureKind::Plain | MeasureKind::Probability(_) => score,
+            MeasureKind::Deviation => score.max(0.0).sqrt(),
+            MeasureKind::SmoothProbability(_) => self.measure.estimates(direction)[point].value,
+        }
+    }
+
+    /// [`Modelled::compared`] in both directions.
+    pub fn at(&self, point: usize) -> [f64; 2] {
+        Direction::BOTH.map(|direction| self.compared(direction, point))
+    }
+
+    fn scores(&self, direction: Direction) -> &[f64] {
+        &self.scores[direction.index()]
     }
 
     /// The outer point in `focal` at which the statistic, smoothed where its differences are partly noise, goes furthest.
@@ -98,37 +125,17 @@ impl<'a> Modelled<'a> {
         };
         let known = focal.members.iter().copied().filter(|&point| is_known(point));
         let best = known.clone().reduce(|best, point| if is_better(point, best) { point } else { best })?;
-        // The statistic itself at a point, as it was compared.
-        let compared = |point: usize| match measure.kind {
-            MeasureKind::Plain | MeasureKind::Probability(_) => scores[point],
-            MeasureKind::Deviation => scores[point].max(0.0).sqrt(),
-            MeasureKind::SmoothProbability(_) => estimates[point].value,
-        };
         // Where differences are noise the neighbours of a point have been heard too: its own interval says nothing more.
         let least_noise = LEAST_NOISE_SHARE * measure.target.noise_variance;
         let is_averaged = |point: usize| {
             let own = self.branches.iter().find(|branch| branch.points.contains(&point));
             own.is_some_and(|branch| branch.noise_variance() > least_noise)
         };
-        let beyond = |point: usize| direction.sign() * (compared(point) - estimates[best].value) + own_error(point);
+        let beyond = |point: usize| {
+            direction.sign() * (self.compared(direction, point) - estimates[best].value) + own_error(point)
+        };
         let heard = known.filter(|&point| !is_averaged(point));
         Some(Attained { point: best, sampling: heard.map(beyond).fold(own_error(best), f64::max) })
-    }
-
-    /// Values by which points are compared: the target where models take part of its differences for noise.
-    fn scores(&self, direction: Direction) -> Vec<f64> {
-        let measure = self.measure;
-        let mut scores = smoothed(&measure.target, &self.branches, |point| measure.target_errors[point]);
-        if direction == Direction::Maximum {
-            for (score, (low, high)) in scores.iter_mut().zip(measure.low.iter().zip(&measure.high)) {
-                // Failed runs move the two estimates apart; the target is the low one.
-                let gap = high.value - low.value;
-                if gap.is_finite() {
-                    *score += gap;
-                }
-            }
-        }
-        scores
     }
 
     /// How far the statistic may go in `direction` where `value` is attained at `point`.

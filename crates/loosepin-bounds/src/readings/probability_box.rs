@@ -10,7 +10,9 @@ use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Reading;
 use crate::data::statistic::Event;
 use crate::data::table::Purpose;
+use crate::estimators::estimate::Estimate;
 use crate::estimators::pool::Pool;
+use crate::estimators::probability::probability;
 use crate::search::measure::Measure;
 
 /// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
@@ -27,8 +29,11 @@ pub struct ProbabilityBox {
     /// The values y, increasing; empty where no run finished.
     pub values: Vec<f64>,
     /// P(Y <= y) when every interval is taken as uniform and every member of a list as equally probable, for each y, failed runs taken as not below: the
-    /// probability-only treatment. Nothing where the problem compares no columns, so that it was not sampled.
+    /// probability-only treatment, by the estimate that the bounds are made of. Nothing where the problem compares no columns, so that it was
+    /// not sampled.
     pub probability_only: Option<Vec<f64>>,
+    /// Largest sampling error of these, which are a sample of their own; 0 where there is none.
+    pub probability_only_error: f64,
     /// min over u of P(Y <= y), for each y; `widened` is made increasing.
     pub lower: Vec<Bound>,
     /// max over u of P(Y <= y), for each y; `widened` is made increasing.
@@ -72,15 +77,15 @@ impl ProbabilityBox {
         for i in (1..lower.len()).rev() {
             lower[i - 1].widened = lower[i - 1].widened.min(lower[i].widened);
         }
-        let mixture =
-            Pool::gather(experiment.table, Purpose::Mixture, [column]).with_polynomials(setup.mixture_basis());
-        let probability_only = mixture.samples(column).first().map(|sample| {
-            let share = |&value: &f64| match sample.smooth() {
-                Some(smooth) => smooth.probability(Event::UpTo(value), 0.0).value,
-                None => sample.count_up_to(value) as f64 / sample.runs() as f64,
-            };
+        // Without epistemic inputs the double loop is the mixture.
+        let own = if setup.epistemic_box.is_a_point() { Purpose::DoubleLoop } else { Purpose::Mixture };
+        let mixture = Pool::gather(experiment.table, own, [column]).with_polynomials(setup.mixture_basis());
+        let estimates: Option<Vec<Estimate>> = mixture.samples(column).first().map(|sample| {
+            let share = |&value: &f64| probability(sample, Event::UpTo(value), &setup.confidence).low;
             values.iter().map(share).collect()
         });
-        Self { column, values, probability_only, lower, upper }
+        let probability_only_error = estimates.iter().flatten().map(|at| at.below.max(at.above)).fold(0.0, f64::max);
+        let probability_only = estimates.map(|found| found.iter().map(|at| at.value).collect());
+        Self { column, values, probability_only, probability_only_error, lower, upper }
     }
 }

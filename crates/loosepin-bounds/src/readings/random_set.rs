@@ -79,8 +79,10 @@ impl Experiment<'_> {
         let mut columns: Vec<usize> = requests.iter().map(|request| request.column).collect();
         columns.sort_unstable();
         columns.dedup();
+        let centre = self.centre(elements);
         let of_column = |column: usize| {
             let set = RandomSet::new(self, elements, column);
+            let at_centre = centre.map(|point| RandomSet::at(self.pool.samples(column)[point]));
             let failed_runs = self.failed_runs(column);
             let own = requests.iter().enumerate().filter(move |(_, request)| request.column == column);
             let pair = |(place, request): (usize, &Request)| {
@@ -90,7 +92,8 @@ impl Experiment<'_> {
                     Some(event) if failed_runs == 0 => set.seen(self, event),
                     _ => Vec::new(),
                 };
-                (place, BoundPair { seen, ..BoundPair::new(column, request.statistic, ends, failed_runs) })
+                let central = at_centre.as_ref().map(|set| set.bounds(self, request.statistic).map(|end| end.value));
+                (place, BoundPair { seen, central, ..BoundPair::new(column, request.statistic, ends, failed_runs) })
             };
             own.map(pair).collect::<Vec<_>>()
         };
@@ -142,6 +145,14 @@ impl RandomSet {
             }
         });
         Self { elements: elements.collect() }
+    }
+
+    /// The random set of the runs at a single outer point: both ends are the response itself.
+    fn at(sample: &Sample) -> Self {
+        // The ends of a random set have no polynomials.
+        let counted = sample.joined(sample, |value, _| value);
+        let ends = [counted.clone(), counted];
+        Self { elements: vec![Ends { mass: 1.0, attained: ends.clone(), widened: ends }] }
     }
 
     /// Both ends of `statistic`, which is not a whole distribution function.

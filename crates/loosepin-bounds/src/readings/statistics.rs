@@ -50,12 +50,14 @@ impl Experiment<'_> {
         search: &Search<'_>,
         whole: &Focal<'_>,
     ) -> Vec<BoundPair> {
+        let centre = self.centre(std::slice::from_ref(whole));
         let pair = |(&Request { column, statistic }, measure): (&Request, &Option<Measure>)| {
             let samples = self.pool.samples(column);
             let modelled = Modelled::new(search, measure.as_ref()?, &samples);
             let ends = Direction::BOTH.map(|direction| self.bound(&modelled, direction, whole));
             let seen = modelled.measure.low.iter().map(Estimate::lower_limit).collect();
-            Some(BoundPair { seen, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+            let central = centre.map(|point| modelled.at(point));
+            Some(BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
         };
         requests.par_iter().zip(measures).filter_map(pair).collect()
     }

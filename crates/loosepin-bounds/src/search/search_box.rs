@@ -225,14 +225,20 @@ impl SearchBox {
         values
     }
 
-    /// Where `values` of all inputs lie.
+    /// The first input whose value is none of its list.
+    pub fn stranger(&self, values: &[f64]) -> Option<usize> {
+        let is_none_of = |(input, value): (&EpistemicVariable, &f64)| matches!(input, EpistemicVariable::OneOf(members) if members.index_of(*value).is_none());
+        self.inputs.iter().zip(values).position(is_none_of)
+    }
+
+    /// Where `values` of all inputs lie; none of them is a [`SearchBox::stranger`].
     pub fn place_of(&self, values: &[f64]) -> Place {
         let (mut combination, mut weight) = (0, 1);
         let mut at = Vec::with_capacity(self.wide.len());
         for (index, (input, &value)) in self.inputs.iter().zip(values).enumerate() {
             match input {
                 EpistemicVariable::OneOf(members) => {
-                    combination += weight * members.index_of(value);
+                    combination += weight * members.index_of(value).unwrap_or(0);
                     weight *= members.values().len();
                 }
                 other => {

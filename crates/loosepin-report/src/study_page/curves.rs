@@ -8,8 +8,8 @@ use crate::number::{NumberWriter, Rounding, significant};
 use crate::script_data::round_to_digits;
 use crate::wording::{capitalised, deviation_words, output_words, place_words};
 use loosepin_result::study::{
-    BoundRecord, CurveRange, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, SimultaneousCurve,
-    Statistic, StudyResult, Treatment,
+    BoundRecord, CurveRange, DeviationCurve, InputKind, ProbabilityBox, RequirementOutcome, ResponsePoint,
+    SimultaneousCurve, Statistic, StudyResult, Treatment,
 };
 use loosepin_text::units::SiUnit;
 
@@ -70,6 +70,8 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             @if has_random {
                 ", and inside the blue band for unknown values in the middle of their ranges"
                 @if !centre.is_empty() { " (" (centre) ")" }
+            } @else if has_evidence(result) {
+                ". Evidence gives mechanisms to several intervals, so there is no band for a single value of the unknown inputs"
             }
             ". The orange band " (worst_words) ". It includes its numerical error of up to "
             (writer.error(curve.numerical_error_si, &curve.unit)) "."
@@ -85,6 +87,11 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
         ),
         ..Chart::over_angle(format!("deviation-{index}"), &result.cycle.drive, &curve.pose_rad, writer)
     }
+}
+
+/// Whether several intervals share what is known of an input.
+fn has_evidence(result: &StudyResult) -> bool {
+    result.inputs.iter().any(|input| matches!(input.kind, InputKind::Evidence { .. }))
 }
 
 /// Sentence on the band for whole curves.

@@ -95,7 +95,7 @@ pub struct ProbabilityBox {
     /// A limit that was asked about, where there is one.
     #[serde(with = "extended")]
     pub limit_si: Option<f64>,
-    /// Sampling error of the probabilities, >= 0.
+    /// Sampling error of the probabilities, those of `probability_only` included, >= 0.
     #[serde(with = "extended")]
     pub numerical_error: f64,
 }

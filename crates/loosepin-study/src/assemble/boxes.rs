@@ -3,7 +3,7 @@
 use super::material::Material;
 use crate::file::Where;
 use loosepin_bounds::Bound;
-use loosepin_result::study::{ProbabilityBox, Purpose, Statistic};
+use loosepin_result::study::{ProbabilityBox, Statistic};
 
 /// The distribution functions of single numbers.
 pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
@@ -20,18 +20,6 @@ pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
         .filter(|found| asked(found.column))
         .map(|found| {
             let column = found.column;
-            let mut mixture: Vec<f64> = material
-                .table
-                .inputs()
-                .iter()
-                .enumerate()
-                .filter(|(_, inputs)| inputs.purpose == mixture_purpose(material))
-                .map(|(run, _)| material.table.values(run)[column])
-                .filter(|value| value.is_finite())
-                .collect();
-            mixture.sort_by(f64::total_cmp);
-            let share_below =
-                |value: f64| mixture.partition_point(|&seen| seen <= value) as f64 / mixture.len().max(1) as f64;
             let limits = material.plan().asks.iter().filter(|planned| planned.columns.contains(&column));
             let limit_si = limits.flat_map(|planned| &planned.ask.statistics).find_map(|statistic| match statistic {
                 Statistic::ProbabilityAbove(limit)
@@ -47,18 +35,18 @@ pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
                 of: material.plan().columns[column].deviation,
                 at: material.point_of(column, false),
                 unit: material.unit_of(column),
-                probability_only: found.values.iter().map(|&value| share_below(value)).collect(),
+                probability_only: found.probability_only.clone().unwrap_or_default(),
                 value_si: found.values.clone(),
                 lower: found.lower.iter().map(|bound| bound.value).collect(),
                 upper: found.upper.iter().map(|bound| bound.value).collect(),
                 limit_si,
-                numerical_error: found.lower.iter().chain(&found.upper).map(error).fold(0.0, f64::max),
+                numerical_error: found
+                    .lower
+                    .iter()
+                    .chain(&found.upper)
+                    .map(error)
+                    .fold(found.probability_only_error, f64::max),
             }
         })
         .collect()
-}
-
-/// Runs in which everything was random: without epistemic inputs those of the double loop.
-fn mixture_purpose(material: &Material<'_>) -> Purpose {
-    if material.study.epistemic.is_empty() { Purpose::DoubleLoop } else { Purpose::Mixture }
 }

@@ -1,12 +1,11 @@
 //! Deviation curves over the cycle with their bands.
 
 use super::drawing::Pictures;
-use super::material::Material;
-use super::summary::centre_point;
+use super::material::{Material, unknown_ends};
 use crate::columns::{BAND, PlannedAsk};
 use crate::file::{Deviation, Where};
 use crate::simultaneous::CurveBand;
-use loosepin_bounds::{Purpose, Statistic};
+use loosepin_bounds::Statistic;
 use loosepin_result::study::{CurveRange, DeviationCurve, SimultaneousCurve};
 
 /// One curve for each ask for the whole cycle.
@@ -19,7 +18,6 @@ pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand])
 
 fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], planned: &PlannedAsk) -> DeviationCurve {
     let output = &material.plan().outputs[planned.output];
-    let centre = centre_point(material);
     let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let mut curve = DeviationCurve {
         output: output.name.clone(),
@@ -42,15 +40,19 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
             Deviation::Dimensional => 0.0,
             _ => pictures.nominal_row[column],
         });
-        let [lower, upper] = centre.map_or([f64::NAN; 2], |point| random_band(material, column, point));
-        curve.random.lower_si.push(lower);
-        curve.random.upper_si.push(upper);
-        let mixed = [0, 1].map(|end| material.ends(column, Statistic::Quantile(BAND[end])));
-        if let [Some([low, _]), Some([_, high])] = mixed {
-            curve.mixed.lower_si.push(low.widened_si);
-            curve.mixed.upper_si.push(high.widened_si);
-            curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
-        }
+        let random = BAND.map(|probability| material.central(column, Statistic::Quantile(probability)));
+        let [lower, upper] = random.map(|ends| ends.unwrap_or([f64::NAN; 2]));
+        curve.random.lower_si.push(lower[0]);
+        curve.random.upper_si.push(upper[1]);
+        // A pose without a bound may be anywhere; it keeps its place among the others.
+        let ends = BAND.map(|probability| {
+            let statistic = Statistic::Quantile(probability);
+            material.ends(column, statistic).unwrap_or_else(|| unknown_ends(statistic))
+        });
+        let [[low, _], [_, high]] = &ends;
+        curve.mixed.lower_si.push(low.widened_si);
+        curve.mixed.upper_si.push(high.widened_si);
+        curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
     }
     curve
 }
@@ -77,23 +79,42 @@ fn simultaneous(material: &Material<'_>, bands: &[CurveBand], planned: &PlannedA
     planned.ask.simultaneous_bands.iter().map(of_share).collect()
 }
 
-/// Quantiles of the scatter at one value of the epistemic inputs.
-fn random_band(material: &Material<'_>, column: usize, point: u32) -> [f64; 2] {
-    let table = material.table;
-    let mut values: Vec<f64> = table
-        .inputs()
-        .iter()
-        .enumerate()
-        .filter(|(_, inputs)| inputs.purpose == Purpose::DoubleLoop && inputs.point == point)
-        .map(|(run, _)| table.values(run)[column])
-        .filter(|value| value.is_finite())
-        .collect();
-    values.sort_by(f64::total_cmp);
-    if values.is_empty() {
-        return [f64::NAN; 2];
+#[cfg(test)]
+mod tests {
+    use super::curves;
+    use crate::assemble::{Material, drawing};
+    use crate::file::Study;
+    use crate::problem::problem;
+    use crate::response::StudyResponse;
+    use loosepin_bounds::{DoubleLoop, SampleTable, execute};
+    use std::path::Path;
+
+    #[test]
+    fn a_pose_without_a_bound_keeps_its_place() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
+        let text = "name = \"curve\"\nmodel = \"model.toml\"\n\
+             [cycle]\ntransient_turns = 0\nrecorded_turns = 1\nsamples_per_turn = 6\n[sampling]\nouter = 4\ninner = 32\n\
+             [random]\n\"parameter.crank_length\" = { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }\n\
+             [[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
+        let study = Study::from_text_at(&path.display().to_string(), text);
+        let study = study.unwrap_or_else(|complaints| panic!("{complaints}"));
+        let response = StudyResponse::new(&study).unwrap();
+        let plan = DoubleLoop::try_new(problem(&study, &response)).unwrap();
+        let mut table = SampleTable::new(response.row_length());
+        execute(plan.next_round(&table).unwrap(), &response, &mut table).unwrap();
+        let bounds = plan.results(&table).unwrap();
+        let columns = &response.shared.plan.asks[0].columns;
+        let known: Vec<_> = bounds.pairs.iter().filter(|pair| pair.column != columns[2]).cloned().collect();
+        let ends = |pairs| {
+            let (study, response, table, bounds) = (&study, &response, &table, &bounds);
+            let material = Material { study, response, table, bounds, pairs, rare: &[] };
+            let curve = curves(&material, &drawing::pictures(&material), &[]).remove(0);
+            assert_eq!(curve.pose_rad.len(), 6);
+            curve.mixed.lower_si.into_iter().zip(curve.mixed.upper_si).collect::<Vec<_>>()
+        };
+        let mut whole = ends(&bounds.pairs);
+        assert!(whole.iter().all(|(lower, upper)| lower <= upper && upper.is_finite()), "{whole:?}");
+        whole[2] = (f64::NEG_INFINITY, f64::INFINITY);
+        assert_eq!(ends(&known), whole);
     }
-    BAND.map(|probability| {
-        let rank = (probability * values.len() as f64).ceil() as usize;
-        values[rank.clamp(1, values.len()) - 1]
-    })
 }

@@ -51,41 +51,46 @@ impl Material<'_> {
         self.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic)
     }
 
-    /// Both ends of the bounds of `statistic` of `column`, narrowed by what is known of the largest deviation of the whole
-    /// recorded part: no pose departs further, so |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|. Those of
-    /// magnitudes are not negative.
+    /// Both ends of the bounds of `statistic` of `column`, narrowed to [`Material::limits`].
     pub fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
         let pair = self.pair(column, statistic)?;
+        let [least, most] = self.limits(column, statistic);
         let (mut lower, mut upper) = (self.end(&pair.lower), self.end(&pair.upper));
-        let planned = self.plan().columns[column];
-        let largest = StudyColumn { spot: Spot::Reduced(Reduction::MaximumAbsolute), ..planned };
-        let largest = self.plan().columns.iter().position(|known| *known == largest);
-        if let (Some(largest), Spot::Pose { .. }) = (largest, planned.spot) {
-            let most = |statistic| self.pair(largest, statistic).map(|pair| pair.upper.widened);
-            match statistic {
-                Statistic::Mean => {
-                    if let Some(most) = most(Statistic::Mean) {
-                        narrow(&mut lower, -most);
-                        narrow(&mut upper, most);
-                    }
-                }
-                Statistic::Quantile(probability) => {
-                    if let Some(most) = most(Statistic::Quantile(probability)) {
-                        narrow(&mut upper, most);
-                    }
-                    if let Some(most) = most(Statistic::Quantile(1.0 - probability)) {
-                        narrow(&mut lower, -most);
-                    }
-                }
-                _ => {}
-            }
-        }
+        narrow(&mut lower, least);
+        narrow(&mut upper, most);
         let is_magnitude = matches!(statistic, Statistic::Mean | Statistic::Quantile(_));
         if is_magnitude && self.is_never_negative(column) && lower.widened_si < 0.0 {
             lower.value_si = lower.value_si.max(0.0);
             set_widened(&mut lower, 0.0);
         }
         Some([lower, upper])
+    }
+
+    /// `statistic` of `column` with the epistemic inputs in their middle, as low and as high as failed runs allow, narrowed like the bounds:
+    /// it lies between their widened ends.
+    pub fn central(&self, column: usize, statistic: Statistic) -> Option<[f64; 2]> {
+        let [least, most] = self.limits(column, statistic);
+        let central = self.pair(column, statistic)?.central?;
+        // What is not a number stays none: `max` and `min` would make it a limit.
+        let within = |value: f64| if value.is_nan() { value } else { value.max(least).min(most) };
+        Some(central.map(|value| self.possible(column, within(value))))
+    }
+
+    /// What is known of `statistic` of `column` from the largest deviation of the whole recorded part: no pose departs further, so
+    /// |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|.
+    fn limits(&self, column: usize, statistic: Statistic) -> [f64; 2] {
+        let planned = self.plan().columns[column];
+        let largest = StudyColumn { spot: Spot::Reduced(Reduction::MaximumAbsolute), ..planned };
+        let largest = self.plan().columns.iter().position(|known| *known == largest);
+        let (Some(largest), Spot::Pose { .. }) = (largest, planned.spot) else {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        };
+        let most = |statistic| self.pair(largest, statistic).map_or(f64::INFINITY, |pair| pair.upper.widened);
+        match statistic {
+            Statistic::Mean => [-most(statistic), most(statistic)],
+            Statistic::Quantile(probability) => [-most(Statistic::Quantile(1.0 - probability)), most(statistic)],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
     }
 
     /// `value_si` of a column, or 0 where it is negative and the column is a magnitude.

@@ -108,13 +108,3 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
         })
         .collect()
 }
-
-/// Index of the outer point at the middle of the epistemic box, lists at their first members, where there is one.
-pub fn centre_point(material: &Material<'_>) -> Option<u32> {
-    let middle: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
-    let same = |point: &&loosepin_bounds::RunInputs| {
-        point.purpose == Purpose::DoubleLoop
-            && point.epistemic.iter().zip(&middle).all(|(a, b)| (a - b).abs() <= 1e-12 * b.abs())
-    };
-    material.table.inputs().iter().find(same).map(|inputs| inputs.point)
-}

@@ -34,6 +34,10 @@ fn check_all(case: &KnownCase, pairs: &[BoundPair], exact: &[(f64, f64)]) {
         let is_held = pair.lower.widened <= low + ROUND_OFF && pair.upper.widened >= high - ROUND_OFF;
         let is_tight = excess <= case.most_excess;
         assert!(is_held && is_tight, "{}: [{low}, {high}], too wide by {excess}: {pair:#?}", case.name);
+        for central in pair.central.into_iter().flatten() {
+            let is_within = pair.lower.widened <= central && central <= pair.upper.widened;
+            assert!(is_within, "{}: one value of the inputs lies outside of all: {pair:#?}", case.name);
+        }
     }
 }
 

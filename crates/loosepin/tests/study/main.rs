@@ -4,6 +4,7 @@ mod allowed_fits;
 mod contact_law_lists;
 mod epistemic_inputs;
 mod exact_bounds;
+mod inner_bands;
 mod kept_runs;
 mod study_accuracy;
 mod surrogates;
