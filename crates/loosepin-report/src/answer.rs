@@ -21,6 +21,8 @@ const MOST_MORE_DIGITS: f64 = 6.0;
 pub(super) struct Answer {
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
+    /// What may overturn the verdict: it stands beside it.
+    pub caveats: Vec<String>,
     /// The one sentence.
     pub headline: String,
     /// Scatter alone, numerical error, runs and assumptions.
@@ -43,12 +45,35 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
             None => "The study asks only whether the requirements are met.".to_owned(),
         },
     };
-    let mut details = Vec::new();
+    let verdict = result.verdict();
+    let caveats = caveats(result, writer);
+    // Without a verdict they concern the numbers of the answer.
+    let (caveats, mut details) = if verdict.is_some() { (caveats, Vec::new()) } else { (Vec::new(), caveats) };
     details.extend(curve.and_then(|curve| scatter_sentence(curve, writer)));
     details.push(error_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    Answer { requirements, headline, details, verdict: result.verdict() }
+    Answer { requirements, caveats, headline, details, verdict }
+}
+
+/// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, and motions that
+/// differ from turn to turn.
+fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
+    let beyond = result.impacts.iter().filter_map(|joint| {
+        let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
+        Some(format!(
+            "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ.",
+            writer.percent(share, Rounding::Up),
+            joint.joint
+        ))
+    });
+    let settled = result.settled_share.filter(|share| *share < 1.0).map(|share| {
+        format!(
+            "In {} of the runs the motion is periodic: other turns than the recorded ones may deviate more.",
+            writer.percent(share, Rounding::Down)
+        )
+    });
+    beyond.chain(settled).collect()
 }
 
 /// The verdict over all requirements as a headline.

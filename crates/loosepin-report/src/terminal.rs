@@ -37,6 +37,9 @@ pub fn study_text(result: &StudyResult) -> String {
         for requirement in &answer.requirements {
             text.push_str(&format!("{}\n", wrapped(requirement, "- ")));
         }
+        for caveat in &answer.caveats {
+            text.push_str(&format!("{}\n", wrapped(caveat, "- ")));
+        }
         text.push('\n');
     }
     text.push_str(&format!("{}\n", wrapped(&answer.headline, "")));

@@ -124,6 +124,7 @@ fn answer_markup(answer: &Answer) -> Markup {
             }
         }
         @for requirement in &answer.requirements { p { (requirement) } }
+        @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
         p.headline { (answer.headline) }
         ul.details { @for detail in &answer.details { li { (detail) } } }
     }

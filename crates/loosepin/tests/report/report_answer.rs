@@ -108,6 +108,37 @@ fn inputs_that_would_read_the_same_keep_their_paths() {
 }
 
 #[test]
+fn what_may_overturn_a_verdict_stands_with_it() {
+    let beyond = "98.1 % of the impacts in gudgeon are faster than the contact law is valid for";
+    let settled = "In 87.4 % of the runs the motion is periodic";
+    let mut result = worn_pin();
+    for shown in [study_text(&result), study_page(&result)] {
+        let shown = one_line(&shown).replace('\u{a0}', " ");
+        let place = |words: &str| shown.find(words).unwrap_or_else(|| panic!("'{words}' is not in: {shown}"));
+        let (verdict, headline) = (place("equirement"), place("stays within ±0."));
+        for caveat in [beyond, settled] {
+            assert!(
+                verdict < place(caveat) && place(caveat) < place("of its ideal motion over the whole cycle in at"),
+                "{caveat}"
+            );
+        }
+        assert!(verdict < headline);
+    }
+    // Without a verdict they are about the answer.
+    result.requirements.clear();
+    assert_says(
+        &result,
+        &format!(
+            "of mechanisms. This holds for every gudgeon radial clearance from 0.1 to 0.5 mm and every steel pin restitution from 0.7 to 0.9. - {beyond}"
+        ),
+    );
+    result.impacts[0].share_outside_validity = Some(0.0);
+    result.settled_share = Some(1.0);
+    let text = one_line(&study_text(&result));
+    assert!(!text.contains("valid for") && !text.contains("is periodic"), "{text}");
+}
+
+#[test]
 fn verdicts_stand_first_and_with_their_numbers() {
     let mut result = worn_pin();
     result.requirements.truncate(1);
