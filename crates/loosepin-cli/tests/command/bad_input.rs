@@ -496,7 +496,7 @@ fn a_unit_that_is_not_known_is_taken_for_one_of_what_is_due() {
     desk.write("model.toml", &text.replace("radial_clearance = \"0.3 mm\"", "radial_clearance = \"0.3 mn\""));
     desk.fail(
         &["check", "model.toml"],
-        "model.toml:50:25: error[E0302]: 'mn' is not a known unit\nhint: did you mean 'mm'?",
+        "model.toml:51:25: error[E0302]: 'mn' is not a known unit\nhint: did you mean 'mm'?",
     );
 }
 

@@ -261,6 +261,7 @@ fn on_a_full_disk_nobody_is_told_of_runs_that_are_not_kept() {
         "{}",
         said.messages
     );
-    // And so it does.
-    desk.succeed(&["study", "study.toml", "--out", "full", "--resume"]);
+    // And so it does, to the end: its requirement is not met.
+    let again = desk.run(&["study", "study.toml", "--out", "full", "--resume"]);
+    assert!(again.status < 2 && desk.path("full/summary.json").exists(), "{}", again.messages);
 }

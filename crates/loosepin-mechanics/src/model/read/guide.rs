@@ -77,7 +77,7 @@ impl ModelReader {
             }
             return Some(None);
         };
-        let expression = self.expression(&entry)?;
+        let expression = self.expression_of(&entry, Some(Dimension::LENGTH))?;
         if !self.reader.measures(&entry, expression.dimension, Dimension::LENGTH) {
             return None;
         }

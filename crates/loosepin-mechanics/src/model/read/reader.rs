@@ -126,7 +126,7 @@ impl ModelReader {
     }
 
     /// As [`ModelReader::expression`]; where a dimension is due, hints name its units.
-    fn expression_of(&mut self, entry: &Entry<'_>, due: Option<Dimension>) -> Option<Expression> {
+    pub fn expression_of(&mut self, entry: &Entry<'_>, due: Option<Dimension>) -> Option<Expression> {
         match self.reader.written(entry)? {
             Written::Number(value) => Some(Expression::number(value)),
             Written::Text(text) => match parse_expression(text, &self.parameters) {
