@@ -67,7 +67,9 @@ impl FolderLock {
     /// Says in the file who holds it.
     fn name_holder(&mut self, work: &str) -> io::Result<()> {
         self.file.set_len(0)?;
-        writeln!(self.file, "process {}{} ({work}{})", std::process::id(), on_host(), since(SystemTime::now()))
+        // In one piece: others read it at any moment.
+        let line = format!("process {}{} ({work}{})\n", std::process::id(), on_host(), since(SystemTime::now()));
+        self.file.write_all(line.as_bytes())
     }
 }
 
@@ -99,12 +101,13 @@ fn is_at(_: &File, _: &Path) -> bool {
     true
 }
 
-/// Who holds the lock, where the file says so and can be read.
+/// Who holds the lock, where the file says so already and can be read.
 fn holder(mut file: File) -> Option<String> {
     const LONGEST_CHARS: usize = 200;
     let mut text = String::new();
     file.read_to_string(&mut text).ok()?;
-    let line: String = text.lines().next()?.chars().filter(|character| !character.is_control()).collect();
+    let (line, _) = text.split_once('\n')?;
+    let line: String = line.chars().filter(|character| !character.is_control()).collect();
     Some(line.chars().take(LONGEST_CHARS).collect()).filter(|line: &String| !line.is_empty())
 }
 
