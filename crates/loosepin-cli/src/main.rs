@@ -55,6 +55,7 @@ fn exit_code(ending: Ending) -> ExitCode {
     match ending {
         Ok(Done::Well) => ExitCode::SUCCESS,
         Ok(Done::RequirementNotMet) => ExitCode::from(1),
+        Ok(Done::RunFailed) => ExitCode::from(2),
         Ok(Done::RoundOpen) => ExitCode::from(3),
         Ok(Done::Interrupted) => ExitCode::from(130),
         Err(Failure::Complaints(complaints)) => {

@@ -5,17 +5,17 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::accuracy::check_quasi_static;
-use loosepin::diagnostics::Complaints;
+use loosepin::diagnostics::{self, Complaints};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{self, Rule, measured_argument};
 use loosepin::simulate::record::Override;
-use loosepin::simulate::{Plan, Settings, columns, simulate_until};
+use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, simulate_until};
 use loosepin::study::InputFile;
 use loosepin::units::Dimension;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::error::{Complaint, raise};
+use crate::error::{Complaint, raise, raise_problem};
 use crate::simulation::Simulation;
 use crate::waiting::wait_for;
 
@@ -95,6 +95,12 @@ impl Model {
         cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
         let tolerance_m =
             measured_argument("tolerance", tolerance, Dimension::LENGTH, Rule::Positive).map_err(raise)?;
+        let smallest = SmallestClearance::of(&set_values.model, &set_values.values);
+        let coarse = match smallest.map(|smallest| smallest.check(tolerance_m)) {
+            Some(Err(error)) => return Err(raise_problem(&error)),
+            Some(Ok(warning)) => warning,
+            None => None,
+        };
         let plan = Plan {
             cycle,
             settings: Settings { tolerance_m, ..Settings::for_simulation() },
@@ -110,12 +116,14 @@ impl Model {
                 .map_err(|failure| Complaints::from(failure.complaint(&mechanism.model)))?;
             check_quasi_static(&mechanism, &set_values.values, &mut simulation.record)
                 .map_err(|error| Complaints::from(error.complaint(&mechanism.model)))?;
-            Ok(simulation)
+            let failure = simulation.failure.as_ref().map(|failure| failure.complaint(&mechanism.model).into());
+            let warnings = coarse.iter().map(|warning| diagnostics::Complaint::warning(warning, None)).collect();
+            Ok(Simulation::new(simulation, failure, warnings))
         };
         let (outcome, raised) = wait_for(py, &stop, |_| Ok(()), work);
         match raised {
             Some(error) => Err(error),
-            None => Ok(Simulation::new(outcome.map_err(|complaints: Complaints| raise(complaints))?)),
+            None => outcome.map_err(|complaints: Complaints| raise(complaints)),
         }
     }
 }

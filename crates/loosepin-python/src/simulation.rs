@@ -1,22 +1,28 @@
 //! One run, recorded.
 
+use loosepin::diagnostics::{self, Complaints};
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
 use loosepin::simulate::record::OutputHistory;
 use loosepin::simulate::{self, history_csv, history_names, impacts_csv};
 use loosepin::study::files::to_json;
+use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 
 use crate::column::Column;
-use crate::error::raise_problem;
+use crate::error::{Complaint, raise, raise_problem};
 
 /// A finished run.
 #[pyclass(frozen, module = "loosepin._loosepin")]
-pub struct Simulation(simulate::Simulation);
+pub struct Simulation(simulate::Simulation, Option<Complaints>, Vec<diagnostics::Complaint>);
 
 impl Simulation {
-    /// The run as Python sees it.
-    pub fn new(simulation: simulate::Simulation) -> Self {
-        Self(simulation)
+    /// The run as Python sees it, why it counts as failed though it came to its end, and warnings about what was asked for.
+    pub fn new(
+        simulation: simulate::Simulation,
+        failure: Option<Complaints>,
+        warnings: Vec<diagnostics::Complaint>,
+    ) -> Self {
+        Self(simulation, failure, warnings)
     }
 }
 
@@ -26,6 +32,17 @@ impl Simulation {
     #[getter]
     fn model(&self) -> &str {
         &self.0.record.model
+    }
+
+    /// Warnings about what was asked for.
+    #[getter]
+    fn warnings(&self) -> Vec<Complaint> {
+        self.2.iter().map(Complaint::new).collect()
+    }
+
+    /// The exception of a run that came to its end and counts as failed.
+    fn failure(&self, py: Python<'_>) -> Option<Py<PyBaseException>> {
+        self.1.clone().map(|complaints| raise(complaints).into_value(py))
     }
 
     /// The columns of `history.csv`, with its names.

@@ -21,7 +21,7 @@ samples_per_turn = 40
 [sampling]
 outer = 3
 inner = 8
-tolerance = "1e-5 m"
+tolerance = "1e-6 m"
 [random]
 "parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "0.02 mm" } }
 "parameter.rod_length" = { normal = { mean = "120 mm", standard_deviation = "0.03 mm" } }

@@ -32,7 +32,7 @@ outer = 3
 inner = 8
 replicates = 4
 most_failed = 0.9
-tolerance = "1e-5 m"
+tolerance = "1e-6 m"
 [random]
 "parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "3 mm" } }
 [epistemic]

@@ -4,7 +4,7 @@ import random
 
 import loosepin as lp
 import pytest
-from conftest import MODEL, STUDY, command, write_study
+from conftest import MODEL, REPOSITORY, STUDY, command, write_study
 
 def refusal(path):
     with pytest.raises(lp.LoosepinError) as refused:
@@ -46,6 +46,18 @@ def test_values_that_break_a_rule():
             model.simulate(**{name: value})
     with pytest.raises(ValueError, match="samples 0; must be between 1 and 1000000"):
         model.simulate(samples=0)
+
+
+def test_a_run_that_failed_in_the_end_is_kept_in_the_error():
+    model = lp.Model.load(REPOSITORY / "cases/slider_crank_5000/model.toml")
+    # 0.2 mm of a clearance of 0.5 mm: the steps are too long for the contacts.
+    with pytest.warns(lp.LoosepinWarning, match="E0822"), pytest.raises(lp.LoosepinError, match="energy balance") as failed:
+        model.simulate(tolerance="0.2 mm")
+    assert failed.value.code == "E0820"
+    assert len(failed.value.simulation.time_s) > 100
+    with pytest.raises(lp.LoosepinError, match="larger than the smallest clearance") as refused:
+        model.simulate(tolerance="0.6 mm")
+    assert refused.value.code == "E0822"
 
 
 def test_what_is_no_toml_is_refused_by_name():

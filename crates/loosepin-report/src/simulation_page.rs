@@ -82,7 +82,7 @@ fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
         @if let StopReason::Failed { words, .. } = &record.stop {
             p.verdict.not-met { "The run failed" }
-            p { (words) ". This page shows the time before." }
+            p { (words) ". This page shows what was computed." }
         }
         (sentences(&headline_sentences(record, writer)))
     }

@@ -4,13 +4,13 @@ use super::column::{Arms, Reading};
 use super::execution::Execution;
 use super::gap::GapJet;
 use super::memory::{Block, LaneLayout, Memory, Named};
-use super::motion::tolerances;
+use super::motion::{Watched, tolerances};
 use super::pass::Pass;
 use super::plain::Plain;
 use super::programs::numbers;
 use super::reads::ReadLayout;
 use super::recorded::Recorded;
-use super::report::{EnergyAccount, PlaySummary};
+use super::report::{EnergyAccount, FrictionLoss, PlaySummary};
 use super::resume::MotionState;
 use super::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
@@ -244,16 +244,16 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Begins the energy account of a lane that was loaded and evaluated.
-    pub fn open_account(&mut self, lane: usize) {
-        let mut set = |place, value| self.memory.set(Block::Lane, place, lane, value);
-        set(LaneLayout::LARGEST_RESIDUAL, 0.0);
-        set(LaneLayout::LARGEST_EXCHANGE, 0.0);
+    /// Begins the energy account of a lane that was loaded and evaluated, with the smallest exchange that is told from round-off.
+    pub fn open_account(&mut self, lane: usize, smallest_exchange_j: f64) {
         let energy_j = self.start_read(lane, ReadLayout::ENERGY);
-        self.memory.set(Block::Lane, LaneLayout::ENERGY_AT_START, lane, energy_j);
-        if let Some(place) = self.pass.reads.kinetic() {
-            let kinetic_j = self.start_read(lane, place);
-            self.memory.set(Block::Lane, LaneLayout::KINETIC_AT_START, lane, kinetic_j);
+        let exchange_j = smallest_exchange_j.max(self.start_read(lane, ReadLayout::FREE_KINETIC));
+        for (place, value) in [
+            (LaneLayout::ENERGY_AT_START, energy_j),
+            (LaneLayout::LARGEST_RESIDUAL, 0.0),
+            (LaneLayout::LARGEST_EXCHANGE, exchange_j),
+        ] {
+            self.memory.set(Block::Lane, place, lane, value);
         }
     }
 
@@ -282,6 +282,15 @@ impl<'a> Core<'a> {
             largest_residual_j: number(LaneLayout::LARGEST_RESIDUAL),
             largest_exchange_j: number(LaneLayout::LARGEST_EXCHANGE),
         }
+    }
+
+    /// What each friction that is watched turned into heat in a lane up to its last step, J.
+    pub fn friction_losses(&self, lane: usize, sample: &Sample<f64>) -> Vec<FrictionLoss> {
+        let loss = |(place, watched): (usize, Watched)| FrictionLoss {
+            joint: watched.joint(self.mechanism, sample),
+            loss_j: self.state(lane, place),
+        };
+        self.pass.layout.watched_losses().map(loss).collect()
     }
 
     /// Computes what looks inside of the step at hand need.

@@ -167,7 +167,8 @@ fn run_kinematics(
         start_s = end_s;
     }
     let energy = account.map(|account| account.total());
-    Ok(RunReport { counters: Counters { steps, ..Counters::default() }, plays: Vec::new(), energy })
+    let counters = Counters { steps, ..Counters::default() };
+    Ok(RunReport { counters, plays: Vec::new(), energy, friction_losses: Vec::new() })
 }
 
 /// Ends of equal steps of at most `longest_s` over `window`, from one break of the drives to the next.

@@ -1,5 +1,6 @@
 //! Why a run ends without a result.
 
+use super::settings::LARGEST_ENERGY_RESIDUAL;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::Model;
 use loosepin_text::diagnostics::{Code, Complaint, problems};
@@ -73,6 +74,29 @@ problems! {
         TooManyEvaluations { time_s: f64, limit: u64 } => Code::RunTooLong,
             says("at {} the limit of {limit} evaluations was reached", time(*time_s)),
             hint("ask for fewer turns or a looser tolerance");
+        /// The energy account does not close.
+        EnergyNotBalanced { residual_j: f64, exchange_j: f64 } => Code::EnergyNotBalanced,
+            says(
+                "the energy balance is off by {:.1e} of the energy exchanged ({residual_j:.3e} J of {exchange_j:.3e} J); at most \
+                 {LARGEST_ENERGY_RESIDUAL:.0e} is accepted",
+                residual_j / exchange_j
+            ),
+            hint("ask for a smaller --tolerance, or tolerance under [sampling] of a study: see `loosepin explain E0820`");
+        /// A law that can only take energy gave some.
+        LawGainsEnergy {
+            /// Which law.
+            law: &'static str,
+            /// Its joint, where it is one alone.
+            joint: Option<String>,
+            gained_j: f64,
+            exchange_j: f64,
+        } => Code::LawGainsEnergy,
+            says(
+                "{law}{} gave {gained_j:.3e} J more than it took, {:.1e} of the energy exchanged: a passive law only takes",
+                joint.as_ref().map_or(String::new(), |joint| format!(" in joint '{joint}'")),
+                gained_j / exchange_j
+            ),
+            hint("look at the coefficients of the law: see `loosepin explain E0821`");
         /// More rows than a history can hold.
         TooManyRows {
             /// Turns times rows a turn.
@@ -104,7 +128,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 19] = [
+const CODES: [&str; 21] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -124,6 +148,8 @@ const CODES: [&str; 19] = [
     "slider_leaves_guide",
     "slider_beyond_guide",
     "stopped",
+    "energy_not_balanced",
+    "law_gains_energy",
 ];
 
 impl RunFailure {
@@ -154,6 +180,8 @@ impl RunFailure {
             Self::LeavesGuide { .. } => 16,
             Self::BeyondGuide { .. } => 17,
             Self::Stopped { .. } => 18,
+            Self::EnergyNotBalanced { .. } => 19,
+            Self::LawGainsEnergy { .. } => 20,
         }
     }
 
@@ -177,7 +205,12 @@ impl RunFailure {
             Self::StepTooSmall { .. }
             | Self::NotFinite { .. }
             | Self::TooManyEvaluations { .. }
+            | Self::EnergyNotBalanced { .. }
             | Self::Stopped { .. } => Complaint::error(self, None),
+            Self::LawGainsEnergy { joint, .. } => {
+                let place = joint.as_ref().and_then(|joint| model.place(&format!("joint.{joint}")));
+                Complaint::error(self, place)
+            }
             Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
             Self::NothingIsFree => Complaint::error(self, None),
         }

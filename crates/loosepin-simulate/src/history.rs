@@ -81,6 +81,8 @@ pub struct Simulation {
     pub states: Option<BodyStates>,
     /// Counters, energy account and joints of the run.
     pub report: RunReport,
+    /// Why the run counts as failed though it came to its end: its energy account does not bear it out.
+    pub failure: Option<RunFailure>,
 }
 
 /// Motion of the centres of mass at the sample times: for each moving body x, y, angle, then their rates, then their
@@ -135,6 +137,11 @@ pub fn simulate_until(
         return Err(failure.into());
     }
     let mut simulation = recorder.into_simulation(&sample, plan, report);
+    // All of it is kept: whoever asked may want to see what went wrong.
+    if let Err(failure) = simulation.report.check_energy(&mechanism.model) {
+        simulation.record.stop = StopReason::Failed { code: failure.code().to_owned(), words: failure.to_string() };
+        simulation.failure = Some(failure);
+    }
     if let Some(turns) = plan.lyapunov_turns {
         let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
         let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
@@ -457,7 +464,7 @@ impl<'a> Recorder<'a> {
             quasi_static_check: Vec::new(),
             measured: Vec::new(),
         };
-        Simulation { record, states: self.states, report }
+        Simulation { record, states: self.states, report, failure: None }
     }
 
     fn extreme_records(&self) -> Vec<Extreme> {

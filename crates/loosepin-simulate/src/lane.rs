@@ -90,6 +90,8 @@ pub struct LaneRun {
     pub stalled: u32,
     /// Counts.
     pub counters: Counters,
+    /// Exchange of energy below which the account is round-off, J.
+    pub smallest_exchange_j: f64,
     /// By contact.
     pub contacts: Vec<PlaySummary>,
     /// By contact: how deep it may be pressed in.

@@ -41,19 +41,17 @@ impl LaneLayout {
     /// Error of the last attempt over what is allowed.
     pub const ERROR: usize = 2;
     /// How much longer the next step may be by that error.
-    pub const GROWTH: usize = 9;
+    pub const GROWTH: usize = 8;
     /// 1 where an event may lie in the last attempt.
     pub const EVENTFUL: usize = 3;
     /// 1 where a penetration or a contact force of the last attempt may be a record of its run.
     pub const NOTABLE: usize = 4;
     /// Mechanical energy at the start of the run, J.
     pub const ENERGY_AT_START: usize = 5;
-    /// Kinetic energy at the start of the run, J, where it is read.
-    pub const KINETIC_AT_START: usize = 6;
     /// Largest residual of the energy account so far, J.
-    pub const LARGEST_RESIDUAL: usize = 7;
+    pub const LARGEST_RESIDUAL: usize = 6;
     /// Largest exchange of the energy account so far, J.
-    pub const LARGEST_EXCHANGE: usize = 8;
+    pub const LARGEST_EXCHANGE: usize = 7;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
     /// penetration is an unknown; then the records of its run.
     const PER_CONTACT: usize = 6;

@@ -10,13 +10,13 @@ use loosepin_math::integrate::System;
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::{ContactForce, ContactUnknowns, DepthRoot, Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
-use loosepin_mechanics::model::JointKind;
+use loosepin_mechanics::model::{JointId, JointKind, SlidingVelocity};
 
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
 const ACCOUNT: usize = 3;
 
 /// Where everything is in the state vector: coordinates, rates, time, roots of penetrations, deflections of bristles and integrals of
-/// errors of controls; then the integrals of the energy account.
+/// errors of controls; then the integrals of the energy account, and the losses of frictions that are watched.
 #[derive(Debug, Clone)]
 pub struct Layout {
     /// Free coordinates.
@@ -31,8 +31,38 @@ pub struct Layout {
     pub joint_bristles: Vec<Option<usize>>,
     /// Unknowns without integrals.
     pub dimension: usize,
-    /// Whether the loss of dampers is an integral as well, the last one.
+    /// Whether the loss of dampers is an integral as well, the one behind those of all mechanisms.
     pub has_dampers: bool,
+    /// Frictions whose own loss is an integral, behind all others: it may come out below zero.
+    pub watched: Vec<Watched>,
+}
+
+/// Friction that may give back more than it took: with a memory, or by another velocity than that of the materials.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Watched {
+    /// Of a joint with play: its index in [`Mechanism::plays`].
+    Play(usize),
+    /// Of an ideal joint: its index in [`Sample::frictions`].
+    Joint(usize),
+}
+
+impl Watched {
+    fn all<T: Real>(sample: &Sample<T>) -> Vec<Self> {
+        let is_literal =
+            |play: &PlayGeometry<T>| play.friction.acts() && play.sliding_velocity == SlidingVelocity::Literal;
+        let plays = sample.plays.iter().enumerate();
+        let plays = plays.filter(|(_, play)| play.friction.has_bristle() || is_literal(play));
+        let joints = sample.frictions.iter().enumerate().filter(|(_, friction)| friction.law.has_bristle());
+        plays.map(|(play, _)| Self::Play(play)).chain(joints.map(|(joint, _)| Self::Joint(joint))).collect()
+    }
+
+    /// The joint.
+    pub fn joint(self, mechanism: &Mechanism, sample: &Sample<f64>) -> JointId {
+        match self {
+            Self::Play(play) => mechanism.plays[play],
+            Self::Joint(index) => sample.frictions[index].joint,
+        }
+    }
 }
 
 impl Layout {
@@ -55,7 +85,8 @@ impl Layout {
         let controls = sample.controls.iter();
         let error_integrals = controls.map(|control| place_if(control.integral.is_some())).collect();
         let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
-        Self { freedoms, roots, bristles, joint_bristles, error_integrals, dimension, has_dampers }
+        let watched = Watched::all(sample);
+        Self { freedoms, roots, bristles, joint_bristles, error_integrals, dimension, has_dampers, watched }
     }
 
     /// Place of the time.
@@ -68,9 +99,20 @@ impl Layout {
         self.dimension + self.integrals()
     }
 
-    /// Integrals of the energy account.
+    /// Integrals: those of the energy account, then the losses of what is watched.
     pub fn integrals(&self) -> usize {
+        self.account_integrals() + self.watched.len()
+    }
+
+    /// Integrals of the energy account.
+    fn account_integrals(&self) -> usize {
         ACCOUNT + usize::from(self.has_dampers)
+    }
+
+    /// Place of the loss of each friction that is watched.
+    pub fn watched_losses(&self) -> impl Iterator<Item = (usize, Watched)> + '_ {
+        let first = self.dimension + self.account_integrals();
+        self.watched.iter().enumerate().map(move |(index, watched)| (first + index, *watched))
     }
 
     /// The energy account in a state.
@@ -181,6 +223,22 @@ impl<'a, T: Real> Motion<'a, T> {
         self.dynamics.contact_force(contact, &self.states[contact])
     }
 
+    /// Power that one friction that is watched turns into heat, W: without the film of oil beside it.
+    #[inline(always)]
+    fn own_friction_loss_w(&self, watched: Watched) -> T {
+        match watched {
+            Watched::Joint(index) => self.dynamics.own_joint_friction_loss_w(index),
+            Watched::Play(play) => {
+                let mut loss_w = T::zero();
+                let contacts = self.dynamics.mechanism().contacts.iter().zip(self.dynamics.contacts());
+                for (_, force) in contacts.filter(|(at, _)| at.play == play) {
+                    loss_w += force.friction_loss_w - force.film_loss_w;
+                }
+                loss_w
+            }
+        }
+    }
+
     /// w = dt/ds and dw/ds at the last evaluation.
     #[inline(always)]
     pub fn pace(&self) -> [T; 2] {
@@ -246,6 +304,9 @@ impl<T: Real> System<T> for Motion<'_, T> {
         if self.layout.has_dampers {
             slope[account + ACCOUNT] = powers.damping_loss_w * pace;
         }
+        for (place, watched) in self.layout.watched_losses() {
+            slope[place] = self.own_friction_loss_w(watched) * pace;
+        }
     }
 }
 
@@ -306,7 +367,7 @@ pub fn tolerances(
     let is_abrupt =
         |play: &PlayGeometry<f64>| play.friction.acts() || play.film.is_some() || play.normal.has_abrupt_onset();
     if has_limits || !sample.frictions.is_empty() || sample.plays.iter().any(is_abrupt) {
-        tolerances.extend(vec![local_rad * energy_j; layout.integrals()]);
+        tolerances.extend(vec![local_rad * energy_j; layout.account_integrals()]);
     }
     tolerances
 }

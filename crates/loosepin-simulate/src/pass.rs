@@ -106,11 +106,8 @@ impl Pass {
         }
         let change_j = blocks.start_reads[ReadLayout::ENERGY] - blocks.lane[LaneLayout::ENERGY_AT_START];
         let residual_j = (change_j + losses_j - supplied_j).abs();
-        let mut exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs());
-        if let Some(place) = self.reads.kinetic() {
-            let kinetic_j = blocks.start_reads[place] - blocks.lane[LaneLayout::KINETIC_AT_START];
-            exchange_j = exchange_j.max(kinetic_j.abs());
-        }
+        let kinetic_j = blocks.start_reads[ReadLayout::FREE_KINETIC];
+        let exchange_j = change_j.abs().max(supplied_j.abs()).max(losses_j.abs()).max(kinetic_j);
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
         for (place, value) in [(LaneLayout::LARGEST_RESIDUAL, residual_j), (LaneLayout::LARGEST_EXCHANGE, exchange_j)] {
             let largest = blocks.lane[place];

@@ -14,9 +14,6 @@ pub struct ReadLayout {
     outputs: usize,
     /// Ideal joints with friction.
     frictions: usize,
-    /// Whether the kinetic energy is read as well: forces alone may exchange it with what springs and gravity hold, so that
-    /// their sum tells nothing of how much energy goes to and fro.
-    has_kinetic: bool,
     /// Whether the stiffness of each contact is read as well: that of a pin in a slot differs from place to place.
     has_shares: bool,
     /// Whether the abscissas of corners are read as well, where some guide has ends.
@@ -35,7 +32,6 @@ impl ReadLayout {
             contacts: mechanism.contacts.len(),
             outputs,
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
-            has_kinetic: !mechanism.is_driven(),
             has_shares: mechanism.plays.iter().any(is_slot),
             has_ends: mechanism.plays.iter().any(has_ends),
         }
@@ -57,15 +53,13 @@ impl ReadLayout {
     pub const TIME: usize = 0;
     /// Mechanical energy, J.
     pub const ENERGY: usize = 3;
-    /// Kinetic energy, J, where it is read.
-    #[inline(always)]
-    pub fn kinetic(&self) -> Option<usize> {
-        self.has_kinetic.then_some(Self::ENERGY + 1)
-    }
+    /// Kinetic energy of the bodies that drives alone do not carry, J: the sum of all energies tells nothing of how much goes to
+    /// and fro between them.
+    pub const FREE_KINETIC: usize = 4;
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]
     pub fn gap(&self, contact: usize) -> usize {
-        4 + usize::from(self.has_kinetic) + (4 + usize::from(self.has_shares) + usize::from(self.has_ends)) * contact
+        5 + (4 + usize::from(self.has_shares) + usize::from(self.has_ends)) * contact
     }
     /// Sliding velocity of a contact, m/s; zero where there is no friction.
     #[inline(always)]
@@ -107,9 +101,7 @@ impl<T: Real> Motion<'_, T> {
             |contact| self.states[contact].contact,
         );
         row[ReadLayout::ENERGY] = energy.total_j();
-        if let Some(place) = layout.kinetic() {
-            row[place] = energy.kinetic_j;
-        }
+        row[ReadLayout::FREE_KINETIC] = energy.free_kinetic_j;
         for (contact, (unknowns, force)) in self.unknowns.iter().zip(dynamics.contacts()).enumerate() {
             let motion = dynamics.gap(contact);
             let mut gap = over_s(motion.gap);

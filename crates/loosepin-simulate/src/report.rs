@@ -1,5 +1,17 @@
 //! Report of a finished run.
 
+use loosepin_mechanics::dynamics::MechanicalEnergy;
+use loosepin_mechanics::model::JointId;
+
+/// Exchanges smaller than this share of all energy at the start are round-off: nothing is measured by them.
+const ROUND_OFF_SHARE: f64 = 1e-6;
+
+/// The exchange that the energy account begins with, for a mechanism with this energy at the start, J.
+pub fn smallest_exchange_j(at_start: &MechanicalEnergy<f64>) -> f64 {
+    let MechanicalEnergy { kinetic_j, potential_j, stored_j, .. } = at_start;
+    ROUND_OFF_SHARE * (kinetic_j + potential_j.abs() + stored_j.abs())
+}
+
 /// Counters of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
@@ -56,8 +68,8 @@ pub struct EnergyAccount {
     pub damping_loss_j: f64,
     /// Largest |energy + losses - supplied - energy at the start| over all steps.
     pub largest_residual_j: f64,
-    /// Largest of: work of drives and loads, change of mechanical energy, losses; and change of kinetic energy where the drives
-    /// do not move the mechanism alone.
+    /// Largest of: work of drives and loads, change of mechanical energy, losses, kinetic energy of the bodies that drives alone do
+    /// not carry; and a millionth of all energy at the start.
     pub largest_exchange_j: f64,
 }
 
@@ -66,6 +78,15 @@ impl EnergyAccount {
     pub fn relative_residual(&self) -> f64 {
         if self.largest_exchange_j > 0.0 { self.largest_residual_j / self.largest_exchange_j } else { 0.0 }
     }
+}
+
+/// What the friction of one joint turned into heat.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionLoss {
+    /// The joint.
+    pub joint: JointId,
+    /// Energy, J; below zero where friction gave more than it took.
+    pub loss_j: f64,
 }
 
 /// Report of a finished run.
@@ -77,4 +98,6 @@ pub struct RunReport {
     pub plays: Vec<PlaySummary>,
     /// The energy account; a mechanism without play is not integrated and has none.
     pub energy: Option<EnergyAccount>,
+    /// Of the joints whose friction may give more than it takes: with a memory, or by the literal sliding velocity.
+    pub friction_losses: Vec<FrictionLoss>,
 }

@@ -21,6 +21,10 @@ pub const STEP_SHARE: f64 = 5e-3;
 /// Distance from δ = 0 at which a contact begins or ends over the tolerance asked for: measured like [`STEP_SHARE`].
 pub const EVENT_SHARE: f64 = 1e-4;
 
+/// Residual of the energy account over the largest exchange from which on a run has failed. Runs that are as accurate as they
+/// were asked to be have 1e-12 to 1e-7.
+pub const LARGEST_ENERGY_RESIDUAL: f64 = 1e-4;
+
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {

@@ -1,7 +1,8 @@
 //! Work along a motion that is solved instead of integrated.
 
 use super::motion::{Account, Motion};
-use super::report::EnergyAccount;
+use super::report::{EnergyAccount, smallest_exchange_j};
+use loosepin_mechanics::dynamics::MechanicalEnergy;
 use loosepin_mechanics::mechanism::{IdealMotion, SampleError};
 
 /// Nodes and weights of Gauss and Legendre's rule with five points over [0, 1]: exact for polynomials up to the ninth degree.
@@ -34,9 +35,14 @@ impl KinematicAccount {
 
     /// Begins where `ideal` is.
     pub fn new(motion: &mut Motion<'_, f64>, ideal: &IdealMotion<'_>) -> Self {
-        let energy_j = energy_j(motion, ideal);
+        let energy = energy(motion, ideal);
         let nothing = Account { supplied_j: 0.0, contact_loss_j: 0.0, friction_loss_j: 0.0, damping_loss_j: 0.0 };
-        let total = EnergyAccount { at_start_j: energy_j, at_end_j: energy_j, ..EnergyAccount::default() };
+        let total = EnergyAccount {
+            at_start_j: energy.total_j(),
+            at_end_j: energy.total_j(),
+            largest_exchange_j: energy.free_kinetic_j.max(smallest_exchange_j(&energy)),
+            ..EnergyAccount::default()
+        };
         Self { before: nothing, total }
     }
 
@@ -76,15 +82,16 @@ impl KinematicAccount {
     ) -> Result<(), SampleError> {
         self.before = self.until(motion, ideal, start_s, end_s)?;
         ideal.move_to(end_s)?;
+        let energy = energy(motion, ideal);
         let total = &mut self.total;
-        total.at_end_j = energy_j(motion, ideal);
+        total.at_end_j = energy.total_j();
         total.supplied_j = self.before.supplied_j;
         total.damping_loss_j = self.before.damping_loss_j;
         total.friction_loss_j = self.before.friction_loss_j;
         let losses_j = total.damping_loss_j + total.friction_loss_j;
         let change_j = total.at_end_j - total.at_start_j;
         let residual_j = (change_j + losses_j - total.supplied_j).abs();
-        let exchange_j = change_j.abs().max(total.supplied_j.abs()).max(losses_j);
+        let exchange_j = change_j.abs().max(total.supplied_j.abs()).max(losses_j.abs()).max(energy.free_kinetic_j);
         total.largest_residual_j = total.largest_residual_j.max(residual_j);
         total.largest_exchange_j = total.largest_exchange_j.max(exchange_j);
         Ok(())
@@ -102,7 +109,7 @@ fn evaluate(motion: &mut Motion<'_, f64>, ideal: &IdealMotion<'_>) {
     motion.dynamics.evaluate(ideal.time_s(), &coordinates[..n], &rates[..n], &motion.states);
 }
 
-fn energy_j(motion: &mut Motion<'_, f64>, ideal: &IdealMotion<'_>) -> f64 {
+fn energy(motion: &mut Motion<'_, f64>, ideal: &IdealMotion<'_>) -> MechanicalEnergy<f64> {
     evaluate(motion, ideal);
-    motion.dynamics.energy(|_| false).total_j()
+    motion.dynamics.energy(|_| false)
 }

@@ -42,7 +42,11 @@ pub fn failures(study: &Study, response: &StudyResponse, table: &SampleTable) ->
 /// The command that makes a run again: every number in SI with as many digits as read back to the same bits.
 fn command(study: &Study, inputs: &RunInputs) -> String {
     let number = |path: &str, unit: &SiUnit, value: f64| {
-        let symbol = if unit.symbol() == "1" { String::new() } else { format!(" {unit}") };
+        // A unit alone below the line is written as a power: a number followed by `1/m` is no value.
+        let symbol = match unit.symbol() {
+            "1" => String::new(),
+            symbol => symbol.strip_prefix("1/").map_or(format!(" {symbol}"), |below| format!(" {below}^-1")),
+        };
         format!(" --set \"{path}={value:?}{symbol}\"")
     };
     let mut words = format!("loosepin simulate {}", shell_word(&study.model_path));

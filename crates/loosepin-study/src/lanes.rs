@@ -90,6 +90,7 @@ impl StudyResponse {
 
     /// The row of a finished run.
     fn row(&self, mut run: StudyRun<'_>, report: &RunReport) -> Result<Vec<f64>, RunFailure> {
+        report.check_energy(&self.mechanism().model)?;
         run.recorder.finish();
         if let Some(failure) = run.recorder.failure.take() {
             return Err(failure.into());

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::model::Model;
+use loosepin::simulate::SmallestClearance;
 use loosepin::study::{InputFile, Study};
 pub use loosepin::study::{add_model, add_study};
 
@@ -28,6 +29,18 @@ pub fn read_study(path: &Path) -> Result<Study, Failure> {
     let study = InputFile::from_path(path)?.into_study()?;
     warn(&study.warnings);
     Ok(study)
+}
+
+/// Holds the tolerance of `--tolerance` against the smallest clearance, and says where it is coarse.
+///
+/// # Errors
+/// It is larger than the clearance.
+pub fn check_tolerance(tolerance_m: f64, smallest: Option<SmallestClearance>) -> Result<(), Failure> {
+    let Some(smallest) = smallest else { return Ok(()) };
+    if let Some(warning) = smallest.check(tolerance_m).map_err(|error| Failure::of(&error))? {
+        warn(&[Complaint::warning(&warning, None)]);
+    }
+    Ok(())
 }
 
 /// Shows warnings.

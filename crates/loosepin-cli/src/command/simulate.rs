@@ -6,20 +6,21 @@ use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
 use loosepin::results::{HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder};
-use loosepin::simulate::record::{Override, SimulationRecord};
-use loosepin::simulate::{Plan, Settings, columns, history_csv, impacts_csv, simulate};
+use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
+use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, history_csv, impacts_csv, simulate};
 use loosepin::units::Dimension;
 
-use super::inputs::{add_model, read_model};
+use super::inputs::{add_model, check_tolerance, read_model};
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
 use crate::arguments::SimulateArguments;
-use crate::ending::{Ending, Failure};
+use crate::ending::{Done, Ending, Failure};
 
 /// Runs the model, or shows the run that is there.
 pub fn run(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
+    check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let measured = measured(arguments)?;
     let claim =
         claim(ResultKind::Simulation, &model.name, inputs(&model, arguments, &plan, &measured), &arguments.output);
@@ -40,6 +41,13 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
 impl StoredResult for SimulationRecord {
     const PAGE: fn(&Self) -> String = simulation_page;
     const TEXT: fn(&Self) -> String = simulation_text;
+
+    fn done(&self) -> Done {
+        match self.stop {
+            StopReason::Finished => Done::Well,
+            StopReason::Failed { .. } => Done::RunFailed,
+        }
+    }
 }
 
 /// Runs the model and writes what came of it.
@@ -58,7 +66,9 @@ fn simulated(
     }
     folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
     folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
-    write_and_tell(&simulation.record, folder)
+    let ending = write_and_tell(&simulation.record, folder)?;
+    // The files stay: they show what went wrong.
+    simulation.failure.map_or(Ok(ending), |failure| Err(failure.complaint(model).into()))
 }
 
 fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {

@@ -11,7 +11,7 @@ use loosepin::sweep::record::SweepRecord;
 use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
 use loosepin::units::Dimension;
 
-use super::inputs::{add_model, read_model};
+use super::inputs::{add_model, check_tolerance, read_model};
 use super::signals::stop_on_signals;
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
 use super::threads::threads;
@@ -25,6 +25,7 @@ pub fn run(arguments: &SweepArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model, &set)?;
+    check_tolerance(plan.settings.tolerance_m, plan.smallest_clearance(&set))?;
     let claim = claim(ResultKind::Sweep, &model.name, inputs(arguments, &model, &plan), &arguments.output);
     // Compiled in the middle of the range, so that a clearance that begins at zero has play for most values.
     let middle = middle_values(&model, &set, &plan)?;

@@ -133,3 +133,27 @@ fn identity_the_printed_command_fails_in_the_same_way_at_the_same_instant() {
     let again = paste(&desk, &format!("{command} --out again"));
     assert!(again.status == 2 && again.messages.contains(words), "{words}\n{}", again.messages);
 }
+
+/// LuGre's bristles that hardly slip: springs that contacts wind up. The command of one of the runs shows the same.
+#[test]
+fn runs_in_which_a_law_gains_energy_are_failed_runs_by_name() {
+    let bristles = "\"contact.steel_pin.friction.bristle_stiffness\" = { interval = [\"9e4 m^-1\", \"1e5 m^-1\"] }";
+    let stiffness = "\"contact.steel_pin.youngs_modulus\" = { interval = [\"0.5 MPa\", \"200 MPa\"] }";
+    // Longer ones may wind themselves up until they are given up.
+    let short = TOO_SOFT.replace("recorded_turns = 0.5", "recorded_turns = 0.1");
+    let desk = desk(&short.replace(stiffness, bristles));
+    let lugre = "friction = { law = \"lugre\", coefficient = 1e4, static_coefficient = 1.5e4, stribeck_speed = \"10 mm/s\", \
+                 bristle_stiffness = \"1e5 m^-1\" }";
+    let model = desk.read("model.toml");
+    desk.write("model.toml", &model.replace("poisson_ratio = 0.3", &format!("poisson_ratio = 0.3\n{lugre}")));
+    let said = desk.run(&["study", "study.toml", "--out", "bounds"]);
+    assert_eq!(said.status, 0, "{}", said.messages);
+    let reason = commonest(&desk, "bounds");
+    assert_eq!(reason["code"], "law_gains_energy");
+    let words = reason["words"].as_str().expect("words");
+    assert!(words.starts_with("friction in joint 'gudgeon' gave "), "{words}");
+    let command = reason["example"]["command"].as_str().expect("a command");
+    let again = paste(&desk, &format!("{command} --out again"));
+    assert!(again.status == 2 && again.messages.contains(words), "{words}\n{}", again.messages);
+    assert!(desk.path("again/history.csv").exists(), "what was computed is kept");
+}

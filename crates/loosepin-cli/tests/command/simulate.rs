@@ -103,6 +103,61 @@ fn peer_impacts_and_extremes_of_the_slider_crank() {
     assert!(residual < ENERGY_TOLERANCE, "{residual:e}");
 }
 
+/// 0.2 mm of 0.5 mm: the steps are too long for the contacts.
+#[test]
+fn a_run_whose_energy_balance_does_not_close_is_an_error_and_keeps_its_files() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let run = ["simulate", "model.toml", "--tolerance", "0.2 mm", "--out", "run"];
+    let said = desk.run(&run);
+    assert_eq!(said.status, 2);
+    let begins = "warning[E0822]: the tolerance 0.2 mm is more than a hundredth of the smallest clearance, 0.5 mm in joint \
+                  'gudgeon'\nhint: a tolerance of at most 0.005 mm resolves it\n";
+    assert!(said.messages.starts_with(begins), "{}", said.messages);
+    assert!(said.messages.contains("error[E0820]: the energy balance is off by "), "{}", said.messages);
+    assert!(said.output.contains("the run failed: the energy balance is off by "), "{}", said.output);
+    assert!(desk.read("run/history.csv").lines().count() > 250);
+    assert!(desk.read("run/report.html").contains("The run failed"));
+    let summary: serde_json::Value = serde_json::from_str(&desk.read("run/summary.json")).expect("JSON");
+    assert_eq!(summary["stop"]["code"], "energy_not_balanced");
+    // What is there already does not turn into a success.
+    assert_eq!(desk.run(&run).status, 2);
+    assert_eq!(desk.run(&["report", "run"]).status, 2);
+}
+
+#[test]
+fn a_tolerance_above_the_smallest_clearance_is_refused_before_anything_is_computed() {
+    let desk = Desk::with_model("slider_crank_5000");
+    let above = |clearance: &str| {
+        format!(
+            "error[E0822]: the tolerance 0.1 mm is larger than the smallest clearance, {clearance} in joint 'gudgeon'; must not \
+             be\nhint: a tolerance of at most "
+        )
+    };
+    let refuse = |arguments: &[&str], clearance: &str| {
+        let said = desk.run(&[arguments, &["--tolerance", "0.1 mm", "--out", "run"]].concat());
+        assert_eq!(said.status, 2);
+        assert!(said.messages.starts_with(&above(clearance)), "{}", said.messages);
+        assert!(!desk.path("run").exists());
+    };
+    refuse(&["simulate", "model.toml", "--set", "joint.gudgeon.radial_clearance=0.09mm"], "0.09 mm");
+    refuse(
+        &["sweep", "model.toml", "--over", "joint.gudgeon.radial_clearance=0mm..0.5mm", "--points", "11"],
+        "0.05 mm",
+    );
+    // Without play there is nothing to hold it against.
+    let ideal = [
+        "simulate",
+        "model.toml",
+        "--set",
+        "joint.gudgeon.radial_clearance=0mm",
+        "--tolerance",
+        "0.1 mm",
+        "--out",
+        "ideal",
+    ];
+    assert_eq!(desk.succeed(&ideal).messages.matches("E0822").count(), 0);
+}
+
 #[test]
 fn the_columns_of_a_history() {
     let desk = Desk::with_model("slider_crank_5000");

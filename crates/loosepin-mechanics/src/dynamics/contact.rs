@@ -84,6 +84,7 @@ impl<T: Real> PlayMotion<T> {
             moment_on_bearing_n_m: T::zero(),
             contact_loss_w,
             friction_loss_w: T::zero(),
+            film_loss_w: T::zero(),
             normal_n: force.total_n,
             penetration_rate_m_s: rate_m_s,
             bristle_rate_m_s: T::zero(),

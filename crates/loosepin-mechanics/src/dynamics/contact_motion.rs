@@ -64,6 +64,8 @@ pub struct ContactForce<T> {
     pub contact_loss_w: T,
     /// Power that friction turns into heat, -F_T v_T with the material sliding velocity, and a film of oil, W.
     pub friction_loss_w: T,
+    /// The part of the film in it, W.
+    pub film_loss_w: T,
     /// Normal force F_N, N.
     pub normal_n: T,
     /// Penetration rate δ̇, m/s.

@@ -8,6 +8,8 @@ use loosepin_math::Real;
 pub struct MechanicalEnergy<T> {
     /// Σ m v²/2 + I ω²/2.
     pub kinetic_j: T,
+    /// The part of it in bodies that drives alone do not carry: what forces may put in and take out.
+    pub free_kinetic_j: T,
     /// -Σ m g·r.
     pub potential_j: T,
     /// Σ ∫ F_el dδ over the contacts, and Σ k (x - x0)²/2 + P (x - x0) over the springs.
@@ -31,15 +33,25 @@ impl<T: Real> Dynamics<'_, T> {
     #[inline(always)]
     pub fn energy_in(&self, closed: impl Fn(usize) -> T) -> MechanicalEnergy<T> {
         let half = T::from_f64(0.5);
-        let mut energy = MechanicalEnergy { kinetic_j: T::zero(), potential_j: T::zero(), stored_j: T::zero() };
-        for (index, numbers) in self.sample.real.links.iter().enumerate() {
+        let mut energy = MechanicalEnergy {
+            kinetic_j: T::zero(),
+            free_kinetic_j: T::zero(),
+            potential_j: T::zero(),
+            stored_j: T::zero(),
+        };
+        let tree = &self.mechanism.real;
+        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
             let pose = &self.kinematics.poses[slot];
             let twist = &self.kinematics.twists[slot];
             let arm = pose.turn(numbers.centre_of_mass_m);
             let velocity = twist.at(arm);
-            energy.kinetic_j +=
+            let kinetic_j =
                 half * (numbers.mass_kg * velocity.length_squared() + numbers.inertia_kg_m2 * twist.angular.squared());
+            energy.kinetic_j += kinetic_j;
+            if link.dependences.iter().any(|dependence| dependence.coordinate < tree.free) {
+                energy.free_kinetic_j += kinetic_j;
+            }
             energy.potential_j -= numbers.mass_kg * self.sample.real.gravity_m_s2.dot(pose.position_m + arm);
         }
         for (contact, at) in self.sample.contacts.iter().enumerate() {

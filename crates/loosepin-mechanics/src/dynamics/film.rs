@@ -33,4 +33,5 @@ pub(super) fn add<T: Real>(motion: &PlayMotion<T>, film: &Film<T>, clearance_m: 
     to.moment_on_bearing_n_m += load.moments_n_m[0];
     to.moment_on_journal_n_m += load.moments_n_m[1];
     to.friction_loss_w += load.loss_w;
+    to.film_loss_w = load.loss_w;
 }

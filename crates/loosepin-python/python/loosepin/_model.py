@@ -95,9 +95,17 @@ class Model:
         turns, transient: turns that are recorded, and turns that are run before them; samples: rows for each turn; by default
         as the model file says. tolerance: what the positions keep over the first half turn. states: whether the motion of every
         body is recorded. set: values by their path in the model, {"joint.gudgeon.radial_clearance": "0.3 mm"}; a law by its name.
+
+        A run that came to its end and counts as failed (E0820, E0821) is the attribute `simulation` of the `LoosepinError`.
         """
         texts = [f"{path}={value if isinstance(value, str) else repr(float(value))}" for path, value in (set or {}).items()]
-        return Simulation(self._native.simulate(turns, transient, samples, tolerance, states, texts))
+        simulation = Simulation(self._native.simulate(turns, transient, samples, tolerance, states, texts))
+        warn(simulation._native.warnings)
+        failure = simulation._native.failure()
+        if failure is not None:
+            failure.simulation = simulation
+            raise failure
+        return simulation
 
     def __repr__(self) -> str:
         return f"<loosepin.Model {self.name!r}>"

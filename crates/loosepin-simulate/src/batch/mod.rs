@@ -24,7 +24,7 @@ use crate::observer::{DenseOutput, Source, Step};
 use crate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::projection::Projection;
 use crate::reads::ReadLayout;
-use crate::report::{Counters, PlaySummary, RunReport};
+use crate::report::{Counters, PlaySummary, RunReport, smallest_exchange_j};
 use crate::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism};
@@ -143,7 +143,8 @@ impl<'a> Batch<'a> {
             self.view.evaluate(start_s, state);
             rate_1_s = rate_1_s.max(pace_of_start_rad_s(&self.view));
         }
-        let mut energy_j = self.view.dynamics.energy(|_| false).kinetic_j;
+        let at_start = self.view.dynamics.energy(|_| false);
+        let mut energy_j = at_start.kinetic_j;
         if !(energy_j > 0.0) || !self.mechanism.is_driven() {
             energy_j = energy_j.max(LEAST_ENERGY_SHARE * energy_at_pace_j(self.mechanism, &sample, rate_1_s));
         }
@@ -172,6 +173,7 @@ impl<'a> Batch<'a> {
             reaches_stop: false,
             stalled: 0,
             counters: Counters::default(),
+            smallest_exchange_j: smallest_exchange_j(&at_start),
             contacts: vec![PlaySummary::default(); self.mechanism.contacts.len()],
             root: None,
         });
@@ -188,7 +190,7 @@ impl<'a> Batch<'a> {
         for (lane, run) in self.runs.iter_mut().enumerate() {
             if let Some(run) = run.as_mut().filter(|_| lanes >> lane & 1 != 0) {
                 if run.counters.evaluations == 0 {
-                    self.core.open_account(lane);
+                    self.core.open_account(lane, run.smallest_exchange_j);
                 }
                 run.counters.evaluations += 1;
             }
@@ -442,7 +444,12 @@ impl<'a> Batch<'a> {
         for (at, summary) in self.mechanism.contacts.iter().zip(&run.contacts) {
             plays[at.play].take_in(summary);
         }
-        let report = RunReport { counters: run.counters, plays, energy: Some(self.core.account(lane)) };
+        let report = RunReport {
+            counters: run.counters,
+            plays,
+            energy: Some(self.core.account(lane)),
+            friction_losses: self.core.friction_losses(lane, &run.sample),
+        };
         self.finish(lane, Ok(report), queue);
     }
 

@@ -2,11 +2,11 @@
 
 use super::turns::TurnsRecorder;
 use crate::{
-    Arms, Column, Execution, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings, Turns, Window,
-    columns, conduct, input, period_turns, section_sizes,
+    Arms, Column, Execution, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings,
+    SmallestClearance, Turns, Window, columns, conduct, input, period_turns, section_sizes,
 };
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::{QuantityId, SetValues, SettingRange};
+use loosepin_mechanics::model::{QuantityError, QuantityId, SetValues, SettingRange, Values};
 use loosepin_result::simulation::Override;
 use loosepin_result::sweep::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
 use loosepin_text::diagnostics::{Code, problems};
@@ -36,6 +36,20 @@ impl SweepPlan {
     pub fn value_si(&self, index: usize) -> f64 {
         let share = index as f64 / (self.points - 1) as f64;
         self.range.from_si + share * (self.range.to_si - self.range.from_si)
+    }
+
+    /// The values of the model in run `index`, the others as in `set`.
+    fn values(&self, set: &SetValues, index: usize) -> Result<Values, QuantityError> {
+        let settings = set.settings.iter().map(|setting| (setting.id, setting.value_si));
+        let settings: Vec<(QuantityId, f64)> = settings.chain([(self.range.id, self.value_si(index))]).collect();
+        set.model.quantities.evaluate(&settings)
+    }
+
+    /// The smallest clearance of all runs; none where no joint has play in any.
+    pub fn smallest_clearance(&self, set: &SetValues) -> Option<SmallestClearance> {
+        let of_runs =
+            (0..self.points).filter_map(|index| SmallestClearance::of(&set.model, &self.values(set, index).ok()?));
+        of_runs.min_by(|a, b| a.clearance_m.total_cmp(&b.clearance_m))
     }
 }
 
@@ -141,11 +155,8 @@ impl SweepRuns<'_> {
     }
 
     fn prepare(&self, index: usize) -> Result<Run<TurnsRecorder<'_>>, RunFailure> {
-        let mut settings: Vec<(QuantityId, f64)> =
-            self.set.settings.iter().map(|setting| (setting.id, setting.value_si)).collect();
-        settings.push((self.plan.range.id, self.plan.value_si(index)));
         let model = &self.mechanism.model;
-        let values = model.quantities.evaluate(&settings).map_err(|error| RunFailure::Sample(error.into()))?;
+        let values = self.plan.values(self.set, index).map_err(|error| RunFailure::Sample(error.into()))?;
         let sample = Sample::new(self.mechanism, &values)?;
         let turn_s = input(self.mechanism, &values, model.cycle.span)?.turn_s();
         let start_s = f64::from(self.plan.transient_turns) * turn_s;
@@ -230,7 +241,8 @@ impl<'q> Queue for SweepQueue<'q> {
 
     fn finished(&mut self, run: TurnsRecorder<'q>, outcome: Result<RunReport, RunFailure>) {
         let index = run.index;
-        let point = outcome.and_then(|report| self.runs.point(run, &report));
+        let model = &self.runs.mechanism.model;
+        let point = outcome.and_then(|report| report.check_energy(model).and_then(|()| self.runs.point(run, &report)));
         self.push(index, point);
     }
 }

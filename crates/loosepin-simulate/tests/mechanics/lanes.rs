@@ -331,13 +331,13 @@ fn pinned_operations_of_the_slider_crank() {
     assert_eq!(slope.counts(), expected, "within a step");
     let expected = OperationCounts {
         multiply_adds: 64,
-        additions: 38,
+        additions: 39,
         multiplications: 93,
         divisions: 6,
         choices: 24,
         inputs: 23,
         constants: 26,
-        outputs: 20,
+        outputs: 21,
         ..expected
     };
     assert_eq!(end.counts(), expected, "at the end of a step");

@@ -2,6 +2,7 @@
 //! any lane.
 
 mod accuracy;
+mod balance;
 mod contact_laws;
 mod elements;
 mod films;

@@ -131,7 +131,7 @@ impl StudyReader {
     }
 
     /// What is written of the input `path` in `table`.
-    fn entry_of<'t>(&mut self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
+    pub(super) fn entry_of<'t>(&mut self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
         let entries = self.reader.any_keys(&root.get(table)?);
         entries.into_iter().find(|entry| entry.name == path)
     }

@@ -18,6 +18,7 @@ mod problem;
 mod random;
 mod random_problem;
 mod reader;
+mod resolution;
 mod surrogate;
 mod target;
 mod tolerance;
@@ -182,6 +183,9 @@ fn read(
     let allowances = file.read_allowances(&root, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
     file.check_whole(&root);
+    if !file.reader.complaints.has_errors() {
+        file.check_tolerance(&root, sampling.tolerance_m);
+    }
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);
     }

@@ -410,6 +410,26 @@ runs.parquet and in the store: --resume --most-failed 0.3 continues with them. T
 complaint has the words of whoever was to make them. What came back before is in the store of the folder, where one was given, and the \
 same call with resume=True goes on from there."
 
+    EnergyNotBalanced "E0820" "the energy balance of a run does not close"
+"Each run checks itself: kinetic, potential and stored energy, losses, and the work of drives and loads must add up. A run whose balance is \
+off by more than 1e-4 of the energy exchanged is not what the equations say, and counts as failed. Most often the tolerance is too \
+coarse: take a smaller --tolerance, or a smaller tolerance under [sampling] of a study. `loosepin simulate` writes all files of such a \
+run, so that you can look at it; its page and its summary.json say that it failed."
+
+    LawGainsEnergy "E0821" "a law gained energy"
+"Friction, damping and contact laws turn energy into heat. Over this run the law gave more energy than it took, by more than 1e-4 of \
+the energy exchanged, so the motion is that of a machine with a hidden motor. Two frictions can do that: `lugre`, whose bristles are \
+springs as stiff as the normal force is large, so that bristles bent under a small force give back more under a large one (they do \
+where they slip over a longer way than a contact lasts: a coefficient over about 10, or a small bristle_stiffness; bristle_damping \
+works against it), and `sliding_velocity = \"literal\"`. Take a smaller coefficient, a larger bristle_stiffness or bristle_damping, or \
+a law without memory. `loosepin simulate` writes all files of such a run."
+
+    ToleranceTooLarge "E0822" "the tolerance is too coarse for the clearances"
+"The tolerance is the error of positions that is asked for in a run. Above a hundredth of the smallest clearance the motion of a pin \
+in its hole is no longer resolved well, which is warned of; above the smallest clearance nothing of it is left, which is refused. In a \
+study the smallest clearance is that of the smallest values of the inputs: the lower end of an interval, and of a random input what one \
+value in a thousand lies below. Mechanisms without play have no such limit."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "The folder holds results of other inputs, or other files. They are not overwritten. Give another folder, or leave out --out: then \
 a new folder is created. --force replaces results of loosepin; other files stay, unless they have the same name."

@@ -270,3 +270,42 @@ fn schemas_accept_the_templates_and_refuse_unknown_keys() {
     assert!(!study.is_valid(&as_json(&text.replace("uniform", "unifrom"))));
     assert!(!study.is_valid(&as_json(&text.replace("at = \"cycle\"", "at = \"cycle\"\nreduce = \"mean\""))));
 }
+
+/// A tolerance is held against the smallest clearance that the inputs allow: the end of an interval, the tail of a distribution,
+/// the difference of two dimensions.
+#[test]
+fn a_tolerance_is_held_against_the_smallest_clearance_of_the_inputs() {
+    let found = find_template("slider-crank").expect("a template");
+    let of = |inputs: &str, tolerance: &str| {
+        let model = Model::from_text("model.toml", found.model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let text = format!(
+            "name = \"play\"\nmodel = \"model.toml\"\n[sampling]\ntolerance = \"{tolerance}\"\n{inputs}\n[[ask]]\noutput = \
+             \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n"
+        );
+        let warnings =
+            |study: Study| study.warnings.iter().map(ToString::to_string).collect::<Vec<String>>().join("\n");
+        match Study::from_text("study.toml", &text, model) {
+            Ok(study) => format!("warned of: {}", warnings(study)),
+            Err(complaints) => complaints.to_string(),
+        }
+    };
+    let interval = "[epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.02 mm\", \"0.5 mm\"] }";
+    assert_eq!(of(interval, "2e-7 m"), "warned of: ");
+    assert!(
+        of(interval, "2.1e-7 m").starts_with(
+            "warned of: study.toml:4:13: warning[E0822]: the tolerance 0.00021 mm is more than a hundredth of the smallest \
+             clearance, 0.02 mm in joint 'gudgeon'"
+        ),
+        "{}",
+        of(interval, "2.1e-7 m")
+    );
+    assert!(of(interval, "0.03 mm").contains("study.toml:4:13: error[E0822]"), "{}", of(interval, "0.03 mm"));
+    // One in a thousand lies 3.09 standard deviations below the mean: at 0.1073 mm.
+    let random = "[random]\n\"joint.gudgeon.radial_clearance\" = { normal = { mean = \"0.2 mm\", standard_deviation = \"0.03 mm\" } }";
+    assert!(
+        of(random, "0.108 mm").contains("larger than the smallest clearance, 0.1072"),
+        "{}",
+        of(random, "0.108 mm")
+    );
+    assert!(of(random, "0.107 mm").starts_with("warned of: "), "{}", of(random, "0.107 mm"));
+}

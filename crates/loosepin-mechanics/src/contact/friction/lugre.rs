@@ -11,7 +11,18 @@ const SMALLEST_COEFFICIENT: f64 = 1e-4;
 ///
 /// All coefficients are in units of μ, so that the force vanishes with F_N; z is zero where contact begins. The law that the
 /// deflection settles to is Stribeck's. The bristles store energy, which the energy account counts as lost to friction when it
-/// is put in; with a large σ1 friction may give a little of it back.
+/// is put in.
+///
+/// **Where it is passive.** With V = ½ σ0 F_N z² for what the bristles store, friction takes up the power
+///
+/// -F_T v = V̇ + F_N (σ0² |v| z²/g + σ1 ż v + η v²) - ½ σ0 z² Ḟ_N
+///
+/// so that with a constant normal force and σ1 = 0 nothing is ever gained. Bristles that are bent under a small normal force and
+/// relax under a large one give back more than they took: the last term. What slips makes up for it where bristles relax faster than
+/// the force grows, Ḟ_N/F_N < 2 σ0 |v|/g: for a contact that lasts τ, where the bristles' way g/σ0 is well below |v| τ. With a
+/// g in the tens and more that fails, and bristles are springs that a contact winds up. σ1 adds to the loss while bristles follow v,
+/// but takes away from it while they are dragged back (ż v < 0), at most σ1 (g_max - g_min)/g_min of what η v² has. A run in which
+/// friction gains energy is a failed run (`loosepin-simulate`, `balance.rs`).
 #[derive(Debug, Clone, Copy)]
 pub struct LuGreFriction<T> {
     /// Dynamic coefficient μ_c.
@@ -119,6 +130,34 @@ mod tests {
         assert!((force.rate_m_s - 1e-9).abs() < 2e-12);
         assert_eq!(LAW.force_with_bristle(0.0, NORMAL_N, 0.0).force_n, 0.0);
         assert_eq!(LAW.force_with_bristle(0.7, 0.0, 1e-6).force_n, 0.0);
+    }
+
+    /// Bent by z under N1 and back under N2, so fast that nothing slips: σ0 z²/2 (N2 - N1) is given, whatever the steps.
+    #[test]
+    fn analytic_bristles_that_relax_under_a_larger_force_give_more_than_they_took() {
+        let law = LuGreFriction {
+            coefficient: 1e7,
+            static_coefficient: 1e7,
+            bristle_damping_s_m: 0.0,
+            viscous_s_m: 0.0,
+            ..LAW
+        };
+        let [small_n, large_n] = [300.0, NORMAL_N];
+        let (speed_m_s, steps, step_s) = (0.1, 1000, 1e-7);
+        let (mut deflection_m, mut taken_j) = (0.0, 0.0);
+        for (normal_n, velocity_m_s) in [(small_n, speed_m_s), (large_n, -speed_m_s)] {
+            for _ in 0..steps {
+                // The force is linear in z: the rule of the midpoint is exact.
+                let middle_m = deflection_m + 0.5 * step_s * velocity_m_s;
+                let force = law.force_with_bristle(velocity_m_s, normal_n, middle_m);
+                taken_j -= force.force_n * velocity_m_s * step_s;
+                deflection_m += step_s * force.rate_m_s;
+            }
+        }
+        let largest_m = speed_m_s * step_s * f64::from(steps);
+        let given_j = 0.5 * 1.3e5 * largest_m * largest_m * (large_n - small_n);
+        // σ0 z/g, what slips of it, is 1e-7.
+        assert!((taken_j + given_j).abs() < 1e-6 * given_j, "{taken_j} {given_j}");
     }
 
     #[test]

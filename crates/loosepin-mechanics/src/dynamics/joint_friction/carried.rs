@@ -215,6 +215,15 @@ impl<T: Real> Dynamics<'_, T> {
         }
     }
 
+    /// Power that the friction of the joint with friction `index` turns into heat, W: -F v.
+    #[inline(always)]
+    pub fn own_joint_friction_loss_w(&self, index: usize) -> T {
+        self.joint_frictions.as_ref().map_or(T::zero(), |frictions| {
+            let entry = &frictions.entries[index];
+            -(entry.coefficient * entry.normal_n * entry.sliding_m_s)
+        })
+    }
+
     /// Power that friction in ideal joints turns into heat, W: -F v.
     #[inline(always)]
     pub(in crate::dynamics) fn joint_friction_loss_w(&self) -> T {
