@@ -11,6 +11,7 @@ mod exponential;
 mod fused;
 mod gram;
 mod hermite;
+mod ldl;
 mod linear;
 mod numbers;
 mod real;
@@ -25,7 +26,8 @@ pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natu
 pub use fused::on_vectors;
 pub use gram::GramSystem;
 pub use hermite::Quintic;
-pub use linear::{Elimination, determinant, factor_ldl, solve_ldl, solve_square};
+pub use ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
+pub use linear::{Elimination, determinant, solve_square};
 pub use numbers::Numbers;
 pub use real::Real;
 pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};

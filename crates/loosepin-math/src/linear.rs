@@ -1,52 +1,5 @@
-//! Small dense systems. Larger ones belong to a linear-algebra library; these run inside the equations of motion on
-//! any [`Real`], with n of a dozen at most, or once while compiling.
-
-use super::Real;
-
-/// Replaces the lower triangle of the symmetric n × n matrix `a` (row-major) by L and D of a = L D Lᵀ: unit lower
-/// triangle L below the diagonal, 1/D on it.
-#[inline(always)]
-pub fn factor_ldl<T: Real>(a: &mut [T], n: usize) {
-    for j in 0..n {
-        let mut pivot = a[j * n + j];
-        for k in 0..j {
-            // The diagonal already holds 1/D, so D = 1/(1/D) is avoided by keeping L·D in the upper triangle.
-            pivot = (-a[j * n + k]).mul_add(a[k * n + j], pivot);
-        }
-        let inverse = T::one() / pivot;
-        a[j * n + j] = inverse;
-        for i in j + 1..n {
-            let mut sum = a[i * n + j];
-            for k in 0..j {
-                sum = (-a[i * n + k]).mul_add(a[k * n + j], sum);
-            }
-            a[j * n + i] = sum; // L·D, used by later columns
-            a[i * n + j] = sum * inverse;
-        }
-    }
-}
-
-/// Solves a x = b in place with the factors of [`factor_ldl`].
-#[inline(always)]
-pub fn solve_ldl<T: Real>(a: &[T], n: usize, b: &mut [T]) {
-    for i in 1..n {
-        let mut sum = b[i];
-        for k in 0..i {
-            sum = (-a[i * n + k]).mul_add(b[k], sum);
-        }
-        b[i] = sum;
-    }
-    for i in 0..n {
-        b[i] *= a[i * n + i];
-    }
-    for i in (0..n).rev() {
-        let mut sum = b[i];
-        for k in i + 1..n {
-            sum = (-a[k * n + i]).mul_add(b[k], sum);
-        }
-        b[i] = sum;
-    }
-}
+//! Square and rectangular systems of plain numbers, solved once while compiling or along an ideal motion. Rows without a part in a
+//! pivot are left alone: the loops of many links share few coordinates.
 
 /// Solves the n × n system a x = b (row-major) in place by elimination with row exchanges; `a` is destroyed, `b`
 /// becomes x. Gives the ratio of the smallest to the largest pivot: zero where a is singular, and then b is worthless.
@@ -73,6 +26,10 @@ pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
             b.swap(j, best);
         }
         for i in j + 1..n {
+            // In the loops of many links most rows know nothing of most coordinates.
+            if a[i * n + j] == 0.0 {
+                continue;
+            }
             let factor = a[i * n + j] / a[j * n + j];
             for k in j + 1..n {
                 a[i * n + k] -= factor * a[j * n + k];
@@ -137,14 +94,16 @@ impl Elimination {
         let mut pivots = Vec::new();
         let mut multipliers = Vec::new();
         let (mut first, mut last) = (0.0_f64, 0.0_f64);
+        // A pivot changes few rows of a mechanism with many parts: the others keep their largest entry.
+        let mut largest: Vec<(f64, usize)> =
+            (0..rows).map(|i| largest_entry(&reduced[i * columns..(i + 1) * columns], &column_free)).collect();
+        let mut filled = Vec::with_capacity(columns);
         loop {
             let mut best = (0.0_f64, 0, 0);
             for i in (0..rows).filter(|&i| row_free[i]) {
-                for j in (0..columns).filter(|&j| column_free[j]) {
-                    let size = reduced[i * columns + j].abs();
-                    if size > best.0 {
-                        best = (size, i, j);
-                    }
+                let (size, j) = largest[i];
+                if size > best.0 {
+                    best = (size, i, j);
                 }
             }
             let (size, i, j) = best;
@@ -158,16 +117,22 @@ impl Elimination {
             last = size;
             row_free[i] = false;
             column_free[j] = false;
+            filled.clear();
+            filled.extend((0..columns).filter(|k| reduced[i * columns + k] != 0.0));
             let mut applied = Vec::new();
             for other in (0..rows).filter(|&k| row_free[k]) {
+                if reduced[other * columns + j] == 0.0 {
+                    continue;
+                }
                 let factor = reduced[other * columns + j] / reduced[i * columns + j];
                 if factor != 0.0 {
-                    for k in 0..columns {
+                    for &k in &filled {
                         reduced[other * columns + k] -= factor * reduced[i * columns + k];
                     }
                     reduced[other * columns + j] = 0.0;
                     applied.push((other, factor));
                 }
+                largest[other] = largest_entry(&reduced[other * columns..(other + 1) * columns], &column_free);
             }
             pivots.push((i, j));
             multipliers.push(applied);
@@ -186,11 +151,11 @@ impl Elimination {
     }
     /// Rows that depend on the others, ascending.
     pub fn dependent_rows(&self) -> Vec<usize> {
-        (0..self.rows).filter(|&i| self.pivots.iter().all(|&(row, _)| row != i)).collect()
+        others(self.rows, self.pivots.iter().map(|&(row, _)| row))
     }
     /// Columns that the others do not determine, ascending.
     pub fn free_columns(&self) -> Vec<usize> {
-        (0..self.columns).filter(|&j| self.pivots.iter().all(|&(_, column)| column != j)).collect()
+        others(self.columns, self.pivots.iter().map(|&(_, column)| column))
     }
     /// A solution x of A x = b over the independent rows, with the free columns at zero.
     pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
@@ -225,26 +190,30 @@ impl Elimination {
     }
 }
 
+/// The largest entry of a row in the free columns, and its column; zero where it has none.
+fn largest_entry(row: &[f64], column_free: &[bool]) -> (f64, usize) {
+    let mut best = (0.0_f64, 0);
+    for (j, entry) in row.iter().enumerate() {
+        if entry.abs() > best.0 && column_free[j] {
+            best = (entry.abs(), j);
+        }
+    }
+    best
+}
+
+/// The numbers below `count` that are not among `taken`, ascending.
+fn others(count: usize, taken: impl Iterator<Item = usize>) -> Vec<usize> {
+    let mut is_left = vec![true; count];
+    taken.for_each(|index| is_left[index] = false);
+    (0..count).filter(|&index| is_left[index]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     /// Round-off of systems of order one with four unknowns.
     const ROUND_OFF: f64 = 1e-13;
-
-    #[test]
-    fn identity_ldl_solves_a_symmetric_system() {
-        let n = 4;
-        let matrix: Vec<f64> = vec![4.1, 1.2, -0.7, 0.3, 1.2, 5.3, 0.9, -1.1, -0.7, 0.9, 3.7, 0.6, 0.3, -1.1, 0.6, 2.9];
-        let x = [0.3, -1.7, 2.2, 0.9];
-        let mut b: Vec<f64> = (0..n).map(|i| (0..n).map(|j| matrix[i * n + j] * x[j]).sum()).collect();
-        let mut factors = matrix.clone();
-        factor_ldl(&mut factors, n);
-        solve_ldl(&factors, n, &mut b);
-        for (solved, exact) in b.iter().zip(x) {
-            assert!((solved - exact).abs() < ROUND_OFF);
-        }
-    }
 
     #[test]
     fn identity_square_solution_and_singular_matrix() {
@@ -267,6 +236,49 @@ mod tests {
         assert!((determinant(&mut matrix, 3) - exact).abs() < ROUND_OFF);
         assert_eq!(determinant(&mut [1.3, 2.6, 0.4, 0.8], 2), 0.0);
         assert_eq!(determinant(&mut [], 0), 1.0);
+    }
+
+    /// The elimination that looks at every entry before every pivot: pivots, and what is left of the matrix.
+    fn looking_everywhere(matrix: &[f64], rows: usize, columns: usize) -> (Vec<(usize, usize)>, Vec<f64>) {
+        let (mut a, mut pivots) = (matrix.to_vec(), Vec::<(usize, usize)>::new());
+        loop {
+            let mut best = (0.0, 0, 0);
+            for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+                let is_free = pivots.iter().all(|&(row, column)| row != i && column != j);
+                if is_free && a[i * columns + j].abs() > best.0 {
+                    best = (a[i * columns + j].abs(), i, j);
+                }
+            }
+            let (size, i, j) = best;
+            let first = pivots.first().map_or(size, |&(i, j): &(usize, usize)| a[i * columns + j].abs());
+            if !(size > 1e-9 * first) {
+                return (pivots, a);
+            }
+            pivots.push((i, j));
+            for other in (0..rows).filter(|k| pivots.iter().all(|(row, _)| row != k)) {
+                let factor = a[other * columns + j] / a[i * columns + j];
+                (0..columns).for_each(|k| a[other * columns + k] -= factor * a[i * columns + k]);
+                a[other * columns + j] = 0.0;
+            }
+        }
+    }
+
+    #[test]
+    fn identity_elimination_takes_the_pivots_and_bits_of_one_that_looks_everywhere() {
+        let (rows, columns) = (17, 14);
+        for seed in 1..30_u32 {
+            // A quarter of the entries, some of them equal, with a row that repeats two others.
+            let entry = |k: u32| {
+                let chance = k.wrapping_mul(2_654_435_761).wrapping_add(seed.wrapping_mul(40_503)) >> 8;
+                if chance.is_multiple_of(4) { f64::from(chance % 19) / 7.0 - 1.3 } else { 0.0 }
+            };
+            let mut matrix: Vec<f64> = (0..(rows * columns) as u32).map(entry).collect();
+            for k in 0..columns {
+                matrix[16 * columns + k] = matrix[3 * columns + k] - 2.0 * matrix[9 * columns + k];
+            }
+            let found = Elimination::new(&matrix, rows, columns, 1e-9);
+            assert_eq!((found.pivots, found.reduced), looking_everywhere(&matrix, rows, columns), "seed {seed}");
+        }
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::mechanism::{
     JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
 };
 use crate::model::{Course, FeedForward};
-use loosepin_math::{Dual, GramSystem, Real, Vec2, factor_ldl, solve_ldl};
+use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
 #[derive(Debug, Clone, Copy)]
@@ -79,6 +79,8 @@ pub struct Dynamics<'a, T> {
     pub(super) multipliers: Vec<T>,
     /// M, then its factors.
     pub(super) mass: Vec<T>,
+    /// Where M may have entries other than zero.
+    envelope: Envelope,
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
     driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
@@ -161,6 +163,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             accelerations: vec![T::zero(); n],
             multipliers: vec![T::zero(); rows],
             mass: vec![T::zero(); n * n],
+            envelope: tree.mass_envelope(),
             driven_mass: vec![T::zero(); tree.drives.len() * n],
             forces: vec![T::zero(); z],
             centre_partials: vec![Vec2::zero(); z],
@@ -312,9 +315,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
     fn solve(&mut self) {
         let tree = &self.mechanism.real;
         let (n, columns) = (tree.free, tree.coordinates());
-        factor_ldl(&mut self.mass, n);
+        self.envelope.factor_ldl(&mut self.mass);
         self.accelerations.copy_from_slice(&self.forces[..n]);
-        solve_ldl(&self.mass, n, &mut self.accelerations);
+        self.envelope.solve_ldl(&self.mass, &mut self.accelerations);
         let rows = tree.constraint_rows();
         if rows == 0 {
             return;

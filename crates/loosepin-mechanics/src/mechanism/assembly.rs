@@ -8,12 +8,17 @@ use super::initial::StartEquations;
 use super::kinematics::{Kinematics, Pose};
 use super::tree::{Attachment, Cut, CutKind, Tree};
 use crate::model::{Model, Values};
-use loosepin_math::{factor_ldl, solve_ldl};
+use loosepin_math::solve_sparse_symmetric;
 
 /// Starting points tried: the hinted one, then others spread over the circle.
 const STARTS: usize = 48;
 /// Levenberg-Marquardt steps from each starting point.
 const STEPS: usize = 200;
+/// Starting points that are tried however large the mechanism is, until one closes.
+const LEAST_STARTS: usize = 4;
+/// What all steps may cost once these are tried: each costs the square of the free coordinates. Up to 60 free coordinates it is
+/// enough for every step of every starting point; of 1,000 free bodies none but the first few are tried.
+const MOST_WORK: usize = STARTS * STEPS * 60 * 60;
 /// Residual relative to the size of the mechanism that counts as closed.
 const CLOSED: f64 = 1e-11;
 /// Two assemblies are the same when no body differs by more than this angle, rad, or share of the size.
@@ -38,12 +43,22 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
     let drives = Drives::new(model, values);
     let hints: Vec<(usize, f64)> =
         model.guesses.iter().map(|guess| (tree.slot_of_body[guess.body.0], values[guess.angle_rad])).collect();
+    let mut hint_of_slot = vec![None; tree.links.len() + 1];
+    for &(slot, angle_rad) in hints.iter().rev() {
+        hint_of_slot[slot] = Some(angle_rad);
+    }
     let mut kinematics = Kinematics::new(tree);
     let mut found: Vec<Configuration> = Vec::new();
     let mut best_open: Option<(f64, Vec<f64>)> = None;
+    let mut work = 0;
     for start in 0..STARTS {
-        let mut z = starting_point(equations, &drives, &hints, size_m, start);
-        let worst = close(equations, &mut kinematics, &mut z, size_m);
+        let is_enough = if found.is_empty() { start >= LEAST_STARTS } else { start > 0 };
+        if is_enough && work >= MOST_WORK {
+            break;
+        }
+        let mut z = starting_point(equations, &drives, &hint_of_slot, size_m, start);
+        let (worst, steps) = close(equations, &mut kinematics, &mut z, size_m);
+        work += steps * tree.free * tree.free;
         let is_elsewhere =
             !all_face_the_right_way(tree, geometry, &kinematics) || !found.is_empty() && is_turns_on(model, tree, &z);
         if !(worst <= CLOSED * size_m) || is_elsewhere {
@@ -54,7 +69,7 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
         }
         // Given angles have their turns already, and couplings tell one turn from another.
         if model.initial.is_empty() && model.couplings.is_empty() {
-            unwind(tree, geometry, &mut kinematics, &hints, &mut z);
+            unwind(tree, geometry, &mut kinematics, &hint_of_slot, &mut z);
         }
         let poses = kinematics.poses.clone();
         let is_known = found.iter().any(|known| known.is_the_same(&poses, size_m));
@@ -114,7 +129,7 @@ impl Configuration {
 fn starting_point(
     equations: &StartEquations<'_>,
     drives: &Drives<f64>,
-    hints: &[(usize, f64)],
+    hint_of_slot: &[Option<f64>],
     size_m: f64,
     start: usize,
 ) -> Vec<f64> {
@@ -126,8 +141,7 @@ fn starting_point(
     for (index, link) in tree.links.iter().enumerate() {
         // Multiples of irrational numbers fill the circle evenly, differently for each body.
         let spread = (start as f64 * (0.618_033_988_749_895 + 0.137_1 * index as f64)).fract();
-        let hint = hints.iter().find(|(slot, _)| *slot == index + 1).map(|(_, angle)| *angle);
-        let angle = hint.unwrap_or(std::f64::consts::TAU * if start == 0 { 0.0 } else { spread });
+        let angle = hint_of_slot[index + 1].unwrap_or(std::f64::consts::TAU * if start == 0 { 0.0 } else { spread });
         let length = if start == 0 { 0.0 } else { size_m * (2.0 * spread - 1.0) };
         match link.attachment {
             Attachment::Revolute { coordinate, .. } => z[coordinate] = angle,
@@ -139,8 +153,9 @@ fn starting_point(
     z
 }
 
-/// Minimises |Φ|² by Levenberg and Marquardt's method over the free coordinates; gives the largest residual left.
-fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &mut [f64], size_m: f64) -> f64 {
+/// Minimises |Φ|² by Levenberg and Marquardt's method over the free coordinates; gives the largest residual left and the number of
+/// steps.
+fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &mut [f64], size_m: f64) -> (f64, usize) {
     let StartEquations { tree, geometry, .. } = *equations;
     let (n, rows, columns) = (tree.free, equations.rows(), tree.coordinates());
     // Lengths are counted in sizes of the mechanism, so that they weigh like angles.
@@ -154,6 +169,7 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
     }
     let mut residuals = vec![0.0; rows];
     let mut jacobian = vec![0.0; rows * columns];
+    let mut filled = Vec::with_capacity(n);
     let mut damping = 1e-3;
     let evaluate = |kinematics: &mut Kinematics<f64>, z: &[f64], residuals: &mut [f64]| {
         kinematics.set_positions(tree, geometry, z);
@@ -161,19 +177,25 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
         residuals.iter().map(|r| r * r).sum::<f64>()
     };
     let mut error = evaluate(kinematics, z, &mut residuals);
+    let mut steps = 0;
     for _ in 0..STEPS {
         if error.sqrt() <= 1e-15 * size_m {
             break;
         }
+        steps += 1;
         equations.jacobian(kinematics, &mut jacobian);
+        // The upper triangle of JᵀJ, row by row over what the row depends on.
         let mut normal = vec![0.0; n * n];
         let mut step = vec![0.0; n];
         for row in 0..rows {
-            for i in 0..n {
-                let left = jacobian[row * columns + i] * scale[i];
+            let slopes = &jacobian[row * columns..row * columns + n];
+            filled.clear();
+            filled.extend((0..n).filter(|i| slopes[*i] != 0.0));
+            for (place, &i) in filled.iter().enumerate() {
+                let left = slopes[i] * scale[i];
                 step[i] -= left * residuals[row];
-                for j in 0..n {
-                    normal[i * n + j] += left * jacobian[row * columns + j] * scale[j];
+                for &j in &filled[..=place] {
+                    normal[j * n + i] += left * slopes[j] * scale[j];
                 }
             }
         }
@@ -184,9 +206,8 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
             for i in 0..n {
                 damped[i * n + i] += damping * largest + f64::MIN_POSITIVE;
             }
-            factor_ldl(&mut damped, n);
             let mut delta = step.clone();
-            solve_ldl(&damped, n, &mut delta);
+            solve_sparse_symmetric(&mut damped, n, &mut delta);
             // A turn of more than half a radian at once would jump between branches.
             let longest = delta.iter().fold(0.0_f64, |l, d| l.max(d.abs()));
             let shorten = f64::min(1.0, 0.5 / longest);
@@ -209,7 +230,8 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
         }
     }
     evaluate(kinematics, z, &mut residuals);
-    residuals.iter().fold(0.0, |worst: f64, r| if r.is_nan() { f64::INFINITY } else { worst.max(r.abs()) })
+    let worst = residuals.iter().fold(0.0, |worst: f64, r| if r.is_nan() { f64::INFINITY } else { worst.max(r.abs()) });
+    (worst, steps)
 }
 
 /// Takes whole turns out of the angles: every absolute angle to within half a turn of its hint, or of zero, then further so
@@ -218,14 +240,13 @@ fn unwind(
     tree: &Tree,
     geometry: &Geometry<f64>,
     kinematics: &mut Kinematics<f64>,
-    hints: &[(usize, f64)],
+    hint_of_slot: &[Option<f64>],
     z: &mut [f64],
 ) {
     let turns = |angle: f64| (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU;
     for (index, link) in tree.links.iter().enumerate() {
         if let Attachment::Revolute { coordinate, .. } = link.attachment {
-            let near = hints.iter().find(|(slot, _)| *slot == index + 1).map_or(0.0, |(_, angle)| *angle);
-            z[coordinate] -= turns(z[coordinate] - near);
+            z[coordinate] -= turns(z[coordinate] - hint_of_slot[index + 1].unwrap_or(0.0));
         }
     }
     // The absolute angle that a slot turns with, if any: its own, or that of the nearest parent that has one.
@@ -240,22 +261,20 @@ fn unwind(
         }
     };
     // Each pass settles at least one more cut joint of a chain.
-    for _ in 0..tree.cuts.len() {
-        kinematics.set_positions(tree, geometry, z);
-        for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
-            let turn = turns(cut_turn_rad(cut, numbers, kinematics));
-            if matches!(cut.kind, CutKind::Revolute) || turn == 0.0 {
-                continue;
-            }
-            match (carrier(cut.slots[1]), carrier(cut.slots[0])) {
-                (Some(coordinate), _) => z[coordinate] -= turn,
-                (None, Some(coordinate)) => z[coordinate] += turn,
-                (None, None) => {}
-            }
-            break;
-        }
-    }
     kinematics.set_positions(tree, geometry, z);
+    for _ in 0..tree.cuts.len() {
+        let wound = tree.cuts.iter().zip(&geometry.cuts).find_map(|(cut, numbers)| {
+            let turn = turns(cut_turn_rad(cut, numbers, kinematics));
+            (!matches!(cut.kind, CutKind::Revolute) && turn != 0.0).then_some((cut, turn))
+        });
+        let Some((cut, turn)) = wound else { return };
+        match (carrier(cut.slots[1]), carrier(cut.slots[0])) {
+            (Some(coordinate), _) => z[coordinate] -= turn,
+            (None, Some(coordinate)) => z[coordinate] += turn,
+            (None, None) => return,
+        }
+        kinematics.set_positions(tree, geometry, z);
+    }
 }
 
 /// Angle by which a cut joint's second body is turned against its first, rad: zero where the joint is closed.

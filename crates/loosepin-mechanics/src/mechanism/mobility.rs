@@ -87,7 +87,7 @@ pub fn count(
             None => redundant.push((owner, 1)),
         }
     }
-    let independent_rows = (0..rows).filter(|row| !dependent.contains(row)).collect();
+    let independent_rows = (0..rows).filter(|row| dependent.binary_search(row).is_err()).collect();
     Ok(Mobility { degrees_of_freedom, redundant, independent_rows })
 }
 
@@ -184,6 +184,9 @@ fn moving_bodies(
     kinematics.set_positions(tree, geometry, coordinates);
     let mut moves = vec![false; model.bodies.len()];
     for column in free.free_columns() {
+        if moves[1..].iter().all(|is_moving| *is_moving) {
+            break;
+        }
         let mut rates = free.null_direction(column);
         rates.resize(tree.coordinates(), 0.0);
         for (rate, &is_length) in rates.iter_mut().zip(&scale.columns_are_lengths) {

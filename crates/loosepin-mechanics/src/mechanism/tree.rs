@@ -1,6 +1,7 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
 use crate::model::{BodyId, DriveId, JointId, JointKind, Model};
+use loosepin_math::Envelope;
 use loosepin_text::units::Dimension;
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
@@ -218,7 +219,11 @@ impl Tree {
         is_ideal: impl Fn(JointId) -> bool,
         driven: &[JointId],
     ) -> Result<Self, DrivenLoop> {
-        let drive_of = |joint: JointId| driven.iter().position(|&other| other == joint).map(DriveId);
+        let mut drives = vec![None; model.joints.len()];
+        for (index, joint) in driven.iter().enumerate() {
+            drives[joint.0].get_or_insert(DriveId(index));
+        }
+        let drive_of = |joint: JointId| drives[joint.0];
         let mut order: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| is_ideal(joint)).collect();
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
@@ -226,13 +231,11 @@ impl Tree {
             (None, _) => 2,
         });
 
-        let mut component: Vec<usize> = (0..model.bodies.len()).collect();
+        let mut groups = Groups::new(model.bodies.len());
         let mut in_tree = vec![false; model.joints.len()];
         for &joint in order.iter().filter(|joint| !matches!(model.joints[joint.0].kind, JointKind::Slot { .. })) {
-            let [first, second] = model.joints[joint.0].kind.bodies().map(|body| component[body.0]);
-            if first != second {
+            if groups.join(model.joints[joint.0].kind.bodies()) {
                 in_tree[joint.0] = true;
-                component.iter_mut().filter(|c| **c == second).for_each(|c| *c = first);
             } else if drive_of(joint).is_some() {
                 return Err(DrivenLoop { joint });
             }
@@ -252,8 +255,14 @@ impl Tree {
         let driven_from = 3 * model.bodies.len();
         let mut attached: Vec<BodyId> = vec![BodyId(0)];
         let mut next_root = 1;
+        let mut tree_joints = vec![Vec::new(); model.bodies.len()];
+        for joint in (0..model.joints.len()).map(JointId).filter(|joint| in_tree[joint.0]) {
+            for body in model.joints[joint.0].kind.bodies() {
+                tree_joints[body.0].push(joint);
+            }
+        }
         loop {
-            tree.attach_descendants(model, &in_tree, &drive_of, driven_from, &mut attached);
+            tree.attach_descendants(model, &tree_joints, &drive_of, driven_from, &mut attached);
             while next_root < model.bodies.len() && tree.slot_of_body[next_root] != usize::MAX {
                 next_root += 1;
             }
@@ -304,6 +313,17 @@ impl Tree {
         self.cuts.iter().map(|cut| cut.kind.rows()).sum()
     }
 
+    /// Where the mass matrix of the free coordinates may have entries other than zero: between coordinates that move the same body.
+    pub fn mass_envelope(&self) -> Envelope {
+        let mut first: Vec<usize> = (0..self.free).collect();
+        for link in &self.links {
+            let coordinates = || link.dependences.iter().map(|d| d.coordinate).filter(|c| *c < self.free);
+            let least = coordinates().min().unwrap_or(0);
+            coordinates().for_each(|coordinate| first[coordinate] = first[coordinate].min(least));
+        }
+        Envelope::new(first)
+    }
+
     /// For each constraint row, the rows that have the same scale: x and y of a point, or the row itself twice.
     pub fn constraint_scales(&self) -> Vec<[usize; 2]> {
         let mut scales = Vec::new();
@@ -319,11 +339,11 @@ impl Tree {
         scales
     }
 
-    /// Breadth first over the tree joints, from the bodies in `attached` on.
+    /// Breadth first over the joints of the tree, listed for each body, from the bodies in `attached` on.
     fn attach_descendants(
         &mut self,
         model: &Model,
-        in_tree: &[bool],
+        tree_joints: &[Vec<JointId>],
         drive_of: &impl Fn(JointId) -> Option<DriveId>,
         driven_from: usize,
         attached: &mut Vec<BodyId>,
@@ -332,14 +352,10 @@ impl Tree {
         while next < attached.len() {
             let parent = attached[next];
             next += 1;
-            for joint in (0..model.joints.len()).map(JointId).filter(|joint| in_tree[joint.0]) {
+            for &joint in &tree_joints[parent.0] {
                 let kind = &model.joints[joint.0].kind;
                 let [first, second] = kind.bodies();
-                let (child, forward) = match (first == parent, second == parent) {
-                    (true, _) => (second, true),
-                    (_, true) => (first, false),
-                    _ => continue,
-                };
+                let (child, forward) = if first == parent { (second, true) } else { (first, false) };
                 if self.slot_of_body[child.0] != usize::MAX {
                     continue;
                 }
@@ -406,5 +422,29 @@ impl Tree {
                 Attachment::Revolute { .. } | Attachment::Free { .. } | Attachment::Rigid { .. } => {}
             }
         }
+    }
+}
+
+/// Bodies that joints connect, by the way to a body that stands for all of its group.
+struct Groups(Vec<usize>);
+
+impl Groups {
+    fn new(bodies: usize) -> Self {
+        Self((0..bodies).collect())
+    }
+
+    fn of(&mut self, mut body: usize) -> usize {
+        while self.0[body] != body {
+            self.0[body] = self.0[self.0[body]];
+            body = self.0[body];
+        }
+        body
+    }
+
+    /// Connects two bodies; false where they were connected already.
+    fn join(&mut self, bodies: [BodyId; 2]) -> bool {
+        let [first, second] = bodies.map(|body| self.of(body.0));
+        self.0[second] = first;
+        first != second
     }
 }
