@@ -20,6 +20,7 @@ mod quantity;
 mod read;
 mod set_values;
 mod setting;
+mod sizes;
 mod spring;
 mod topology;
 
@@ -42,6 +43,7 @@ pub use quantity::{Origin, Quantity, QuantityError, QuantityId, QuantityTable, V
 pub use read::model_schema;
 pub use set_values::{SetValues, measured_argument};
 pub use setting::{Setting, SettingError, SettingRange};
+pub use sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
 pub use spring::{Elasticity, Spring, SpringCurve, SpringKind};
 pub use topology::{
     Body, Clearance, Component, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Output, OutputKind,

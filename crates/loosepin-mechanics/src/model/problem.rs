@@ -149,6 +149,8 @@ problems! {
             says("cycle: drive '{drive}' follows a motion of kind {kind}, which has neither turns nor a period to \
                   count"),
             hint("give duration in place of drive");
+        TooMany { what: &'static str, found: usize, most: usize } => Code::TooMany,
+            says("the file has {found} {what}; must be at most {most}");
         TooFewPoints { entry: String, least: usize } => Code::BadCount,
             says("{entry} has too few entries; must be at least {least}");
         InitialOfGround => Code::UnknownReference,

@@ -127,6 +127,11 @@ without notice, so it is refused."
 "A model made from a drawing has \"?\" for all numbers that a drawing does not hold: masses, inertias, speeds. Replace it by \
 the number with its unit."
 
+    TooMany "E0210" "a file has more of something than is computed"
+"A model has at most 1000 moving bodies and 2000 joints, a question at most 2000 poses: more would take minutes before the first answer. \
+The message names what is too many and the limit; the place is the first entry beyond it. docs/files/limits.md lists all limits \
+with their reasons."
+
     ExpressionSyntax "E0301" "a value cannot be read"
 "A value is a number with its unit, \"0.5 mm\" or \"1e-4 kg m^2\", or arithmetic over such values and parameters, \
 \"2 * crank_length + 1 mm\". Known are + - * / ^, parentheses, pi, sqrt, sin, cos, tan, asin, acos, atan, atan2, abs, min \
@@ -409,6 +414,11 @@ runs.parquet and in the store: --resume --most-failed 0.3 continues with them. T
 "A study may leave its runs to other processes, as Study.run(client=...) of the Python package does. They did not come back; the \
 complaint has the words of whoever was to make them. What came back before is in the store of the folder, where one was given, and the \
 same call with resume=True goes on from there."
+
+    TooMuchMemory "E0817" "a study needs more memory than there is"
+"The numbers of all runs are held in memory until the bounds are computed. The message says how much the study needs and how much the \
+machine has at hand: what the operating system calls available, within the limits of the container and of the process. Fewer runs \
+(outer, inner) or fewer poses need less; other programs may be closed."
 
     EnergyNotBalanced "E0820" "the energy balance of a run does not close"
 "Each run checks itself: kinetic, potential and stored energy, losses, and the work of drives and loads must add up. A run whose balance is \

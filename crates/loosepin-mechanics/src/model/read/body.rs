@@ -1,6 +1,7 @@
 //! Bodies and their points.
 
 use super::reader::{ModelReader, UNREAD};
+use crate::model::ids::BodyId;
 use crate::model::keys::{BODY_KEYS, GROUND_KEYS};
 use crate::model::topology::{Body, Point};
 use loosepin_text::document::{Entry, Table};
@@ -30,6 +31,7 @@ impl ModelReader {
                 body.centre_of_mass_m = table.get("centre_of_mass").map(|entry| self.vector(&entry));
                 body.points = self.points(&table);
             }
+            self.body_of_name.insert(body.name.clone(), BodyId(self.bodies.len()));
             self.bodies.push(body);
         }
     }

@@ -22,6 +22,7 @@ mod table_points;
 use crate::model::ids::BodyId;
 use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};
 use crate::model::problem::ModelProblem;
+use crate::model::sizes::SIZES;
 use crate::model::topology::{Guess, Model};
 use loosepin_text::diagnostics::{Complaint, Complaints, Source};
 use loosepin_text::document::{Entry, Table, describe_path, json_schema, parse_toml, read_source, source_from_bytes};
@@ -75,6 +76,9 @@ impl Model {
 
 impl ModelReader {
     fn read(mut self, root: &Table<'_>) -> Result<Model, Complaints> {
+        if self.refuses_sizes(root) {
+            return Err(self.reader.complaints);
+        }
         let name = root.get("name").and_then(|entry| self.reader.text(&entry)).unwrap_or_default().to_owned();
         if let Some(entry) = root.get("parameter") {
             self.read_parameters(&entry);
@@ -128,6 +132,21 @@ impl ModelReader {
             // What looks unused may be so only because of an error, so warnings wait until there is none.
             _ => Err(self.reader.complaints),
         }
+    }
+
+    /// Complains about the first entry of a table that is one too many; true where there is one, and nothing is to be read.
+    fn refuses_sizes(&mut self, root: &Table<'_>) -> bool {
+        let mut is_too_large = false;
+        for (key, what, most) in SIZES {
+            let Some(entry) = root.get(key).filter(Entry::is_table) else { continue };
+            let entries = self.reader.any_keys(&entry);
+            let counted: Vec<&Entry<'_>> = entries.iter().filter(|e| (key, e.name) != ("body", "ground")).collect();
+            if let Some(surplus) = counted.get(most) {
+                self.reader.complain(&ModelProblem::TooMany { what, found: counted.len(), most }, surplus.key_span);
+                is_too_large = true;
+            }
+        }
+        is_too_large
     }
 
     fn warn_of_unused(&mut self) {

@@ -30,6 +30,8 @@ pub(super) struct ModelReader {
     pub parameters: Parameters,
     pub places: HashMap<String, Span>,
     pub bodies: Vec<Body>,
+    /// The bodies of [`Self::bodies`] by their names.
+    pub body_of_name: HashMap<String, BodyId>,
     pub contact_names: NamesOf<ContactId>,
     pub contacts: Vec<Contact>,
     pub joint_names: NamesOf<JointId>,
@@ -59,6 +61,7 @@ impl ModelReader {
             quantities: QuantityTable::default(),
             parameters: Parameters::default(),
             places: HashMap::new(),
+            body_of_name: HashMap::from([(ground.name.clone(), BodyId(0))]),
             bodies: vec![ground],
             contact_names: Vec::new(),
             contacts: Vec::new(),
@@ -263,8 +266,8 @@ impl ModelReader {
 
     /// The body called `name`.
     pub fn body(&mut self, entry: &Entry<'_>, name: &str) -> Option<BodyId> {
-        if let Some(body) = self.bodies.iter().position(|body| body.name == name) {
-            return Some(BodyId(body));
+        if let Some(body) = self.body_of_name.get(name) {
+            return Some(*body);
         }
         let known = self.bodies.iter().map(|body| format!("'{}'", body.name)).collect();
         let nearest = nearest_name(name, self.bodies.iter().map(|body| body.name.as_str())).map(str::to_owned);
