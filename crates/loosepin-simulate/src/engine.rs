@@ -14,6 +14,10 @@ use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 
+/// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
+/// programs would take seconds to make and gigabytes to hold, and runs are made one after the other.
+const MOST_RECORDED_MULTIPLICATIONS: f64 = 4e5;
+
 /// Runs one sample to the end of `window`, showing every step to `observer`.
 ///
 /// Starts from the ideal positions and velocities of the sample at time zero, journals centred. A mechanism without play
@@ -57,12 +61,17 @@ pub fn conduct<O: Observer>(
     if mechanism.is_ideal() {
         while let Some(run) = queue.next() {
             let Run { sample, arms, window, mut observer, .. } = run;
-            let outcome = run_kinematics(mechanism, &sample, &arms, readings, &window, &mut observer);
+            let outcome = run_kinematics(mechanism, (&sample, &arms), readings, (&window, settings), &mut observer);
             queue.finished(observer, outcome);
         }
         return;
     }
-    Batch::conduct(mechanism, readings, settings, execution, &mut Seats::new(queue));
+    Batch::conduct(mechanism, readings, settings, execution_of(mechanism, execution), &mut Seats::new(queue));
+}
+
+/// How the runs of `mechanism` are made where `execution` is at hand.
+fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
+    if mechanism.multiplications() <= MOST_RECORDED_MULTIPLICATIONS { execution } else { Execution::Scalar }
 }
 
 /// A queue of one run.
@@ -99,30 +108,29 @@ impl Observer for &mut dyn Observer {
 
 fn run_kinematics(
     mechanism: &Mechanism,
-    sample: &Sample<f64>,
-    arms: &Arms,
+    (sample, arms): (&Sample<f64>, &Arms),
     readings: &[Reading],
-    window: &Window,
+    (window, settings): (&Window, &Settings),
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
     let mut ideal = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
     let mut motion = Motion::new(mechanism, sample);
-    let turn_s = std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s);
-    let ends_s = step_ends_s(sample, window, LARGEST_STEP_TURNS * turn_s);
-    let steps = ends_s.len() as u64;
+    let ends_s = step_ends_s(sample, *window, longest_step_s(mechanism, sample, window));
+    let limit = settings.largest_evaluations;
     ideal.move_to(window.start_s)?;
     let mut account = KinematicAccount::is_needed(&motion).then(|| KinematicAccount::new(&mut motion, &ideal));
     let mut failure = None;
     let mut outputs = vec![[[0.0; 3]; 2]; readings.len()];
     let (mut start_s, has_pieces) = (window.start_s, sample.drives.has_pieces());
-    for (step, end_s) in ends_s.into_iter().enumerate() {
+    let mut steps = 0_u64;
+    for end_s in ends_s {
         if has_pieces {
             let middle_s = 0.5 * (start_s + end_s);
             ideal.hold_pieces(Some(middle_s));
             motion.dynamics.sample_mut().drives.take_pieces_at(middle_s);
         }
         for (side, time_s) in [(0, start_s), (1, end_s)] {
-            if readings.is_empty() || (side == 0 && step > 0 && !has_pieces) {
+            if readings.is_empty() || (side == 0 && steps > 0 && !has_pieces) {
                 outputs.iter_mut().for_each(|jets| jets[0] = jets[1]);
                 continue;
             }
@@ -164,26 +172,96 @@ fn run_kinematics(
             }
             None => ideal.move_to(end_s)?,
         }
+        steps += 1;
         start_s = end_s;
+        if steps * settings.method.stages.len() as u64 > limit {
+            return Err(RunFailure::TooManyEvaluations { time_s: end_s, limit });
+        }
     }
     let energy = account.map(|account| account.total());
     let counters = Counters { steps, ..Counters::default() };
     Ok(RunReport { counters, plays: Vec::new(), energy, friction_losses: Vec::new() })
 }
 
+/// The longest step of a run, s.
+fn longest_step_s(mechanism: &Mechanism, sample: &Sample<f64>, window: &Window) -> f64 {
+    LARGEST_STEP_TURNS * std::f64::consts::TAU / fastest_drive_rad_s(mechanism, sample, window.end_s)
+}
+
+/// Evaluations without which no run comes to the end of `window`: those of the longest steps. A step along a motion that its drives
+/// determine counts as much as one that is integrated.
+pub(super) fn least_evaluations(
+    mechanism: &Mechanism,
+    sample: &Sample<f64>,
+    window: &Window,
+    settings: &Settings,
+) -> f64 {
+    window.end_s / longest_step_s(mechanism, sample, window) * settings.method.stages.len() as f64
+}
+
 /// Ends of equal steps of at most `longest_s` over `window`, from one break of the drives to the next.
-fn step_ends_s(sample: &Sample<f64>, window: &Window, longest_s: f64) -> Vec<f64> {
+fn step_ends_s(sample: &Sample<f64>, window: Window, longest_s: f64) -> impl Iterator<Item = f64> {
     /// Steps between two breaks, at most.
     const MOST_STEPS: f64 = 1e9;
-    let mut ends_s = Vec::new();
-    let mut start_s = window.start_s;
-    while start_s < window.end_s {
-        let stop_s = sample.drives.next_break_s(start_s).min(window.end_s);
+    let breaks = std::iter::successors(Some(window.start_s), move |&start_s| {
+        (start_s < window.end_s).then(|| sample.drives.next_break_s(start_s).min(window.end_s))
+    });
+    let between = breaks.clone().zip(breaks.skip(1));
+    between.flat_map(move |(start_s, stop_s)| {
         let span_s = stop_s - start_s;
         let steps = (span_s / longest_s).ceil().clamp(1.0, MOST_STEPS) as u64;
-        ends_s.extend((1..steps).map(|step| start_s + span_s * step as f64 / steps as f64));
-        ends_s.push(stop_s);
-        start_s = stop_s;
+        let within = (1..steps).map(move |step| start_s + span_s * step as f64 / steps as f64);
+        within.chain([stop_s])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::execution_of;
+    use crate::execution::Execution;
+    use loosepin_mechanics::mechanism::Mechanism;
+    use loosepin_mechanics::model::Model;
+
+    /// A chain of links in a row, each joint that `has_play` names with play.
+    fn chain(links: usize, has_play: impl Fn(usize) -> bool) -> Mechanism {
+        let link = |k: usize| {
+            let bearing = if k == 0 { "ground.o".to_owned() } else { format!("b{}.q", k - 1) };
+            let play = if has_play(k) {
+                "radial_clearance = \"0.2 mm\"\nbearing_radius = \"9 mm\"\ncontact = \"steel\"\n"
+            } else {
+                ""
+            };
+            format!(
+                "[body.b{k}]\nmass = \"0.7 kg\"\ninertia = \"2e-3 kg m^2\"\ncentre_of_mass = [\"40 mm\", \"0 mm\"]\n\
+                 points = {{ p = [\"0 mm\", \"0 mm\"], q = [\"90 mm\", \"0 mm\"] }}\n\
+                 [joint.j{k}]\nkind = \"revolute\"\nbearing = \"{bearing}\"\njournal = \"b{k}.p\"\n{play}\
+                 [initial.body.b{k}]\nangle = \"{} deg\"\n",
+                7 * k % 50
+            )
+        };
+        let text = format!(
+            "name = \"chain\"\ngravity = \"9.81 m/s^2\"\n[body.ground]\npoints = {{ o = [\"0 mm\", \"0 mm\"] }}\n\
+             [contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.9\nstiffness = \"1e9 N/m^1.5\"\nexponent = 1.5\n\
+             {}[cycle]\nduration = \"1 s\"\n",
+            (0..links).map(link).collect::<String>()
+        );
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        Mechanism::new(&model, &model.quantities.nominal()).unwrap_or_else(|error| panic!("{error}"))
     }
-    ends_s
+
+    #[test]
+    fn equations_too_long_to_be_written_down_are_evaluated_as_they_stand() {
+        let best = Execution::Interpreted;
+        assert_eq!(execution_of(&chain(30, |_| false), best), best);
+        assert_eq!(execution_of(&chain(120, |_| false), best), Execution::Scalar);
+    }
+
+    #[test]
+    fn identity_the_equations_of_parts_that_play_separates_grow_with_their_number_alone() {
+        let of = |links| chain(links, |k| k % 4 == 0).multiplications();
+        let (short, long) = (of(40), of(160));
+        // The mass matrix is that of parts of four links; the square is that of reading its rows.
+        assert!((short..4.2 * short + 500.0 * 500.0).contains(&long), "{short} and {long}");
+        assert!(long < 0.1 * chain(160, |_| false).multiplications());
+    }
 }

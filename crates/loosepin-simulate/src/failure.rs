@@ -97,6 +97,24 @@ problems! {
                 gained_j / exchange_j
             ),
             hint("look at the coefficients of the law: see `loosepin explain E0821`");
+        /// More turns than the evaluations suffice for.
+        TooManyTurns {
+            turns: f64,
+            /// Evaluations that they take at least.
+            least: f64,
+            limit: u64,
+        } => Code::RunTooLong,
+            says("{turns} turns take at least {least:.2e} evaluations; must be at most {:.2e}", *limit as f64),
+            hint("ask for fewer turns");
+        /// More numbers than a history can hold.
+        TooManyNumbers {
+            rows: f64,
+            /// Of each row.
+            numbers: usize,
+            most: usize,
+        } => Code::BadCount,
+            says("{rows} rows of {numbers} numbers each would be recorded; must be at most {most} numbers"),
+            hint("ask for fewer turns, fewer samples a turn or fewer outputs, or leave --states out");
         /// More rows than a history can hold.
         TooManyRows {
             /// Turns times rows a turn.
@@ -128,7 +146,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 21] = [
+const CODES: [&str; 23] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -150,6 +168,8 @@ const CODES: [&str; 21] = [
     "stopped",
     "energy_not_balanced",
     "law_gains_energy",
+    "too_many_turns",
+    "too_many_numbers",
 ];
 
 impl RunFailure {
@@ -182,6 +202,8 @@ impl RunFailure {
             Self::Stopped { .. } => 18,
             Self::EnergyNotBalanced { .. } => 19,
             Self::LawGainsEnergy { .. } => 20,
+            Self::TooManyTurns { .. } => 21,
+            Self::TooManyNumbers { .. } => 22,
         }
     }
 
@@ -211,7 +233,9 @@ impl RunFailure {
                 let place = joint.as_ref().and_then(|joint| model.place(&format!("joint.{joint}")));
                 Complaint::error(self, place)
             }
-            Self::TooManyRows { .. } => Complaint::error(self, model.place("cycle")),
+            Self::TooManyRows { .. } | Self::TooManyNumbers { .. } | Self::TooManyTurns { .. } => {
+                Complaint::error(self, model.place("cycle"))
+            }
             Self::NothingIsFree => Complaint::error(self, None),
         }
     }

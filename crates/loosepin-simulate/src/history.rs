@@ -3,7 +3,7 @@
 use super::column::{Arms, Column, columns};
 use super::control_history::ControlRecorder;
 use super::drawing::{add_pose, skeleton};
-use super::engine::run;
+use super::engine::{least_evaluations, run};
 use super::failure::RunFailure;
 use super::flight::FlightClock;
 use super::lyapunov::{ExponentPlan, largest_exponent};
@@ -49,6 +49,30 @@ impl Plan {
         Self { cycle, settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() }
     }
 
+    /// That the run comes to its end within the evaluations it may have, and that a history holds what it records. Nothing is run.
+    ///
+    /// # Errors
+    /// One of these, or the drive of the cycle stands still.
+    pub fn check(&self, mechanism: &Mechanism, sample: &Sample<f64>, values: &Values) -> Result<(), RunFailure> {
+        let rows = self.cycle.recorded_turns * self.cycle.samples_per_turn as f64;
+        if !(rows <= MOST_ROWS as f64) {
+            return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
+        }
+        let states = if self.with_states { NUMBERS_OF_A_STATE * mechanism.model.bodies.len() } else { 0 };
+        // The ideal values stand beside those of the run.
+        let numbers = 2 * columns(mechanism).len() + mechanism.contacts.len() + states + NUMBERS_OF_A_ROW;
+        if rows * numbers as f64 > MOST_NUMBERS as f64 {
+            return Err(RunFailure::TooManyNumbers { rows, numbers, most: MOST_NUMBERS });
+        }
+        let least = least_evaluations(mechanism, sample, &self.window(mechanism, values)?, &self.settings);
+        let limit = self.settings.largest_evaluations;
+        if least > limit as f64 {
+            let turns = self.cycle.transient_turns + self.cycle.recorded_turns;
+            return Err(RunFailure::TooManyTurns { turns, least, limit });
+        }
+        Ok(())
+    }
+
     /// The recorded part of the run.
     ///
     /// # Errors
@@ -70,7 +94,13 @@ pub fn input(mechanism: &Mechanism, values: &Values, span: CycleSpan) -> Result<
 }
 
 /// Rows of a history, at most: a million rows of ten columns are 200 MB of text.
-const MOST_ROWS: usize = 1_000_000;
+pub const MOST_ROWS: usize = 1_000_000;
+/// Numbers of a history, at most: a gibibyte.
+pub const MOST_NUMBERS: usize = 1 << 27;
+/// Numbers of a row beside those of outputs, contacts and bodies: the time and the energies.
+const NUMBERS_OF_A_ROW: usize = 10;
+/// Numbers of a row for each body where states are recorded: three coordinates, their rates and accelerations.
+const NUMBERS_OF_A_STATE: usize = 9;
 
 /// A finished run.
 #[derive(Debug, Clone)]
@@ -113,15 +143,12 @@ pub fn simulate_until(
     plan: &Plan,
     stop: &AtomicBool,
 ) -> Result<Simulation, RunFailure> {
-    let rows = plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64;
-    if !(rows <= MOST_ROWS as f64) {
-        return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
-    }
+    let sample = Sample::new(mechanism, values)?;
+    plan.check(mechanism, &sample, values)?;
     if plan.lyapunov_turns.is_some() && mechanism.is_ideal() {
         return Err(RunFailure::NothingIsFree);
     }
     let window = plan.window(mechanism, values)?;
-    let sample = Sample::new(mechanism, values)?;
     let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
     let input = input(mechanism, values, plan.cycle.span)?;
     if mechanism.is_driven() {

@@ -13,6 +13,7 @@ mod control;
 mod coupling;
 mod coupling_geometry;
 mod drive;
+mod effort;
 mod error;
 mod gap_measure;
 mod geometry;

@@ -322,3 +322,57 @@ fn identity_every_case_has_an_answer() {
         }
     }
 }
+
+/// A mechanism without play whose drives determine its motion, with a million turns.
+fn million_turns() -> (Built, Plan) {
+    let built = build_case_with("slider_crank_5000", &[("joint.gudgeon.radial_clearance", 0.0)]);
+    assert!(built.mechanism.is_ideal());
+    let mut plan = Plan::of_model(&built.mechanism.model);
+    (plan.cycle.transient_turns, plan.cycle.recorded_turns, plan.cycle.samples_per_turn) = (1e6, 1.0, 60);
+    (built, plan)
+}
+
+#[test]
+fn analytic_a_run_whose_longest_steps_take_too_many_evaluations_is_refused_before_it_starts() {
+    let (built, mut plan) = million_turns();
+    (plan.cycle.transient_turns, plan.cycle.recorded_turns) = (0.0, 1e6);
+    plan.cycle.samples_per_turn = 1;
+    for built in [built, build_case("slider_crank_5000")] {
+        let failure = simulate(&built.mechanism, &built.values, &plan).expect_err("it is refused");
+        // 96 steps a turn of 12 evaluations each.
+        assert_eq!(failure.to_string(), "1000000 turns take at least 1.15e9 evaluations; must be at most 3.00e8");
+        assert_eq!(failure.code(), "too_many_turns");
+    }
+}
+
+#[test]
+fn a_run_without_play_ends_at_the_limit_of_evaluations() {
+    let (built, _) = million_turns();
+    let sample = loosepin_mechanics::mechanism::Sample::new(&built.mechanism, &built.values).expect("a sample");
+    let settings = Settings { largest_evaluations: 500, ..Settings::for_simulation() };
+    let window = Window { start_s: 0.0, end_s: 1.0 };
+    struct Count(u64);
+    impl Observer for Count {
+        fn step(&mut self, _step: &mut Step<'_, '_>) {
+            self.0 += 1;
+        }
+    }
+    let mut count = Count(0);
+    let failure = run(&built.mechanism, &sample, &window, &settings, &mut count).expect_err("it is stopped");
+    assert_eq!(failure.code(), "too_many_evaluations");
+    // A step counts 12 evaluations, as one that is integrated.
+    assert_eq!(count.0, 42);
+}
+
+#[test]
+fn more_numbers_than_a_history_holds_are_refused() {
+    let (built, mut plan) = million_turns();
+    (plan.cycle.transient_turns, plan.cycle.recorded_turns, plan.cycle.samples_per_turn) = (0.0, 1.0, 1_000_000);
+    plan.with_states = true;
+    // A million rows of two numbers for each output, and nine for each body.
+    let mut many = built.mechanism.clone();
+    let output = many.model.outputs[0].clone();
+    many.model.outputs.extend((0..60).map(|_| output.clone()));
+    let failure = simulate(&many, &built.values, &plan).expect_err("it is refused");
+    assert_eq!(failure.code(), "too_many_numbers");
+}
