@@ -1,6 +1,8 @@
 //! The columns of a study's response: every number that one run must deliver.
 
 use super::file::{Ask, Deviation, Reduction, Requirement, Study, Where};
+use std::collections::HashMap;
+
 use loosepin_bounds::{Request, Statistic};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_simulate::{Column, columns};
@@ -71,6 +73,22 @@ pub struct ColumnPlan {
     pub requirements: Vec<PlannedRequirement>,
     /// Columns of the largest deviations that limit those at poses.
     pub largest: Vec<usize>,
+    /// Index of each of the columns.
+    places: HashMap<ColumnKey, usize>,
+}
+
+/// What tells one column from another: output, deviation, and the bits of a pose or the reduction.
+type ColumnKey = (usize, Deviation, Result<[u64; 2], Reduction>);
+
+impl StudyColumn {
+    fn key(&self) -> ColumnKey {
+        let spot = match self.spot {
+            // Adding zero leaves one of the two zeros.
+            Spot::Pose { turns, angle_rad } => Ok([turns, angle_rad].map(|number| (number + 0.0).to_bits())),
+            Spot::Reduced(reduction) => Err(reduction),
+        };
+        (self.output, self.deviation, spot)
+    }
 }
 
 impl ColumnPlan {
@@ -82,6 +100,7 @@ impl ColumnPlan {
             asks: Vec::new(),
             requirements: Vec::new(),
             largest: Vec::new(),
+            places: HashMap::new(),
         };
         let angle =
             |turns: f64| drive_start_rad + drive_sign * std::f64::consts::TAU * (study.cycle.transient_turns + turns);
@@ -152,7 +171,7 @@ impl ColumnPlan {
             .iter()
             .map(|&spot| {
                 let column = StudyColumn { output, deviation, spot };
-                self.columns.iter().position(|known| *known == column).unwrap_or_else(|| {
+                *self.places.entry(column.key()).or_insert_with(|| {
                     self.columns.push(column);
                     self.columns.len() - 1
                 })
@@ -163,10 +182,11 @@ impl ColumnPlan {
     /// Every statistic that is needed: those asked for, those that the charts show, those of the requirements.
     pub fn requests(&self) -> Vec<Request> {
         let mut requests: Vec<Request> = Vec::new();
+        let mut of_column: Vec<Vec<Statistic>> = vec![Vec::new(); self.columns.len()];
         let mut push = |column: usize, statistic: Statistic| {
-            let request = Request { column, statistic };
-            if !requests.contains(&request) {
-                requests.push(request);
+            if !of_column[column].contains(&statistic) {
+                of_column[column].push(statistic);
+                requests.push(Request { column, statistic });
             }
         };
         for planned in &self.asks {
@@ -207,9 +227,10 @@ impl ColumnPlan {
     /// Columns for which the three treatments are shown: the single numbers that were asked for.
     pub fn compared_columns(&self) -> Vec<usize> {
         let mut compared: Vec<usize> = Vec::new();
+        let mut is_compared = vec![false; self.columns.len()];
         for planned in self.asks.iter().filter(|planned| planned.ask.location != Where::Cycle) {
             for &column in &planned.columns {
-                if !compared.contains(&column) {
+                if !std::mem::replace(&mut is_compared[column], true) {
                     compared.push(column);
                 }
             }

@@ -20,8 +20,9 @@ impl Problem for StudyError {
             | Self::Contributors(_)
             | Self::Surrogate(_)
             | Self::TimeOfShards
-            | Self::TooManyNumbers { .. }
+            | Self::TooManyRuns { .. }
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
+            Self::TooMuchMemory { .. } => Code::TooMuchMemory,
             Self::Threads(_) => Code::NoThreads,
             Self::Store(error) => error.code(),
             Self::Table(_) | Self::AllFailed { .. } => Code::AllRunsFailed,
@@ -39,7 +40,8 @@ impl Problem for StudyError {
             Self::BudgetTooSmall { least, .. } => Some(format!(
                 "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
             )),
-            Self::TooManyNumbers { .. } => Some(
+            Self::TooManyRuns { .. } => Some("smaller outer and inner under [sampling] need fewer runs".to_owned()),
+            Self::TooMuchMemory { .. } => Some(
                 "smaller outer and inner under [sampling] need fewer runs; poses need fewer numbers than curves"
                     .to_owned(),
             ),
@@ -77,7 +79,11 @@ impl StudyError {
                 // The words are those of the study, the place is that of the model.
                 Complaint { place: failure.complaint(&study.model).place, ..Complaint::error(self, None) }
             }
-            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::TooManyNumbers { .. } => {
+            Self::Plan(_)
+            | Self::Contributors(_)
+            | Self::Surrogate(_)
+            | Self::TooManyRuns { .. }
+            | Self::TooMuchMemory { .. } => {
                 let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
                 let within = match self {
                     Self::Plan(PlanError::Problem(problem)) => problem.key(),
@@ -104,7 +110,10 @@ impl StudyError {
                 Complaint::error(self, Some(place_within(table, Some(path), study)))
             }
             Self::Prepare(
-                PrepareError::Law(_) | PrepareError::TooManyLaws { .. } | PrepareError::PoseNotRecorded { .. },
+                PrepareError::Law(_)
+                | PrepareError::TooManyLaws { .. }
+                | PrepareError::TooManyColumns { .. }
+                | PrepareError::PoseNotRecorded { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {

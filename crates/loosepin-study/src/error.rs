@@ -1,5 +1,6 @@
 //! Why a study has no result.
 
+use super::file::MOST_RUNS;
 use super::part::OpenRound;
 use super::response::PrepareError;
 use super::runs::RunsTable;
@@ -74,17 +75,25 @@ pub enum StudyError {
     /// A budget of time where shards make the runs.
     #[error("a budget of time cannot be shared by shards, which run at different times")]
     TimeOfShards,
-    /// More numbers than a computer holds.
-    #[error("{runs} runs of {numbers} numbers each are {size_gib:.0} GiB; must be at most {most_gib:.0} GiB")]
-    TooManyNumbers {
+    /// More runs than anybody waits for.
+    #[error("{runs} runs; must be at most {MOST_RUNS}")]
+    TooManyRuns {
+        /// Runs of the study at most.
+        runs: usize,
+    },
+    /// More numbers than the memory at hand holds.
+    #[error(
+        "{runs} runs of {numbers} numbers each need about {needed_gib:.2} GiB of memory; {at_hand_gib:.2} GiB are at hand"
+    )]
+    TooMuchMemory {
         /// Runs of the study at most.
         runs: usize,
         /// Numbers of each, its inputs included.
         numbers: usize,
         /// What they take.
-        size_gib: f64,
-        /// What they may take.
-        most_gib: f64,
+        needed_gib: f64,
+        /// What there is.
+        at_hand_gib: f64,
     },
     /// More runs failed than may; what was run is in the table, and in the store.
     #[error("{0}")]

@@ -20,6 +20,7 @@ mod failures;
 mod file;
 pub mod files;
 mod folder;
+mod foresee;
 mod further_outputs;
 mod goals;
 mod ideal_curve;
@@ -30,6 +31,7 @@ mod keep;
 mod lanes;
 mod learned;
 mod loosened;
+mod memory_at_hand;
 mod part;
 mod plans;
 mod problem;
@@ -46,7 +48,6 @@ mod sheet;
 mod simultaneous;
 mod surrogate;
 mod texts;
-mod time_a_run;
 mod widest_play;
 
 pub use conduct::{Conducted, Means, conduct, conduct_elsewhere, conduct_part};
@@ -56,18 +57,21 @@ pub use error::{StudyError, TooManyFailed};
 pub use export::{ExportError, export_networks};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
-    EpistemicInput, EpistemicSubject, Limit, RandomInput, RandomProblem, RareMethod, Reduction, Requirement, Sampling,
-    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, study_schema,
+    EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, RandomInput, RandomProblem, RareMethod, Reduction,
+    Requirement, Sampling, StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where,
+    study_schema,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
+pub use foresee::{Foreseen, foresee};
 pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study, study_inputs};
 pub use iso_286::FitError;
+pub use memory_at_hand::STATED_BYTES;
 pub use part::{OpenRound, Part};
 pub use plans::{plan_runs, plan_shards};
+pub use response::MOST_COLUMNS;
 pub use run_rows::RunRows;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
 pub use sheet::Progress;
 pub use texts::{NamedText, StudyTexts};
-pub use time_a_run::time_a_run_s;

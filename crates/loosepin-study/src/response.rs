@@ -2,7 +2,7 @@
 
 use super::columns::{ColumnPlan, Spot};
 use super::extras::RunExtras;
-use super::file::{Deviation, EpistemicSubject, Study, Where};
+use super::file::{Deviation, EpistemicSubject, MOST_POSES, Study, Where};
 use super::ideal_curve::{IdealCurve, IdealNodes};
 use super::recorder::Shared;
 use loosepin_bounds::{Failure, Response};
@@ -16,13 +16,12 @@ use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
 
-/// Poses of a curve, at most: every one has bounds of its own.
-pub const LARGEST_POSES: f64 = 2000.0;
-
 /// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
 const MOST_TURNS: f64 = 10_000.0;
 /// Recorded ones, at most: each has a table of the ideal motion.
 const MOST_RECORDED_TURNS: f64 = 1000.0;
+/// Numbers of a run that are asked for, at most: each has bounds of its own, with hundreds of numbers in the files and on the page.
+pub const MOST_COLUMNS: usize = 20_000;
 /// Combinations of contact laws, at most: each is a mechanism of its own.
 const MOST_LAWS: usize = 64;
 
@@ -45,8 +44,12 @@ problems! {
             hint("record at least one whole turn, or ask for an angle that is passed");
         /// More poses than a study can bound.
         TooManyPoses { poses: f64 } => Code::AskNotPossible,
-            says("curves of {poses} poses are asked for; must be at most {LARGEST_POSES}"),
+            says("curves of {poses} poses are asked for; must be at most {MOST_POSES}"),
             hint("ask for fewer samples_per_turn in the [cycle] of the study; 180 draw a good curve");
+        /// More numbers of a run than a study can bound.
+        TooManyColumns { columns: usize } => Code::TooMany,
+            says("all questions together are about {columns} numbers of each run; must be at most {MOST_COLUMNS}"),
+            hint("ask for fewer poses, or for fewer samples_per_turn in the [cycle] of the study");
         /// More turns than a run of a study may have; `key` under `[cycle]` says so.
         TooManyTurns { turns: f64, what: &'static str, most: f64, key: &'static str } => Code::AskNotPossible,
             says("{turns} turns are {what}; must be at most {most}"),
@@ -134,7 +137,7 @@ impl StudyResponse {
         check_drive(study)?;
         check_turns(study)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
-        if poses > LARGEST_POSES && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
+        if poses > MOST_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
             return Err(PrepareError::TooManyPoses { poses });
         }
         let nominal = study.model.quantities.evaluate(&middle)?;
@@ -144,6 +147,9 @@ impl StudyResponse {
         let mechanism = &mechanisms[0];
         let nominal_input = study.model.input(study.cycle.span, &nominal);
         let plan = ColumnPlan::new(study, mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
+        if plan.columns.len() > MOST_COLUMNS {
+            return Err(PrepareError::TooManyColumns { columns: plan.columns.len() });
+        }
         check_poses(study, &plan)?;
         let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();

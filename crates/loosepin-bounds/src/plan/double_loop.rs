@@ -173,6 +173,13 @@ impl DoubleLoop {
         self.setup.inner_runs()
     }
 
+    /// The first inner runs, `most` at most, at the first outer point whose epistemic inputs are meant; no others are drawn.
+    pub fn first_runs(&self, most: usize, is_meant: impl Fn(&[f64]) -> bool) -> Vec<RunInputs> {
+        let mut points = (0..).zip(self.first_outer.iter().map(|place| self.setup.epistemic_box.values_at(place)));
+        let found = points.find(|(_, epistemic)| is_meant(epistemic));
+        found.map(|(point, at)| self.inner_runs.first(&self.setup, most, point, at)).unwrap_or_default()
+    }
+
     /// Every inner run at the outer point `point`.
     pub(crate) fn runs_at(&self, round: u32, point: u32, epistemic: Vec<f64>) -> impl Iterator<Item = RunInputs> {
         self.inner_runs.at(&self.setup, round, point, epistemic)

@@ -48,8 +48,19 @@ impl InnerRuns {
         })
     }
 
-    /// All of them; a single one where nothing is random.
+    /// The first of them at the outer point `point` of the first round, without working out the others.
+    pub fn first(&self, setup: &Setup, most: usize, point: u32, epistemic: Vec<f64>) -> Vec<RunInputs> {
+        let first = Self { runs: OnceLock::from(self.drawn(setup, most)), moving: self.moving.clone() };
+        first.at(setup, 0, point, epistemic).collect()
+    }
+
+    /// All of them.
     fn all(&self, setup: &Setup) -> Vec<InnerRun> {
+        self.drawn(setup, usize::MAX)
+    }
+
+    /// The first of them; a single one where nothing is random.
+    fn drawn(&self, setup: &Setup, most: usize) -> Vec<InnerRun> {
         let problem = &setup.problem;
         if problem.random.is_empty() {
             return vec![InnerRun { replicate: 0, index: 0, random: Vec::new(), levels: Vec::new() }];
@@ -63,7 +74,7 @@ impl InnerRuns {
                 levels: self.moving.iter().map(|&input| levels[input]).collect(),
             }
         };
-        inner_points(&problem.sampling, &setup.inner).map(run).collect()
+        inner_points(&problem.sampling, &setup.inner).take(most).map(run).collect()
     }
 }
 

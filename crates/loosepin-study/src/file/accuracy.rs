@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::description::{Ask, Study};
+use super::keys::MOST_RUNS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::target::AccuracyTarget;
@@ -219,8 +220,7 @@ fn complaint(problem: &AccuracyProblem, source: &Arc<Source>, span: Range<usize>
     Complaint::error(problem, Some(Place::new(source, span)))
 }
 
-/// Runs and rounds, at most.
-const MOST_RUNS: u64 = 1 << 40;
+/// Rounds, at most.
 const MOST_ROUNDS: u64 = u32::MAX as u64;
 
 /// Reads a budget: a number of runs, a time, or a number of rounds.
@@ -350,7 +350,7 @@ mod tests {
         let refused = |text: &str| parse_budget(text).unwrap_err().to_string();
         assert_eq!(refused("soon"), "'soon' is no budget of runs, time or rounds");
         assert_eq!(refused("3 mm"), "'3 mm' is no budget of runs, time or rounds");
-        assert_eq!(refused("2.5 runs"), "a budget of 2.5 runs; must be a whole number from 1 to 1099511627776");
+        assert_eq!(refused("2.5 runs"), "a budget of 2.5 runs; must be a whole number from 1 to 1073741824");
         assert_eq!(refused("0 rounds"), "a budget of 0 rounds; must be a whole number from 1 to 4294967295");
         assert_eq!(refused("-3 min"), "a budget is -3 min; must be > 0");
     }

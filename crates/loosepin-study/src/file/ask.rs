@@ -1,9 +1,9 @@
 //! Questions and requirements.
 
 use super::description::{Ask, Limit, RareMethod, Requirement, Where};
-use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
+use super::keys::{ASK_KEYS, LIMITS, MOST_POSES, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
-use super::reader::{Asked, KnownPose, StudyReader};
+use super::reader::{Asked, StudyReader};
 use super::target::AccuracyTarget;
 use super::words::{
     DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
@@ -232,14 +232,19 @@ impl StudyReader {
                 };
                 return self.refused(&problem, entry.key_span);
             }
-            for angle in self.reader.list(&entry)? {
+            let angles = self.reader.list(&entry)?;
+            if let Some(surplus) = angles.get(MOST_POSES) {
+                let problem = StudyProblem::TooManyPoses { entry: entry.path.describe(), found: angles.len() };
+                return self.refused(&problem, surplus.span);
+            }
+            for angle in angles {
                 let Some(angle_rad) = self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite) else { continue };
                 if angles_rad.contains(&angle_rad) {
                     let pose = format_value(angle_rad, Dimension::ANGLE);
                     self.complain(&StudyProblem::PoseTwice { entry: angle.path.describe(), pose }, &angle);
                     continue;
                 }
-                self.check_apart(&angle, KnownPose { of, angle_rad });
+                self.check_apart(&angle, of, angle_rad);
                 angles_rad.push(angle_rad);
             }
         }
@@ -253,21 +258,19 @@ impl StudyReader {
     }
 
     /// Two angles of which the results could not tell which is which, since both have the same name there.
-    fn check_apart(&mut self, entry: &Entry<'_>, pose: KnownPose) {
-        let is_beside = |known: &&KnownPose| {
-            known.of == pose.of
-                && known.angle_rad != pose.angle_rad
-                && named_angle_rad(known.angle_rad) == named_angle_rad(pose.angle_rad)
-        };
-        if let Some(beside) = self.poses.iter().find(is_beside).filter(|_| pose.of.is_some()) {
+    fn check_apart(&mut self, entry: &Entry<'_>, of: Option<(usize, Deviation)>, angle_rad: f64) {
+        let Some(of) = of else { return };
+        let known = self.poses.entry((of, (named_angle_rad(angle_rad) + 0.0).to_bits())).or_default();
+        let beside_rad = known.iter().copied().find(|known_rad| *known_rad != angle_rad);
+        known.push(angle_rad);
+        if let Some(beside_rad) = beside_rad {
             let problem = StudyProblem::PosesTooNear {
                 entry: entry.path.describe(),
-                pose: format_value(pose.angle_rad, Dimension::ANGLE),
-                apart: format!("{:.1e} rad", (pose.angle_rad - beside.angle_rad).abs()),
+                pose: format_value(angle_rad, Dimension::ANGLE),
+                apart: format!("{:.1e} rad", (angle_rad - beside_rad).abs()),
             };
             self.complain(&problem, entry);
         }
-        self.poses.push(pose);
     }
 
     fn statistics<'t>(&mut self, table: &Table<'t>, dimension: Dimension) -> Option<Vec<(Entry<'t>, Asked)>> {

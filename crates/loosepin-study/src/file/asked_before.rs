@@ -11,7 +11,8 @@ use loosepin_text::document::Entry;
 fn places(location: &Where) -> Vec<Where> {
     match location {
         Where::Poses { angles_rad } => {
-            angles_rad.iter().map(|&angle_rad| Where::Poses { angles_rad: vec![angle_rad] }).collect()
+            // Adding zero leaves one of the two zeros.
+            angles_rad.iter().map(|angle_rad| Where::Poses { angles_rad: vec![angle_rad + 0.0] }).collect()
         }
         _ => vec![location.clone()],
     }
@@ -31,7 +32,7 @@ impl StudyReader {
                 (asked, location) => (asked, location.clone()),
             };
             let of_place = |location| KnownQuestion { output: of.0, deviation: of.1, location, asked };
-            let questions: Vec<KnownQuestion> = places(&location).into_iter().map(of_place).collect();
+            let questions: Vec<String> = places(&location).into_iter().map(of_place).map(|q| q.name()).collect();
             if questions.iter().any(|question| self.questions.contains(question)) {
                 let what = self.reader.source.text()[self.reader.source.clamp(entry.span)].to_owned();
                 self.complain(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);

@@ -14,6 +14,10 @@ use super::words::{
 const LARGEST_SEED: u64 = (1 << 53) - 1;
 /// Samples of the random inputs, at most: that many Sobol' points are distinct.
 const MOST_INNER: u64 = 1 << 24;
+/// Poses of a question, at most: every one has bounds of its own, and a chart of 2000 points has one for each pixel.
+pub const MOST_POSES: usize = 2000;
+/// Runs of a study, at most: at 10,000 a second they take a day and a half.
+pub const MOST_RUNS: u64 = 1 << 30;
 /// Randomisations, at most.
 const MOST_REPLICATES: u64 = 1024;
 

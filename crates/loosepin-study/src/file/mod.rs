@@ -24,6 +24,7 @@ mod target;
 mod tolerance;
 mod words;
 
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -34,6 +35,7 @@ pub use description::{
     RandomInput, RareMethod, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate, UncertainParameter,
     Where,
 };
+pub use keys::{MOST_POSES, MOST_RUNS};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
 pub use problem::StudyProblem;
@@ -161,8 +163,8 @@ fn read(
         readings: vec![Reading::FixedButUnknown],
         tables: Vec::new(),
         parameters: Parameters::default(),
-        poses: Vec::new(),
-        questions: Vec::new(),
+        poses: HashMap::new(),
+        questions: HashSet::new(),
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(loosepin_bounds::Sampling::default().seed);
     let cycle = file.cycle(&root);

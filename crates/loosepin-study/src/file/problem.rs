@@ -1,5 +1,6 @@
 //! What can be wrong with a study beyond its single entries.
 
+use super::keys::MOST_POSES;
 use loosepin_mechanics::model::{LawError, PathError, QuantityError};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::{describe_path, listed};
@@ -146,6 +147,9 @@ problems! {
         /// Poses of a drive that the cycle does not count.
         WrongDrive { entry: String, name: String, due: String } => Code::AskNotPossible,
             says("{entry}: '{name}' is not the drive that the cycle counts; must be '{due}'");
+        TooManyPoses { entry: String, found: usize } => Code::TooMany,
+            says("{entry} has {found} poses; must be at most {MOST_POSES}"),
+            hint("at = \"cycle\" asks for the whole curve");
         /// Two poses whose numbers would have the same name.
         PosesTooNear { entry: String, pose: String, apart: String } => Code::AskNotPossible,
             says("{entry}: {pose} is {apart} beside an angle asked of the same output before; must be the same, or \

@@ -9,6 +9,7 @@ use loosepin_text::diagnostics::{Complaint, Complaints, Problem, Source, Span};
 use loosepin_text::document::{Entry, Reader};
 use loosepin_text::units::Dimension;
 use loosepin_uncertainty::{EpistemicVariable, Parameter};
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// A study in the making.
@@ -22,10 +23,10 @@ pub struct StudyReader {
     pub tables: Vec<Arc<Source>>,
     /// Of the distribution that is being read.
     pub parameters: Parameters,
-    /// Angles at which single numbers are asked for or required.
-    pub poses: Vec<KnownPose>,
-    /// What is asked so far.
-    pub questions: Vec<KnownQuestion>,
+    /// Angles at which single numbers are asked for or required, rad: by output, deviation and the bits of the angle in names.
+    pub poses: HashMap<((usize, Deviation), u64), Vec<f64>>,
+    /// What is asked so far, by [`KnownQuestion::name`].
+    pub questions: HashSet<String>,
 }
 
 impl StudyReader {
@@ -50,13 +51,6 @@ pub fn adopt(reader: &mut Reader, complaints: &Complaints, span: Span) {
     }
 }
 
-/// An angle at which a number is asked for or required.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KnownPose {
-    pub of: Option<(usize, Deviation)>,
-    pub angle_rad: f64,
-}
-
 /// One number, or one curve, that is asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KnownQuestion {
@@ -65,6 +59,13 @@ pub struct KnownQuestion {
     /// With one angle at most.
     pub location: Where,
     pub asked: Asked,
+}
+
+impl KnownQuestion {
+    /// Two questions with the same name are the same question.
+    pub fn name(&self) -> String {
+        format!("{self:?}")
+    }
 }
 
 /// An entry of the list of statistics.

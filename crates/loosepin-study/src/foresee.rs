@@ -1,0 +1,97 @@
+//! What a study will come to: how many runs, and how long one of them takes.
+
+use super::error::StudyError;
+use super::file::Study;
+use super::plans::planned_runs;
+use super::problem::problem;
+use super::response::StudyResponse;
+use loosepin_bounds::DoubleLoop;
+use loosepin_simulate::{Execution, RunFailure};
+use std::cell::Cell;
+use std::time::Instant;
+
+/// Runs that are timed: they fill the lanes of a thread.
+const TIMED_RUNS: usize = 32;
+/// As many where each has an ideal motion that is a run of its own.
+const TIMED_FREE_RUNS: usize = 3;
+/// Evaluations of each of them, at most.
+const MOST_EVALUATIONS: f64 = 6000.0;
+/// Multiplications of all timed runs, about a tenth of a second; and evaluations without which a run shows nothing.
+const TIMED_MULTIPLICATIONS: f64 = 1e8;
+const LEAST_EVALUATIONS: f64 = 100.0;
+
+/// What a study will come to.
+#[derive(Debug, Clone, Copy)]
+pub struct Foreseen {
+    /// As [`super::plan_runs`].
+    pub most_runs: usize,
+    /// Processor time of a run on the lanes of one thread, s; none where a run takes too long to be tried.
+    pub run_s: Option<f64>,
+}
+
+/// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some thousand
+/// evaluations and counted in proportion to how far it came. No samples but these are drawn.
+///
+/// # Errors
+/// As for [`super::plan_runs`], or all timed runs failed.
+pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
+    let mut response = StudyResponse::new(study)?;
+    let most_runs = planned_runs(study, &response)?;
+    let multiplications = response.mechanism().multiplications();
+    // Where drives do not move everything, a run is prepared by a run of its ideal motion, which no lanes share.
+    let most = if response.mechanism().is_driven() { TIMED_RUNS } else { TIMED_FREE_RUNS };
+    let runs = ((TIMED_MULTIPLICATIONS / (LEAST_EVALUATIONS * multiplications)) as usize).min(most);
+    if runs == 0 {
+        return Ok(Foreseen { most_runs, run_s: None });
+    }
+    let evaluations = (TIMED_MULTIPLICATIONS / (runs as f64 * multiplications)).min(MOST_EVALUATIONS);
+    response.limit_evaluations(evaluations as u64);
+    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response, runs)? })
+}
+
+/// Processor time of a whole run, s, from the first `runs` of the plan; none where no run came to its first step.
+///
+/// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
+fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {
+    let plan = DoubleLoop::try_new(problem(study, response))?;
+    let variants = response.mechanisms.len();
+    let each = runs.div_ceil(variants);
+    let passed = Cell::new(0.0);
+    let (mut prepared, mut preparing_s, mut stepping_s, mut reason) = (0_u32, 0.0, 0.0, None);
+    let end_s = response.nominal_end_s();
+    for variant in 0..variants {
+        let first = plan.first_runs(each, |epistemic| response.variant(epistemic) == variant);
+        let mut waiting = first.iter().map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
+        let (passed_before, mut asked) = (passed.get(), Vec::new());
+        response.run_all(
+            variant,
+            Execution::best(),
+            || {
+                asked.push((Instant::now(), passed.get() == passed_before));
+                waiting.next()
+            },
+            |_, outcome| match outcome {
+                Ok(_) => passed.set(passed.get() + 1.0),
+                Err(RunFailure::TooManyEvaluations { time_s, .. }) => passed.set(passed.get() + time_s / end_s),
+                Err(failure) => reason = Some(failure),
+            },
+        );
+        // The equations are written down between the first question for a run and the second; all lanes are filled before the first step.
+        match (asked.get(1), asked.get(first.len())) {
+            (Some(&(begun, true)), Some(&(filled, true))) => {
+                prepared += first.len() as u32 - 1;
+                preparing_s += (filled - begun).as_secs_f64();
+                stepping_s += filled.elapsed().as_secs_f64();
+            }
+            (Some(&(begun, true)), _) => stepping_s += begun.elapsed().as_secs_f64(),
+            // One run after the other.
+            _ => stepping_s += asked.first().map_or(0.0, |(begun, _)| begun.elapsed().as_secs_f64()),
+        }
+    }
+    let passed = passed.get();
+    match reason {
+        Some(reason) if passed == 0.0 => Err(StudyError::AllFailed { runs, reason }),
+        _ if passed == 0.0 => Ok(None),
+        _ => Ok(Some(preparing_s / f64::from(prepared.max(1)) + stepping_s / passed)),
+    }
+}
