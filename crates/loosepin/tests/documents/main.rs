@@ -4,5 +4,6 @@ mod case_folders;
 mod cases;
 mod file_pages;
 mod key_tables;
+mod limits;
 mod readme;
 mod site;

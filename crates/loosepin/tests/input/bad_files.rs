@@ -100,9 +100,9 @@ fn bad_studies_are_complained_about_word_for_word() {
     check("study", |name, text| Study::from_text(name, &text, template_model()).err());
 }
 
-/// Codes of complaints that need no bad file: about the file system, about settings and sampling (in `model_file.rs` and in
+/// Codes of complaints that need no bad file: about the file system, sizes (`runaway_files.rs`), settings and sampling (in `model_file.rs` and in
 /// the tests of the command).
-const TESTED_ELSEWHERE: [&str; 8] = ["E0101", "E0102", "E0103", "E0406", "E0407", "E0408", "E0409", "E0611"];
+const TESTED_ELSEWHERE: [&str; 9] = ["E0101", "E0102", "E0103", "E0210", "E0406", "E0407", "E0408", "E0409", "E0611"];
 
 /// From here on codes are about what sound files mean together: mechanisms, runs, folders. The tests of the command provoke
 /// those that can be provoked.

@@ -41,22 +41,94 @@ fn more_turns_than_anybody_waits_for_are_refused() {
 }
 
 #[test]
-fn analytic_more_numbers_than_a_computer_holds_are_refused() {
-    // 512 points of 2^24 runs, 1024 of the probability-only treatment and 128 of the interval-only one, each of two inputs, the largest
-    // deviation, and the twelve numbers that tell about a run with one play: 8 bytes each, over 2^30.
+fn analytic_more_runs_than_anybody_waits_for_are_refused() {
+    // 512 points of 2^24 runs, 1024 of the probability-only treatment and 128 of the interval-only one; at most 2^30.
     let sampling = "[sampling]\nouter = 512\ninner = 16777216\n\
         [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }";
     assert_eq!(
         said(sampling),
-        "study.toml:3:2: error[E0611]: 8589935744 runs of 15 numbers each are 960 GiB; must be at most 256 GiB\n\
-         hint: smaller outer and inner under [sampling] need fewer runs; poses need fewer numbers than curves"
+        "study.toml:3:2: error[E0611]: 8589935744 runs; must be at most 1073741824\n\
+         hint: smaller outer and inner under [sampling] need fewer runs"
+    );
+}
+
+/// 64 points of 2^22 runs are 2^28, of 15 numbers each: 400 bytes and 24 a number are 190 GiB.
+#[test]
+fn a_plan_larger_than_the_memory_at_hand_is_refused() {
+    let at_hand_gib = std::fs::read_to_string("/proc/meminfo").ok().and_then(|text| {
+        let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+        line.split_whitespace().next()?.parse::<f64>().ok()
+    });
+    if at_hand_gib.is_some_and(|kib| kib > 180e6) {
+        return;
+    }
+    let said = said(
+        "[sampling]\nouter = 64\ninner = 4194304\n\
+         [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }",
+    );
+    let (begin, end) = said.split_once("190.00 GiB of memory; ").expect("the need is told");
+    assert_eq!(begin, "study.toml:3:2: error[E0817]: 268436608 runs of 15 numbers each need about ");
+    assert!(end.contains(" GiB are at hand\nhint: smaller outer and inner under [sampling] need fewer runs"), "{end}");
+}
+
+/// The poses of a question are counted before they are compared with one another.
+#[test]
+fn more_poses_than_are_bounded_are_refused_at_the_first_too_many() {
+    let model = Model::from_text("model.toml", TEMPLATE.model).expect("a model");
+    let poses: Vec<String> = (0..50_000).map(|k| format!("\"{}.{:03} deg\"", k / 1000 * 7, k % 1000)).collect();
+    let text = format!(
+        "name = \"runaway\"\nmodel = \"model.toml\"\n{}[[ask]]\noutput = \"slider\"\nof = \"total\"\n\
+         poses = {{ crank = [{}] }}\nstatistics = [\"mean\"]\n",
+        ASKED.split("[[ask]]").next().expect("what is uncertain"),
+        poses.join(", ")
+    );
+    let complaints = Study::from_text("study.toml", &text, model).expect_err("too many poses").to_string();
+    let column = "poses = { crank = [".len() + poses[..2000].iter().map(|pose| pose.len() + 2).sum::<usize>() + 1;
+    assert_eq!(
+        complaints,
+        format!(
+            "study.toml:8:{column}: error[E0210]: [[ask]] 1: poses crank has 50000 poses; must be at most 2000\n\
+             hint: at = \"cycle\" asks for the whole curve"
+        )
+    );
+}
+
+/// A model with `bodies` moving bodies without joints, one on each line.
+fn crowd(bodies: usize) -> String {
+    let body = |k: usize| {
+        format!("[body.b{k}]\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\ncentre_of_mass = [\"0 m\", \"0 m\"]\n")
+    };
+    let bodies: String = (0..bodies).map(body).collect();
+    format!("name = \"crowd\"\ngravity = \"0 m/s^2\"\n[body.ground]\n{bodies}[cycle]\nduration = \"1 s\"\n")
+}
+
+#[test]
+fn more_bodies_than_are_computed_are_refused_at_the_first_too_many() {
+    assert!(Model::from_text("model.toml", &crowd(1000)).is_ok());
+    // Three lines, then four for each body.
+    assert_eq!(
+        Model::from_text("model.toml", &crowd(1003)).expect_err("too many").to_string(),
+        format!("model.toml:{}:7: error[E0210]: the file has 1003 moving bodies; must be at most 1000", 4 + 4 * 1000)
+    );
+}
+
+#[test]
+fn more_joints_than_are_computed_are_refused_at_the_first_too_many() {
+    let joint = |k: usize| format!("[joint.j{k}]\nkind = \"revolute\"\n");
+    let joints: String = (0..2001).map(joint).collect();
+    assert_eq!(
+        Model::from_text("model.toml", &format!("{}{joints}", crowd(1))).expect_err("too many").to_string(),
+        format!(
+            "model.toml:{}:8: error[E0210]: the file has 2001 joints; must be at most 2000",
+            3 + 4 + 2 + 1 + 2 * 2000
+        )
     );
 }
 
 #[test]
 fn analytic_a_large_sample_is_counted_without_being_drawn() {
     // Without intervals the double loop has one point, and the other treatments are none.
-    let inner = 12_582_912;
+    let inner = 1_572_864;
     let study = study_of(TEMPLATE.model, &format!("[sampling]\ninner = {inner}"));
     let of_extremes = plan_runs(&study).expect("a plan") - inner;
     let small = plan_runs(&study_of(TEMPLATE.model, "[sampling]\ninner = 48")).expect("a plan");

@@ -18,6 +18,8 @@ use crate::console::counted;
 
 /// Angles in sentences are shown to this, rad: a hundredth of a degree picks an assembly well enough.
 const SHOWN_ANGLE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
+/// Other ways of assembling that are shown: loops that close in two ways each double their number.
+const SHOWN_ASSEMBLIES: usize = 16;
 /// Lengths of positions are shown to this, m.
 const SHOWN_LENGTH_M: f64 = 1e-8;
 
@@ -327,8 +329,11 @@ fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: 
     }
     let ways = if others.len() == 1 { "in one other way" } else { "in other ways" };
     let _ = writeln!(text, "The loops close at this start {ways} as well; to choose, write under [assembly]");
-    for other in others {
+    for other in others.iter().take(SHOWN_ASSEMBLIES) {
         let _ = writeln!(text, "  {}", guess_words(model, other, tried));
+    }
+    if others.len() > SHOWN_ASSEMBLIES {
+        let _ = writeln!(text, "  and {} more", others.len() - SHOWN_ASSEMBLIES);
     }
 }
 
@@ -383,10 +388,14 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
     let _ = writeln!(
         text,
         "{}",
-        if mechanism.is_driven() {
-            "The loops close all the way round, and the first steps of the run succeed."
-        } else {
-            "The first steps of the run succeed."
+        match (mechanism.is_driven(), tried.is_run) {
+            (true, true) => "The loops close all the way round, and the first steps of the run succeed.".to_owned(),
+            (false, true) => "The first steps of the run succeed.".to_owned(),
+            (is_driven, false) => {
+                let closing = if is_driven { "The loops close all the way round. " } else { "" };
+                let size = mechanism.real.free;
+                format!("{closing}The run was not tried: its equations of motion for {size} coordinates take too long.")
+            }
         }
     );
 }

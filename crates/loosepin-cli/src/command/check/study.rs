@@ -3,16 +3,13 @@
 use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{Budget, CorrelationMeasure, Study, StudyError, distribution_words, plan_runs, time_a_run_s};
+use loosepin::study::{Budget, CorrelationMeasure, Foreseen, Study, StudyError, distribution_words, foresee};
 use loosepin::uncertainty::EpistemicVariable;
 use loosepin::units::{Dimension, format_number, format_value};
 
 use super::trial::Trial;
 use crate::console::{counted, duration};
 use crate::ending::Failure;
-
-/// Evaluations after which a timed run is given up: a hundredth of a second or so.
-const TIMED_EVALUATIONS: u64 = 1_000_000;
 
 /// The values of the model with every interval input in the middle of its interval, every number of a list at the first.
 ///
@@ -40,8 +37,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         counted(study.asks.len(), "question", "questions"),
         counted(study.requirements.len(), "requirement", "requirements")
     );
-    let most_runs = plan_runs(study).map_err(|error| error.complaint(study))?;
-    let run_s = time_a_run_s(study, TIMED_EVALUATIONS).map_err(|error| match error {
+    let Foreseen { most_runs, run_s } = foresee(study).map_err(|error| match error {
         StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
         error => error.complaint(study),
     })?;
@@ -55,13 +51,16 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         format_value(tried.turn_s, Dimension::TIME),
         study.sampling.tolerance_m
     );
-    let time = duration(run_s * most_runs as f64 / threads as f64);
+    let time = match run_s {
+        Some(run_s) => format!("about {}", duration(run_s * most_runs as f64 / threads as f64)),
+        None => "longer than can be foreseen".to_owned(),
+    };
     let before = match study.budget {
         Some(Budget::Time { .. } | Budget::Rounds { .. }) if !study.accuracy.is_empty() => " before its samples grow",
         _ => "",
     };
     let threads = counted(threads, "thread", "threads");
-    let _ = writeln!(text, "At most {}{before}: about {time} on {threads}", counted(most_runs, "run", "runs"));
+    let _ = writeln!(text, "At most {}{before}: {time} on {threads}", counted(most_runs, "run", "runs"));
     Ok(text)
 }
 

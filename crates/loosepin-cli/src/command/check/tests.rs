@@ -186,3 +186,63 @@ fn no_mutated_study_makes_check_panic() {
         })
         .unwrap_or_else(|error| panic!("{error}"));
 }
+
+/// What `check` says of a model, or complains about.
+fn said(text: &str) -> String {
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    match describe_input(InputFile::Model(Box::new(model))) {
+        Ok(words) => words,
+        Err(Failure::Complaints(complaints)) => complaints.to_string(),
+        Err(Failure::Output(error)) => panic!("{error}"),
+    }
+}
+
+/// A chain of links that hangs on the ground.
+fn chain(links: usize) -> String {
+    let link = |k: usize| {
+        let bearing = if k == 0 { "ground.o".to_owned() } else { format!("b{}.q", k - 1) };
+        format!(
+            "[body.b{k}]\nmass = \"0.7 kg\"\ninertia = \"2e-3 kg m^2\"\ncentre_of_mass = [\"40 mm\", \"0 mm\"]\n\
+             points = {{ p = [\"0 mm\", \"0 mm\"], q = [\"90 mm\", \"0 mm\"] }}\n\
+             [joint.j{k}]\nkind = \"revolute\"\nbearing = \"{bearing}\"\njournal = \"b{k}.p\"\n\
+             [initial.body.b{k}]\nangle = \"{} deg\"\n",
+            7 * k % 50
+        )
+    };
+    format!(
+        "name = \"chain\"\ngravity = \"9.81 m/s^2\"\n[body.ground]\npoints = {{ o = [\"0 mm\", \"0 mm\"] }}\n{}\
+         [cycle]\nduration = \"1 s\"\n",
+        (0..links).map(link).collect::<String>()
+    )
+}
+
+#[test]
+fn a_chain_whose_equations_are_too_long_is_described_without_a_run() {
+    assert!(said(&chain(12)).ends_with("\nThe first steps of the run succeed.\n"));
+    let long = said(&chain(300));
+    assert!(
+        long.ends_with("\nThe run was not tried: its equations of motion for 300 coordinates take too long.\n"),
+        "{long}"
+    );
+}
+
+#[test]
+fn more_turns_than_a_run_can_have_are_refused_with_play_and_without() {
+    let text = case_text("slider_crank_5000", "model.toml");
+    let turns = text.lines().map(|line| {
+        let is_other = line.starts_with("transient_turns") || line.starts_with("recorded_turns");
+        if is_other || line.starts_with("samples_per_turn") { "" } else { line }
+    });
+    let text = turns.collect::<Vec<_>>().join("\n");
+    let text = text.replace("[cycle]", "[cycle]\nrecorded_turns = 1e6\nsamples_per_turn = 1");
+    let place = 1 + text.lines().position(|line| line == "[cycle]").expect("a cycle");
+    let expected = format!(
+        "model.toml:{place}:2: error[E0804]: 1000002 turns take at least 1.15e9 evaluations; must be at most 3.00e8\n\
+         hint: ask for fewer turns"
+    );
+    assert_eq!(said(&text), expected);
+    let ideal = text
+        .lines()
+        .map(|line| if line.starts_with("radial_clearance") { "radial_clearance = \"0 mm\"" } else { line });
+    assert_eq!(said(&ideal.collect::<Vec<_>>().join("\n")), expected);
+}

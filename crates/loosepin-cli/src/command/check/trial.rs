@@ -2,21 +2,29 @@
 
 use std::f64::consts::TAU;
 
-use loosepin::mechanism::{Mechanism, Sample};
+use loosepin::mechanism::{IdealMotion, Kinematics, Mechanism, Sample};
 use loosepin::model::{DriveId, JointKind, Values};
-use loosepin::simulate::{IdealReference, RunFailure, Settings, Window, input, run};
-use loosepin::simulate::{Observer, Step};
+use loosepin::simulate::{Observer, Plan, RunFailure, Settings, Step, Window, input, run};
 
-/// Positions of a turn in which the ideal mechanism is closed.
-const POSITIONS_PER_TURN: usize = 360;
+/// Positions of a turn in which the ideal mechanism is closed; of hundreds of links fewer, since each takes the square of the free
+/// coordinates. Between them the motion is followed in steps of a fifth of a radian.
+const POSITIONS_PER_TURN: f64 = 360.0;
+const LEAST_POSITIONS_PER_TURN: f64 = 36.0;
+const POSITIONS_TIMES_SQUARES: f64 = 5e7;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
 const MOST_TURNS: f64 = 20.0;
 /// Turns of the fastest drive that are looked at, at most: a second drive may be very much faster than the one that counts.
 const MOST_TURNS_OF_THE_FASTEST: f64 = 1000.0;
+/// The mechanism is where it was a turn before when no body is further off than this share of its size, or turned by more, rad.
+const SAME: f64 = 1e-6;
 /// Share of a turn that the dynamic trial lasts.
 const TRIAL_TURNS: f64 = 1.0 / 360.0;
 /// Evaluations after which the trial has shown enough: a slow mechanism settles into resting contact long before.
-const TRIAL_EVALUATIONS: u64 = 100_000;
+const TRIAL_EVALUATIONS: f64 = 100_000.0;
+/// Multiplications that the trial may take, a few tenths of a second: of a chain of many links an evaluation alone takes millions.
+const TRIAL_MULTIPLICATIONS: f64 = 2e8;
+/// Evaluations of the first two steps, without which a trial shows nothing.
+const LEAST_EVALUATIONS: f64 = 26.0;
 
 /// Result of the trial.
 #[derive(Debug)]
@@ -25,6 +33,8 @@ pub struct Trial {
     pub start: Vec<BodyStart>,
     /// Duration of a turn of the cycle's drive, s.
     pub turn_s: f64,
+    /// Whether the first steps of the run were made.
+    pub is_run: bool,
 }
 
 /// Where a body is at the start.
@@ -41,29 +51,79 @@ pub struct BodyStart {
 /// # Errors
 /// The first position that does not close, or why the run failed.
 pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailure> {
-    let cycle = &mechanism.model.cycle;
-    let turn_s = input(mechanism, values, cycle.span)?.turn_s();
+    let turn_s = input(mechanism, values, mechanism.model.cycle.span)?.turn_s();
     let sample = Sample::new(mechanism, values)?;
-    let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
-    let settings = Settings { largest_evaluations: TRIAL_EVALUATIONS, ..Settings::for_simulation() };
-    let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
-    let mut motion = IdealReference::new(&ideal, &ideal_sample, window.end_s, &settings)?;
-    let start = body_starts(mechanism, values, motion.at(0.0, false)?);
-    let turns = if mechanism.is_driven() {
-        (cycle.transient_turns + cycle.recorded_turns)
-            .min(MOST_TURNS)
-            .min(MOST_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, &sample, turn_s))
+    Plan::of_model(&mechanism.model).check(mechanism, &sample, values)?;
+    let start = if mechanism.is_driven() {
+        close_all_round(mechanism, values, &sample, turn_s)?
     } else {
-        0.0
+        let (ideal, sample) = (mechanism.without_play(), sample.clone().without_play());
+        let (coordinates, _) = ideal.start(&sample)?;
+        let mut kinematics = Kinematics::new(&ideal.ideal);
+        kinematics.set_positions(&ideal.ideal, &sample.ideal, &coordinates);
+        let start = body_starts(mechanism, values, &kinematics);
+        if !mechanism.plays.is_empty() {
+            // What a run is compared with.
+            first_steps(&ideal, &sample, turn_s)?;
+        }
+        start
     };
-    let positions = (turns * POSITIONS_PER_TURN as f64).ceil() as usize;
+    let is_run = first_steps(mechanism, &sample, turn_s)?;
+    Ok(Trial { start, turn_s, is_run })
+}
+
+/// Closes the ideal mechanism in all positions of its cycle until they repeat themselves; gives where it starts.
+fn close_all_round(
+    mechanism: &Mechanism,
+    values: &Values,
+    sample: &Sample<f64>,
+    turn_s: f64,
+) -> Result<Vec<BodyStart>, RunFailure> {
+    let cycle = &mechanism.model.cycle;
+    let mut motion = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+    let start = motion.kinematics().poses.clone();
+    let starts = body_starts(mechanism, values, motion.kinematics());
+    let turns = (cycle.transient_turns + cycle.recorded_turns)
+        .min(MOST_TURNS)
+        .min(MOST_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, sample, turn_s));
+    let square = (mechanism.ideal.free as f64).powi(2);
+    let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(LEAST_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
+    let positions = (turns * per_turn).ceil() as usize;
+    let is_steady = (0..mechanism.model.drives.len()).all(|k| sample.drives.constant_speed(DriveId(k)).is_some());
     for position in 1..=positions {
-        motion.at(turns * turn_s * position as f64 / positions as f64, false)?;
+        motion.move_to(turns * turn_s * position as f64 / positions as f64)?;
+        let is_same = || {
+            start.iter().zip(&motion.kinematics().poses).all(|(before, now)| {
+                let turned_rad = now.angle_rad - before.angle_rad;
+                (now.position_m - before.position_m).length() <= SAME * mechanism.size_m
+                    && (turned_rad - TAU * (turned_rad / TAU).round()).abs() <= SAME
+            })
+        };
+        if is_steady && position.is_multiple_of(per_turn as usize) && is_same() {
+            break;
+        }
     }
-    match run(mechanism, &sample, &window, &settings, &mut Unobserved) {
-        Ok(_) | Err(RunFailure::TooManyEvaluations { .. }) => Ok(Trial { start, turn_s }),
+    Ok(starts)
+}
+
+/// Runs the first stretch; false where an evaluation is too long for that.
+fn first_steps(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> Result<bool, RunFailure> {
+    let evaluations = trial_evaluations(mechanism.is_ideal(), mechanism.multiplications());
+    if evaluations < LEAST_EVALUATIONS {
+        return Ok(false);
+    }
+    let settings = Settings { largest_evaluations: evaluations as u64, ..Settings::for_simulation() };
+    let window = Window { start_s: 0.0, end_s: TRIAL_TURNS * turn_s };
+    match run(mechanism, sample, &window, &settings, &mut Unobserved) {
+        Ok(_) => Ok(true),
+        Err(RunFailure::TooManyEvaluations { time_s, .. }) => Ok(time_s > 0.0),
         Err(failure) => Err(failure),
     }
+}
+
+/// Evaluations of the trial at most. A motion that its drives determine needs none of its equations of motion.
+fn trial_evaluations(is_ideal: bool, multiplications: f64) -> f64 {
+    if is_ideal { TRIAL_EVALUATIONS } else { TRIAL_EVALUATIONS.min(TRIAL_MULTIPLICATIONS / multiplications) }
 }
 
 /// Turns of the fastest drive in one turn of the cycle, >= 1. Lengths count as angles over the size of the mechanism; a motion
@@ -80,15 +140,11 @@ fn speed_ratio(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> f64 
     (rates.fold(0.0, f64::max) * turn_s / TAU).max(1.0)
 }
 
-fn body_starts(
-    mechanism: &Mechanism,
-    values: &Values,
-    ideal: &loosepin::dynamics::Dynamics<'_, f64>,
-) -> Vec<BodyStart> {
+fn body_starts(mechanism: &Mechanism, values: &Values, ideal: &Kinematics<f64>) -> Vec<BodyStart> {
     let bodies = mechanism.model.bodies.iter().enumerate();
     bodies
         .map(|(index, body)| {
-            let pose = &ideal.kinematics.poses[mechanism.ideal.slot_of_body[index]];
+            let pose = &ideal.poses[mechanism.ideal.slot_of_body[index]];
             let point_m = |x: f64, y: f64| {
                 let point = pose.point_m(loosepin::math::Vec2::new(x, y));
                 [point.x, point.y]

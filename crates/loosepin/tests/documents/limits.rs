@@ -1,0 +1,28 @@
+//! The page of limits states the numbers of the code.
+
+use loosepin::model::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
+use loosepin::simulate::{MOST_NUMBERS, MOST_ROWS, Settings};
+use loosepin::study::{MOST_COLUMNS, MOST_POSES, MOST_RUNS, STATED_BYTES};
+
+#[test]
+fn every_limit_stands_on_its_page() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/files/limits.md");
+    let page = std::fs::read_to_string(path).expect("the page is there");
+    let stated = |what: &str, most: u64| {
+        let row = page.lines().find(|line| line.starts_with(&format!("| {what}")));
+        let row = row.unwrap_or_else(|| panic!("there is no row '{what}'"));
+        let cell = row.split('|').nth(2).expect("a table");
+        let number = cell.trim().split_whitespace().next().unwrap_or_default();
+        assert_eq!(number, most.to_string(), "{row}");
+    };
+    stated("moving bodies", MOST_BODIES as u64);
+    stated("joints", MOST_JOINTS as u64);
+    stated("contacts", MOST_ENTRIES as u64);
+    stated("rows of a history", MOST_ROWS as u64);
+    stated("numbers of a history", MOST_NUMBERS as u64);
+    stated("evaluations of the equations of motion", Settings::for_simulation().largest_evaluations);
+    stated("poses of a question", MOST_POSES as u64);
+    stated("numbers of a run", MOST_COLUMNS as u64);
+    stated("runs", MOST_RUNS);
+    stated("others", STATED_BYTES >> 30);
+}
