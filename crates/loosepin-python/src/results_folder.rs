@@ -65,7 +65,9 @@ pub fn conduct_in_folder(
         with_force: meeting.with_force,
     };
     // Planned first, so that a study that cannot begin leaves no folder behind.
-    loosepin::study::plan_runs(study).map_err(|error| error.complaint(study))?;
+    if !claim.is_finished().map_err(complain)? {
+        loosepin::study::plan_runs(study).map_err(|error| error.complaint(study))?;
+    }
     let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
     let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {

@@ -169,7 +169,9 @@ pub fn simulate_until(
         simulation.record.stop = StopReason::Failed { code: failure.code().to_owned(), words: failure.to_string() };
         simulation.failure = Some(failure);
     }
-    if let Some(turns) = plan.lyapunov_turns {
+    if let Some(turns) = plan.lyapunov_turns
+        && simulation.failure.is_none()
+    {
         let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
         let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
         simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent)?);

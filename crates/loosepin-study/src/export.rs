@@ -73,7 +73,9 @@ pub fn export_networks(
     if !written.is_finished()
         && let Err(error) = write(&mut written, &files)
     {
-        written.abandon()?;
+        if !written.is_finished() {
+            written.abandon()?;
+        }
         return Err(error.into());
     }
     Ok(files.into_iter().map(|(file_name, _)| folder.join(file_name)).collect())

@@ -40,7 +40,9 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         place: Place::Folder(results(arguments, &shards)?),
         with_force: arguments.output.force,
     };
-    plan_shards(&study).map_err(|error| error.complaint(&study))?;
+    if !claim.is_finished()? {
+        plan_shards(&study).map_err(|error| error.complaint(&study))?;
+    }
     let stop = stop_on_signals("Ctrl-C ends the merge at once; the shards keep their runs");
     let of = record.of;
     let stores: Vec<(Shard, PathBuf)> = (1..)

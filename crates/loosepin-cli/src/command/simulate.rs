@@ -60,9 +60,12 @@ fn simulated(
 ) -> Ending {
     let model = &mechanism.model;
     let mut simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(model))?;
-    check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;
-    for table in measured {
-        lay_over(table, &mut simulation.record)?;
+    // A run that failed is written as it is, without what follows from it.
+    if simulation.failure.is_none() {
+        check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;
+        for table in measured {
+            lay_over(table, &mut simulation.record)?;
+        }
     }
     folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
     folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;

@@ -32,7 +32,9 @@ pub fn run(arguments: &StudyArguments) -> Ending {
         return shard::run(arguments, shard, &study, claim);
     }
     // Planned first, so that a study that cannot begin leaves no folder behind.
-    loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
+    if !claim.is_finished()? {
+        loosepin::study::plan_runs(&study).map_err(|error| error.complaint(&study))?;
+    }
     let stop = stop_on_signals("Ctrl-C ends the study at once; saved runs are kept");
     let beginning = Beginning::stated(claim.with_force, arguments.resume);
     let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;

@@ -166,8 +166,9 @@ impl ResultsFolder {
     /// # Errors
     /// An error of the file system.
     pub fn finish(&mut self) -> Result<(), ResultsError> {
-        self.marker.is_finished = true;
-        self.marker.write(&self.path)?;
+        let finished = Marker { is_finished: true, ..self.marker.clone() };
+        finished.write(&self.path)?;
+        self.marker = finished;
         // What was replaced goes only now that its successor is whole.
         self.remove_replaced()
     }

@@ -25,7 +25,11 @@ pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), ResultsError> {
         fs::rename(&partial, path)?;
         flush_folder(path)
     };
-    written().map_err(|source| ResultsError::Write { path: path.to_owned(), source })
+    written().map_err(|source| {
+        // What is not whole is in the way of whoever comes next, and takes the room that may be missing.
+        let _ = fs::remove_file(&partial);
+        ResultsError::Write { path: path.to_owned(), source }
+    })
 }
 
 /// Flushes the entries of the folder of `path`, where the platform lets a folder be opened.

@@ -38,7 +38,8 @@ impl StudyReader {
         let joints = self.model.joints.iter().filter_map(|joint| Some((joint, joint.kind.play()?.0)));
         let smallest = joints.filter_map(|(joint, clearance)| {
             let sizes = SMALL.into_iter().filter_map(|small| self.clearance_m(clearance, small));
-            let clearance_m = sizes.into_iter().find(|size| *size > 0.0)?;
+            // The smallest of all inputs at once may be impossible where each of them alone is not.
+            let clearance_m = sizes.chain(self.middle_clearance_m(clearance)).find(|size| *size > 0.0)?;
             Some(SmallestClearance { joint: joint.name.clone(), clearance_m })
         });
         smallest.min_by(|a, b| a.clearance_m.total_cmp(&b.clearance_m))
@@ -62,6 +63,12 @@ impl StudyReader {
             chosen[index].1 = if at_end[1]? < at_end[0]? { ends[1] } else { ends[0] };
         }
         with(&chosen)
+    }
+
+    /// A clearance with all inputs in the middle.
+    fn middle_clearance_m(&self, clearance: QuantityId) -> Option<f64> {
+        let middle = self.input_ends(0.5).into_iter().map(|(quantity, [low, high])| (quantity, 0.5 * (low + high)));
+        Some(self.model.quantities.evaluate(&middle.collect::<Vec<_>>()).ok()?[clearance])
     }
 
     fn input_ends(&self, small: f64) -> Vec<(QuantityId, [f64; 2])> {

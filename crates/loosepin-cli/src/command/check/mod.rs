@@ -10,7 +10,6 @@ use std::path::Path;
 
 use loosepin::diagnostics::Complaints;
 use loosepin::mechanism::Mechanism;
-use loosepin::model::{Model, Values};
 use loosepin::study::InputFile;
 
 use super::inputs::warn;
@@ -44,22 +43,21 @@ fn describe_input(file: InputFile) -> Result<String, Failure> {
         InputFile::Model(model) => {
             warn(&model.warnings);
             let values = model.quantities.nominal();
-            let (mechanism, tried) = compile_and_try(&model, &values)?;
+            let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
+            // A study has a cycle of its own, with limits of its own.
+            trial::check_run(&mechanism, &values).map_err(|failure| failure.complaint(&model))?;
+            let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(&model))?;
             Ok(mechanism::words(&mechanism, &values, &tried))
         }
         InputFile::Study(study) => {
             warn(&study.warnings);
             let values = study::middle_values(&study)?;
-            let (_, tried) = compile_and_try(&study.model, &values)?;
+            let model = &study.model;
+            let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+            let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
             study::words(&study, &tried)
         }
     }
-}
-
-fn compile_and_try(model: &Model, values: &Values) -> Result<(Mechanism, trial::Trial), Failure> {
-    let mechanism = Mechanism::new(model, values).map_err(|error| error.complaint(model))?;
-    let tried = trial::try_out(&mechanism, values).map_err(|failure| failure.complaint(model))?;
-    Ok((mechanism, tried))
 }
 
 #[cfg(test)]

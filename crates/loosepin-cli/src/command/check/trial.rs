@@ -46,6 +46,14 @@ pub struct BodyStart {
     pub points_m: Vec<[f64; 2]>,
 }
 
+/// Holds the run that the model asks for against the limits of runs.
+///
+/// # Errors
+/// The limit that it exceeds.
+pub fn check_run(mechanism: &Mechanism, values: &Values) -> Result<(), RunFailure> {
+    Plan::of_model(&mechanism.model).check(mechanism, &Sample::new(mechanism, values)?, values)
+}
+
 /// Closes the ideal mechanism all around its cycle where drives move it, and runs the first stretch of the real one.
 ///
 /// # Errors
@@ -53,7 +61,6 @@ pub struct BodyStart {
 pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailure> {
     let turn_s = input(mechanism, values, mechanism.model.cycle.span)?.turn_s();
     let sample = Sample::new(mechanism, values)?;
-    Plan::of_model(&mechanism.model).check(mechanism, &sample, values)?;
     let start = if mechanism.is_driven() {
         close_all_round(mechanism, values, &sample, turn_s)?
     } else {

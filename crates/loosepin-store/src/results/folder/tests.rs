@@ -303,6 +303,27 @@ fn every_reader_holds_the_files_against_their_hashes() {
     assert_eq!(marker(&contents(&path)), marker(&before));
 }
 
+/// A folder in the place of a file lets nothing be written under its name, as a full disk does.
+#[test]
+fn what_could_not_be_written_leaves_nothing_behind() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    finished(&path, "a");
+    let before = contents(&path);
+    let mut folder = claim(&path, "b", true).take().expect("forced");
+    fs::create_dir(path.join("summary.json")).expect("writable");
+    folder.write("summary.json", b"{}").expect_err("a folder is there");
+    fs::remove_dir(path.join("summary.json")).expect("removable");
+    // The last of its files is the marker: the result is not finished where that is not there.
+    fs::remove_file(path.join(MARKER_FILE)).expect("removable");
+    fs::create_dir(path.join(MARKER_FILE)).expect("writable");
+    folder.finish().expect_err("a folder is there");
+    assert!(!folder.is_finished());
+    fs::remove_dir(path.join(MARKER_FILE)).expect("removable");
+    folder.abandon().expect("removable");
+    assert_eq!(contents(&path), before, "the finished result is back, and nothing beside it");
+}
+
 #[test]
 fn a_page_that_is_written_again_enters_the_list_again() {
     let root = tempfile::tempdir().expect("a folder");
