@@ -185,7 +185,7 @@ fn scaled(case: &str, factor: f64) -> Built {
 
 #[test]
 fn identity_degrees_of_freedom_are_those_of_any_size() {
-    for case in ["slider_crank_worn_pin", "inverted_slider_crank_literal", "four_bar_600", "eight_bar"] {
+    for case in ["slider_crank_worn_pin", "inverted_slider_crank_literal", "four_bar_600"] {
         let natural = scaled(case, 1.0);
         for factor in [1e-9, 1e-3, 1e10] {
             let built = scaled(case, factor);
