@@ -61,6 +61,13 @@ def test_compressed_runs_of_an_earlier_state_are_refused(desk, result, tmp_path)
     shutil.copytree(desk / "command", tmp_path / "earlier")
     runs = tmp_path / "earlier/runs.parquet"
     pyarrow.parquet.write_table(pyarrow.parquet.read_table(runs), runs, compression="zstd")
+    with pytest.raises(lp.LoosepinError) as changed:
+        lp.Study.load(desk / "study.toml").run(tmp_path / "earlier", progress=False)
+    assert changed.value.code == "E0913"
+    assert "runs.parquet is not the file that the study" in str(changed.value)
+    # As if it had been written so.
+    marker = tmp_path / "earlier/loosepin.json"
+    marker.write_text(json.dumps(json.loads(marker.read_text()) | {"files": {"summary.json": None, "runs.parquet": None}}))
     with pytest.raises(lp.LoosepinError) as refused:
         lp.Study.load(desk / "study.toml").run(tmp_path / "earlier", progress=False)
     assert refused.value.code == "E0902"
