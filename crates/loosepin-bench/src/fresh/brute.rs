@@ -1,0 +1,88 @@
+//! Extremes of functions of one or two numbers in the unit box by brute force: a grid, then smaller and smaller grids around its best
+//! local extremes and around every place that is known to matter.
+
+/// Points of the grid on an axis.
+const ALONG_ONE: usize = 20_001;
+const ALONG_TWO: usize = 201;
+/// From so many of the best local extremes of the grid the search goes on.
+const STARTS: usize = 12;
+/// Each grid around a start is this share of the one before, until it is smaller than round-off.
+const SHRINK: f64 = 0.6;
+const GRIDS: usize = 66;
+/// Points of such a grid on an axis.
+const AROUND: i32 = 2;
+
+/// An extreme and where it is.
+#[derive(Debug, Clone)]
+pub struct Extreme {
+    /// The value.
+    pub value: f64,
+    /// Its place in the unit box.
+    pub at: Vec<f64>,
+}
+
+/// The least and the greatest value of `f`; `known` are places, and `curves` lines, where it may have a sharp extreme.
+pub fn extremes(
+    f: &dyn Fn(&[f64]) -> f64,
+    dimensions: usize,
+    known: &[Vec<f64>],
+    curves: &[Box<dyn Fn(f64) -> Vec<f64>>],
+) -> [Extreme; 2] {
+    [-1.0, 1.0].map(|sign| {
+        let mut best = greatest(&|at| sign * f(at), dimensions, known);
+        for curve in curves {
+            let along = greatest(&|s| sign * f(&curve(s[0])), 1, &[]);
+            if along.value > best.value {
+                best = Extreme { at: curve(along.at[0]), ..along };
+            }
+        }
+        Extreme { value: sign * best.value, ..best }
+    })
+}
+
+fn greatest(f: &dyn Fn(&[f64]) -> f64, dimensions: usize, known: &[Vec<f64>]) -> Extreme {
+    let per_axis = if dimensions == 1 { ALONG_ONE } else { ALONG_TWO };
+    let step = 1.0 / (per_axis - 1) as f64;
+    let place = |index: usize| -> Vec<f64> {
+        (0..dimensions).map(|axis| (index / per_axis.pow(axis as u32) % per_axis) as f64 * step).collect()
+    };
+    let values: Vec<f64> = (0..per_axis.pow(dimensions as u32)).map(|index| f(&place(index))).collect();
+    let is_local = |index: usize| {
+        (0..dimensions).all(|axis| {
+            let stride = per_axis.pow(axis as u32);
+            let at = index / stride % per_axis;
+            (at == 0 || values[index - stride] <= values[index])
+                && (at + 1 == per_axis || values[index + stride] <= values[index])
+        })
+    };
+    let mut starts: Vec<usize> = (0..values.len()).filter(|&index| is_local(index)).collect();
+    starts.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+    starts.truncate(STARTS);
+    let starts = starts.into_iter().map(place).chain(known.iter().cloned());
+    let climbed = starts.map(|start| climb(f, start, 2.0 * step));
+    climbed
+        .reduce(|best, other| if other.value > best.value { other } else { best })
+        .expect("a grid has a greatest value")
+}
+
+fn climb(f: &dyn Fn(&[f64]) -> f64, start: Vec<f64>, width: f64) -> Extreme {
+    let mut best = Extreme { value: f(&start), at: start };
+    let mut width = width;
+    for _ in 0..GRIDS {
+        let centre = best.at.clone();
+        let across = 2 * AROUND + 1;
+        for index in 0..across.pow(centre.len() as u32) {
+            let along = |(axis, centre): (usize, &f64)| {
+                let step = index / across.pow(axis as u32) % across - AROUND;
+                (centre + 0.5 * width * f64::from(step)).clamp(0.0, 1.0)
+            };
+            let at: Vec<f64> = centre.iter().enumerate().map(along).collect();
+            let value = f(&at);
+            if value > best.value {
+                best = Extreme { value, at };
+            }
+        }
+        width *= SHRINK;
+    }
+    best
+}

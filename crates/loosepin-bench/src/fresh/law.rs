@@ -1,0 +1,195 @@
+//! Random parts Z of a response, whose distribution is known.
+
+use super::draw::Draw;
+use loosepin_uncertainty::{Distribution, hash, normal, normal_cdf, normal_quantile};
+
+/// How Z follows from the random inputs.
+#[derive(Debug, Clone)]
+pub enum Law {
+    /// A weighted sum of standard normal inputs, the squares of the weights adding to 1: standard normal.
+    Sum(Vec<f64>),
+    /// Standard normal, of which a share (standard deviation) is noise that any change of x or u draws anew, as chaotic motion.
+    Chaotic {
+        /// Standard deviation of the noise, in (0, 1).
+        noise: f64,
+    },
+    /// Uniform in \[-1, 1\].
+    Uniform,
+    /// exp(σ X), X standard normal.
+    Lognormal {
+        /// σ.
+        sigma: f64,
+    },
+    /// |X|, X standard normal.
+    Absolute,
+    /// One of some values.
+    Discrete {
+        /// Values, rising.
+        values: Vec<f64>,
+        /// Their probabilities.
+        probabilities: Vec<f64>,
+    },
+    /// X + jump where a second normal input exceeds a threshold.
+    RareBranch {
+        /// What the branch adds.
+        jump: f64,
+        /// Threshold of the second input.
+        threshold: f64,
+    },
+}
+
+impl Law {
+    /// A law.
+    pub fn draw(draw: &mut Draw, is_rough: bool) -> Self {
+        if is_rough && draw.chance(0.5) {
+            return Self::Chaotic { noise: draw.between(0.3, 0.95) };
+        }
+        match draw.below(10) {
+            0..=2 => Self::Sum(vec![1.0]),
+            3 | 4 => {
+                let weights: Vec<f64> = (0..2 + draw.below(3)).map(|_| draw.between(0.2, 1.0)).collect();
+                let length = weights.iter().map(|weight| weight * weight).sum::<f64>().sqrt();
+                Self::Sum(weights.into_iter().map(|weight| weight / length).collect())
+            }
+            5 => Self::Uniform,
+            6 => Self::Lognormal { sigma: draw.of_size(0.3, 1.5) },
+            7 => Self::Absolute,
+            8 => {
+                let count = 2 + draw.below(4);
+                let mut value = draw.between(-2.0, 0.0);
+                let values = (0..count).map(|_| {
+                    value += draw.between(0.3, 1.5);
+                    value
+                });
+                let values = values.collect();
+                let weights: Vec<f64> = (0..count).map(|_| draw.of_size(0.05, 1.0)).collect();
+                let sum: f64 = weights.iter().sum();
+                Self::Discrete { values, probabilities: weights.into_iter().map(|weight| weight / sum).collect() }
+            }
+            _ => Self::RareBranch {
+                jump: draw.sign() * draw.between(2.0, 8.0),
+                threshold: normal_quantile(1.0 - draw.of_size(0.002, 0.1)),
+            },
+        }
+    }
+
+    /// In one word.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Sum(weights) if weights.len() == 1 => "normal",
+            Self::Sum(_) => "sum",
+            Self::Chaotic { .. } => "chaotic",
+            Self::Uniform => "uniform",
+            Self::Lognormal { .. } => "lognormal",
+            Self::Absolute => "absolute",
+            Self::Discrete { .. } => "discrete",
+            Self::RareBranch { .. } => "rare-branch",
+        }
+    }
+
+    /// The random inputs.
+    pub fn inputs(&self) -> Vec<Distribution> {
+        let standard = Distribution::Normal { mean: 0.0, standard_deviation: 1.0 };
+        match self {
+            Self::Sum(weights) => vec![standard; weights.len()],
+            Self::Uniform => vec![Distribution::Uniform { lower: -1.0, upper: 1.0 }],
+            Self::Discrete { values, probabilities } => {
+                vec![Distribution::Discrete { values: values.clone(), probabilities: probabilities.clone() }]
+            }
+            Self::RareBranch { .. } => vec![standard; 2],
+            Self::Chaotic { .. } | Self::Lognormal { .. } | Self::Absolute => vec![standard],
+        }
+    }
+
+    /// Z of random inputs; of the epistemic inputs only the noise of chaotic motion depends.
+    pub fn value(&self, x: &[f64], u: &[f64]) -> f64 {
+        match self {
+            Self::Sum(weights) => weights.iter().zip(x).map(|(weight, x)| weight * x).sum(),
+            Self::Chaotic { noise } => {
+                let key = u.iter().fold(x[0].to_bits(), |key, u| hash(key, u.to_bits()));
+                (1.0 - noise * noise).sqrt() * x[0] + noise * normal(key, 1)
+            }
+            Self::Uniform | Self::Discrete { .. } => x[0],
+            Self::Lognormal { sigma } => libm::exp(sigma * x[0]),
+            Self::Absolute => x[0].abs(),
+            Self::RareBranch { jump, threshold } => x[0] + if x[1] > *threshold { *jump } else { 0.0 },
+        }
+    }
+
+    /// E(Z).
+    pub fn mean(&self) -> f64 {
+        match self {
+            Self::Sum(_) | Self::Chaotic { .. } | Self::Uniform => 0.0,
+            Self::Lognormal { sigma } => libm::exp(0.5 * sigma * sigma),
+            Self::Absolute => std::f64::consts::FRAC_2_PI.sqrt(),
+            Self::Discrete { values, probabilities } => values.iter().zip(probabilities).map(|(v, p)| v * p).sum(),
+            Self::RareBranch { jump, threshold } => jump * normal_cdf(-threshold),
+        }
+    }
+
+    /// Standard deviation of Z.
+    pub fn standard_deviation(&self) -> f64 {
+        let variance = match self {
+            Self::Sum(_) | Self::Chaotic { .. } => 1.0,
+            Self::Uniform => 1.0 / 3.0,
+            Self::Lognormal { sigma } => libm::exp(sigma * sigma) * libm::expm1(sigma * sigma),
+            Self::Absolute => 1.0 - std::f64::consts::FRAC_2_PI,
+            Self::Discrete { values, probabilities } => {
+                let mean = self.mean();
+                values.iter().zip(probabilities).map(|(v, p)| p * (v - mean) * (v - mean)).sum()
+            }
+            Self::RareBranch { jump, threshold } => {
+                let probability = normal_cdf(-threshold);
+                1.0 + jump * jump * probability * (1.0 - probability)
+            }
+        };
+        variance.sqrt()
+    }
+
+    /// P(Z > z); at infinite `z` too.
+    pub fn above(&self, z: f64) -> f64 {
+        match self {
+            Self::Sum(_) | Self::Chaotic { .. } => normal_cdf(-z),
+            Self::Uniform => (0.5 * (1.0 - z)).clamp(0.0, 1.0),
+            Self::Lognormal { .. } if z <= 0.0 => 1.0,
+            Self::Lognormal { sigma } => normal_cdf(-libm::log(z) / sigma),
+            Self::Absolute if z <= 0.0 => 1.0,
+            Self::Absolute => 2.0 * normal_cdf(-z),
+            Self::Discrete { values, probabilities } => {
+                let above = values.iter().zip(probabilities).filter(|(value, _)| **value > z);
+                above.map(|(_, probability)| probability).sum()
+            }
+            Self::RareBranch { jump, threshold } => {
+                let probability = normal_cdf(-threshold);
+                (1.0 - probability) * normal_cdf(-z) + probability * normal_cdf(jump - z)
+            }
+        }
+    }
+
+    /// The value that Z does not exceed with probability `p`.
+    pub fn quantile(&self, p: f64) -> f64 {
+        match self {
+            Self::Sum(_) | Self::Chaotic { .. } => normal_quantile(p),
+            Self::Uniform => 2.0 * p - 1.0,
+            Self::Lognormal { sigma } => libm::exp(sigma * normal_quantile(p)),
+            Self::Absolute => normal_quantile(0.5 + 0.5 * p),
+            Self::Discrete { values, .. } => {
+                let reached = values.iter().find(|value| 1.0 - self.above(**value) >= p);
+                *reached.unwrap_or(&values[values.len() - 1])
+            }
+            Self::RareBranch { .. } => {
+                let (mut low, mut high) = (-20.0, 20.0);
+                for _ in 0..100 {
+                    let middle = 0.5 * (low + high);
+                    if 1.0 - self.above(middle) < p { low = middle } else { high = middle }
+                }
+                0.5 * (low + high)
+            }
+        }
+    }
+
+    /// Whether Z and -Z are distributed alike, with one peak at 0: P(|m + s Z| > L) then rises with |m|, and with s where |m| < L.
+    pub fn is_symmetric(&self) -> bool {
+        matches!(self, Self::Sum(_) | Self::Chaotic { .. } | Self::Uniform)
+    }
+}
