@@ -6,28 +6,25 @@ const ALONG_ONE: usize = 20_001;
 const ALONG_TWO: usize = 201;
 /// From so many of the best local extremes of the grid the search goes on.
 const STARTS: usize = 12;
-/// Each grid around a start is this share of the one before, until it is smaller than round-off.
+/// Each grid around a start is this share as wide as the one before; the last is narrower than round-off.
 const SHRINK: f64 = 0.6;
 const GRIDS: usize = 66;
-/// Points of such a grid on an axis.
+/// Points of such a grid on either side of its centre.
 const AROUND: i32 = 2;
+
+/// A line in the unit box, along which goes a number in \[0, 1\].
+pub type Curve = Box<dyn Fn(f64) -> Vec<f64>>;
 
 /// An extreme and where it is.
 #[derive(Debug, Clone)]
 pub struct Extreme {
-    /// The value.
     pub value: f64,
     /// Its place in the unit box.
     pub at: Vec<f64>,
 }
 
 /// The least and the greatest value of `f`; `known` are places, and `curves` lines, where it may have a sharp extreme.
-pub fn extremes(
-    f: &dyn Fn(&[f64]) -> f64,
-    dimensions: usize,
-    known: &[Vec<f64>],
-    curves: &[Box<dyn Fn(f64) -> Vec<f64>>],
-) -> [Extreme; 2] {
+pub fn extremes(f: &dyn Fn(&[f64]) -> f64, dimensions: usize, known: &[Vec<f64>], curves: &[Curve]) -> [Extreme; 2] {
     [-1.0, 1.0].map(|sign| {
         let mut best = greatest(&|at| sign * f(at), dimensions, known);
         for curve in curves {
@@ -60,17 +57,15 @@ fn greatest(f: &dyn Fn(&[f64]) -> f64, dimensions: usize, known: &[Vec<f64>]) ->
     starts.truncate(STARTS);
     let starts = starts.into_iter().map(place).chain(known.iter().cloned());
     let climbed = starts.map(|start| climb(f, start, 2.0 * step));
-    climbed
-        .reduce(|best, other| if other.value > best.value { other } else { best })
-        .expect("a grid has a greatest value")
+    climbed.reduce(|best, other| if other.value > best.value { other } else { best }).expect("a grid has points")
 }
 
 fn climb(f: &dyn Fn(&[f64]) -> f64, start: Vec<f64>, width: f64) -> Extreme {
     let mut best = Extreme { value: f(&start), at: start };
     let mut width = width;
+    let across = 2 * AROUND + 1;
     for _ in 0..GRIDS {
         let centre = best.at.clone();
-        let across = 2 * AROUND + 1;
         for index in 0..across.pow(centre.len() as u32) {
             let along = |(axis, centre): (usize, &f64)| {
                 let step = index / across.pow(axis as u32) % across - AROUND;

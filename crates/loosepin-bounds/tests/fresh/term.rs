@@ -1,5 +1,7 @@
 //! What functions of one or two coordinates in the unit box are sums of.
 
+use super::brute::Curve;
+
 /// A summand; places are in the unit box, heights in the unit of the response.
 #[derive(Debug, Clone)]
 pub enum Term {
@@ -27,7 +29,8 @@ pub enum Term {
     Kink { along: Vec<f64>, edge: f64, height: f64 },
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+/// a·b.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
@@ -94,10 +97,14 @@ impl Term {
         }
     }
 
-    /// Its height where it is a feature, something that may be overlooked; none where it is a trend.
+    /// Its height where it is a feature, something that may be overlooked; none where it is a trend, or where that depends on the extreme.
     pub fn height(&self) -> Option<f64> {
         match self {
-            Self::Linear { .. } | Self::Square { .. } | Self::Saddle { .. } | Self::Kink { .. } => None,
+            Self::Linear { .. }
+            | Self::Square { .. }
+            | Self::Saddle { .. }
+            | Self::Kink { .. }
+            | Self::Rough { .. } => None,
             Self::Wave { turns, .. } if *turns <= 3.0 => None,
             Self::Wave { height, .. }
             | Self::Bump { height, .. }
@@ -105,8 +112,6 @@ impl Term {
             | Self::Ridge { height, .. }
             | Self::Step { height, .. }
             | Self::Strip { height, .. } => Some(*height),
-            // The sum of so many waves of like heights has this standard deviation; its extremes are 2 to 4 times that.
-            Self::Rough { waves } => Some(2.0 * waves.iter().map(|[h, ..]| 0.5 * h * h).sum::<f64>().sqrt()),
         }
     }
 
@@ -143,7 +148,7 @@ impl Term {
     }
 
     /// The line in the unit square on which a sum with this term may have a sharp extreme; along it goes a number in \[0, 1\].
-    pub fn curve(&self) -> Option<Box<dyn Fn(f64) -> Vec<f64>>> {
+    pub fn curve(&self) -> Option<Curve> {
         match self {
             Self::Ridge { line: [a, b, c], .. } => {
                 let [a, b, c] = [*a, *b, *c];

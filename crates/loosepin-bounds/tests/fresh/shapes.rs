@@ -1,7 +1,7 @@
 //! Which functions are drawn, and how often.
 
 use super::draw::Draw;
-use super::group::{Hill, Shape};
+use super::group::{HALF_HEIGHT, Hill, Profile, Shape};
 use super::term::Term;
 
 /// What a problem is like.
@@ -25,24 +25,34 @@ pub fn draw_shape(draw: &mut Draw, dimensions: usize, character: Character) -> S
     }
     match dimensions {
         1 => Shape::Terms(of_one(draw, character)),
-        2 if character == Character::Featured && draw.chance(0.15) => halves(draw),
+        2 if character == Character::Featured && draw.chance(0.15) => sheet(draw, 2, character),
         2 => Shape::Terms(of_two(draw, character)),
         _ => of_many(draw, dimensions, character),
     }
 }
 
 /// A direction of length 1.
-fn direction(draw: &mut Draw) -> Vec<f64> {
-    let angle = draw.between(0.0, std::f64::consts::TAU);
-    vec![libm::cos(angle), libm::sin(angle)]
+fn direction(draw: &mut Draw, dimensions: usize) -> Vec<f64> {
+    let mut along: Vec<f64> = (0..dimensions).map(|_| draw.normal()).collect();
+    let length = along.iter().map(|a| a * a).sum::<f64>().sqrt();
+    along.iter_mut().for_each(|a| *a /= length);
+    along
 }
 
-fn halves(draw: &mut Draw) -> Shape {
-    let along = direction(draw);
-    // Through a place inside.
-    let through = [draw.between(0.1, 0.9), draw.between(0.1, 0.9)];
-    let edge = along[0] * through[0] + along[1] * through[1];
-    Shape::Halves { along, edge, height: draw.sign() * draw.between(0.3, 2.0) }
+/// A function along one direction, with what it has through a place inside.
+fn sheet(draw: &mut Draw, dimensions: usize, character: Character) -> Shape {
+    let along = direction(draw, dimensions);
+    let at: f64 = along.iter().map(|a| a * draw.between(0.1, 0.9)).sum();
+    let extent: f64 = along.iter().map(|a| a.abs()).sum();
+    let profile = match character {
+        Character::Smooth => Profile::Kink { at },
+        Character::Featured if draw.chance(0.5) => Profile::Step { at },
+        Character::Featured => Profile::Ridge { at, width: draw.of_size(0.02, 0.4) },
+        Character::Rough => {
+            Profile::Wave { turns: draw.of_size(1.2, 25.0) / extent, phase: draw.between(0.0, std::f64::consts::TAU) }
+        }
+    };
+    Shape::Sheet { along, height: draw.sign() * draw.between(0.3, 2.0), profile }
 }
 
 fn trend(draw: &mut Draw, axis: usize) -> Term {
@@ -55,7 +65,7 @@ fn trend(draw: &mut Draw, axis: usize) -> Term {
 }
 
 fn slow_wave(draw: &mut Draw, dimensions: usize) -> Term {
-    let along = if dimensions == 1 { vec![1.0] } else { direction(draw) };
+    let along = if dimensions == 1 { vec![1.0] } else { direction(draw, 2) };
     let (turns, phase) = (draw.between(0.3, 3.0), draw.between(0.0, std::f64::consts::TAU));
     Term::Wave { along, height: draw.of_size(0.1, 0.7), turns, phase }
 }
@@ -147,7 +157,7 @@ fn of_two(draw: &mut Draw, character: Character) -> Vec<Term> {
             0 => terms.push(slow_wave(draw, 2)),
             1 => terms.push(Term::Saddle { height: draw.sign() * draw.of_size(0.1, 0.7) }),
             2 => {
-                let along = direction(draw);
+                let along = direction(draw, 2);
                 let edge = 0.5 * (along[0] + along[1]) + draw.between(-0.3, 0.3);
                 terms.push(Term::Kink { along, edge, height: draw.sign() * draw.between(0.3, 2.0) });
             }
@@ -186,7 +196,7 @@ fn of_two(draw: &mut Draw, character: Character) -> Vec<Term> {
         },
         Character::Rough => {
             let (height, phase) = (draw.of_size(0.02, 0.3), draw.between(0.0, std::f64::consts::TAU));
-            terms.push(Term::Wave { along: direction(draw), height, turns: draw.between(4.0, 20.0), phase });
+            terms.push(Term::Wave { along: direction(draw, 2), height, turns: draw.between(4.0, 20.0), phase });
         }
     }
     terms
@@ -194,13 +204,18 @@ fn of_two(draw: &mut Draw, character: Character) -> Vec<Term> {
 
 fn of_many(draw: &mut Draw, dimensions: usize, character: Character) -> Shape {
     let centre = |draw: &mut Draw| -> Vec<f64> { (0..dimensions).map(|_| draw.between(0.1, 0.9)).collect() };
-    if character == Character::Smooth {
-        let widths = (0..dimensions).map(|_| draw.between(0.6, 2.0)).collect();
-        return Shape::Hill { centre: centre(draw), widths, height: draw.sign() * draw.between(0.5, 2.0) };
+    match character {
+        Character::Smooth if draw.chance(0.7) => {
+            let widths = (0..dimensions).map(|_| draw.between(0.6, 2.0)).collect();
+            return Shape::Hill { centre: centre(draw), widths, height: draw.sign() * draw.between(0.5, 2.0) };
+        }
+        Character::Smooth | Character::Rough => return sheet(draw, dimensions, character),
+        Character::Featured if draw.chance(0.4) => return sheet(draw, dimensions, character),
+        Character::Featured => {}
     }
     // Of a hill of radius 1 the ball that is above half of the height has this volume.
     let unit_ball = [1.0, 2.0, std::f64::consts::PI, 4.188_79, 4.934_8, 5.263_79, 5.167_71][dimensions]
-        * libm::pow(0.541_196, dimensions as f64);
+        * HALF_HEIGHT.powi(dimensions as i32);
     let wanted = 1 + draw.below(3);
     let mut hills: Vec<Hill> = Vec::new();
     for attempt in 0..60 {

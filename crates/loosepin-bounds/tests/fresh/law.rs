@@ -1,4 +1,8 @@
 //! Random parts Z of a response, whose distribution is known.
+//!
+//! Two of the laws have a shape k. At given m and s every statistic of m + s Z that is asked for rises or falls with k all the way: the
+//! mean and the deviation of exp(k X) rise, its quantiles are exp(k q), P(exp(k X) > z) = Φ(-ln z / k); the probability of a branch falls,
+//! and with it the mean, quantiles and probabilities of X + jump move towards those of X, the deviation too since it is below a half.
 
 use super::draw::Draw;
 use loosepin_uncertainty::{Distribution, hash, normal, normal_cdf, normal_quantile};
@@ -15,11 +19,8 @@ pub enum Law {
     },
     /// Uniform in \[-1, 1\].
     Uniform,
-    /// exp(σ X), X standard normal.
-    Lognormal {
-        /// σ.
-        sigma: f64,
-    },
+    /// exp(k X), X standard normal.
+    Lognormal,
     /// |X|, X standard normal.
     Absolute,
     /// One of some values.
@@ -29,12 +30,10 @@ pub enum Law {
         /// Their probabilities.
         probabilities: Vec<f64>,
     },
-    /// X + jump where a second normal input exceeds a threshold.
+    /// X + jump where a second normal input exceeds k.
     RareBranch {
         /// What the branch adds.
         jump: f64,
-        /// Threshold of the second input.
-        threshold: f64,
     },
 }
 
@@ -52,7 +51,7 @@ impl Law {
                 Self::Sum(weights.into_iter().map(|weight| weight / length).collect())
             }
             5 => Self::Uniform,
-            6 => Self::Lognormal { sigma: draw.of_size(0.3, 1.5) },
+            6 => Self::Lognormal,
             7 => Self::Absolute,
             8 => {
                 let count = 2 + draw.below(4);
@@ -66,10 +65,16 @@ impl Law {
                 let sum: f64 = weights.iter().sum();
                 Self::Discrete { values, probabilities: weights.into_iter().map(|weight| weight / sum).collect() }
             }
-            _ => Self::RareBranch {
-                jump: draw.sign() * draw.between(2.0, 8.0),
-                threshold: normal_quantile(1.0 - draw.of_size(0.002, 0.1)),
-            },
+            _ => Self::RareBranch { jump: draw.sign() * draw.between(2.0, 8.0) },
+        }
+    }
+
+    /// A value that k may have; none where nothing depends on it.
+    pub fn shape(&self, draw: &mut Draw) -> Option<f64> {
+        match self {
+            Self::Lognormal => Some(draw.of_size(0.3, 1.5)),
+            Self::RareBranch { .. } => Some(-normal_quantile(draw.of_size(0.002, 0.1))),
+            _ => None,
         }
     }
 
@@ -80,7 +85,7 @@ impl Law {
             Self::Sum(_) => "sum",
             Self::Chaotic { .. } => "chaotic",
             Self::Uniform => "uniform",
-            Self::Lognormal { .. } => "lognormal",
+            Self::Lognormal => "lognormal",
             Self::Absolute => "absolute",
             Self::Discrete { .. } => "discrete",
             Self::RareBranch { .. } => "rare-branch",
@@ -97,12 +102,12 @@ impl Law {
                 vec![Distribution::Discrete { values: values.clone(), probabilities: probabilities.clone() }]
             }
             Self::RareBranch { .. } => vec![standard; 2],
-            Self::Chaotic { .. } | Self::Lognormal { .. } | Self::Absolute => vec![standard],
+            Self::Chaotic { .. } | Self::Lognormal | Self::Absolute => vec![standard],
         }
     }
 
     /// Z of random inputs; of the epistemic inputs only the noise of chaotic motion depends.
-    pub fn value(&self, x: &[f64], u: &[f64]) -> f64 {
+    pub fn value(&self, k: f64, x: &[f64], u: &[f64]) -> f64 {
         match self {
             Self::Sum(weights) => weights.iter().zip(x).map(|(weight, x)| weight * x).sum(),
             Self::Chaotic { noise } => {
@@ -110,36 +115,36 @@ impl Law {
                 (1.0 - noise * noise).sqrt() * x[0] + noise * normal(key, 1)
             }
             Self::Uniform | Self::Discrete { .. } => x[0],
-            Self::Lognormal { sigma } => libm::exp(sigma * x[0]),
+            Self::Lognormal => libm::exp(k * x[0]),
             Self::Absolute => x[0].abs(),
-            Self::RareBranch { jump, threshold } => x[0] + if x[1] > *threshold { *jump } else { 0.0 },
+            Self::RareBranch { jump } => x[0] + if x[1] > k { *jump } else { 0.0 },
         }
     }
 
     /// E(Z).
-    pub fn mean(&self) -> f64 {
+    pub fn mean(&self, k: f64) -> f64 {
         match self {
             Self::Sum(_) | Self::Chaotic { .. } | Self::Uniform => 0.0,
-            Self::Lognormal { sigma } => libm::exp(0.5 * sigma * sigma),
+            Self::Lognormal => libm::exp(0.5 * k * k),
             Self::Absolute => std::f64::consts::FRAC_2_PI.sqrt(),
             Self::Discrete { values, probabilities } => values.iter().zip(probabilities).map(|(v, p)| v * p).sum(),
-            Self::RareBranch { jump, threshold } => jump * normal_cdf(-threshold),
+            Self::RareBranch { jump } => jump * normal_cdf(-k),
         }
     }
 
     /// Standard deviation of Z.
-    pub fn standard_deviation(&self) -> f64 {
+    pub fn standard_deviation(&self, k: f64) -> f64 {
         let variance = match self {
             Self::Sum(_) | Self::Chaotic { .. } => 1.0,
             Self::Uniform => 1.0 / 3.0,
-            Self::Lognormal { sigma } => libm::exp(sigma * sigma) * libm::expm1(sigma * sigma),
+            Self::Lognormal => libm::exp(k * k) * libm::expm1(k * k),
             Self::Absolute => 1.0 - std::f64::consts::FRAC_2_PI,
             Self::Discrete { values, probabilities } => {
-                let mean = self.mean();
+                let mean = self.mean(k);
                 values.iter().zip(probabilities).map(|(v, p)| p * (v - mean) * (v - mean)).sum()
             }
-            Self::RareBranch { jump, threshold } => {
-                let probability = normal_cdf(-threshold);
+            Self::RareBranch { jump } => {
+                let probability = normal_cdf(-k);
                 1.0 + jump * jump * probability * (1.0 - probability)
             }
         };
@@ -147,41 +152,41 @@ impl Law {
     }
 
     /// P(Z > z); at infinite `z` too.
-    pub fn above(&self, z: f64) -> f64 {
+    pub fn above(&self, k: f64, z: f64) -> f64 {
         match self {
             Self::Sum(_) | Self::Chaotic { .. } => normal_cdf(-z),
             Self::Uniform => (0.5 * (1.0 - z)).clamp(0.0, 1.0),
-            Self::Lognormal { .. } if z <= 0.0 => 1.0,
-            Self::Lognormal { sigma } => normal_cdf(-libm::log(z) / sigma),
+            Self::Lognormal if z <= 0.0 => 1.0,
+            Self::Lognormal => normal_cdf(-libm::log(z) / k),
             Self::Absolute if z <= 0.0 => 1.0,
             Self::Absolute => 2.0 * normal_cdf(-z),
             Self::Discrete { values, probabilities } => {
                 let above = values.iter().zip(probabilities).filter(|(value, _)| **value > z);
                 above.map(|(_, probability)| probability).sum()
             }
-            Self::RareBranch { jump, threshold } => {
-                let probability = normal_cdf(-threshold);
+            Self::RareBranch { jump } => {
+                let probability = normal_cdf(-k);
                 (1.0 - probability) * normal_cdf(-z) + probability * normal_cdf(jump - z)
             }
         }
     }
 
     /// The value that Z does not exceed with probability `p`.
-    pub fn quantile(&self, p: f64) -> f64 {
+    pub fn quantile(&self, k: f64, p: f64) -> f64 {
         match self {
             Self::Sum(_) | Self::Chaotic { .. } => normal_quantile(p),
             Self::Uniform => 2.0 * p - 1.0,
-            Self::Lognormal { sigma } => libm::exp(sigma * normal_quantile(p)),
+            Self::Lognormal => libm::exp(k * normal_quantile(p)),
             Self::Absolute => normal_quantile(0.5 + 0.5 * p),
             Self::Discrete { values, .. } => {
-                let reached = values.iter().find(|value| 1.0 - self.above(**value) >= p);
+                let reached = values.iter().find(|value| 1.0 - self.above(k, **value) >= p);
                 *reached.unwrap_or(&values[values.len() - 1])
             }
             Self::RareBranch { .. } => {
                 let (mut low, mut high) = (-20.0, 20.0);
                 for _ in 0..100 {
                     let middle = 0.5 * (low + high);
-                    if 1.0 - self.above(middle) < p { low = middle } else { high = middle }
+                    if 1.0 - self.above(k, middle) < p { low = middle } else { high = middle }
                 }
                 0.5 * (low + high)
             }

@@ -1,0 +1,278 @@
+//! A problem: its response, its question, its exact bounds, what may be overlooked in it.
+
+use super::draw::Draw;
+use super::feature::Feature;
+use super::group::Group;
+use super::law::Law;
+use super::shapes::{Character, draw_shape};
+use super::statistics::{Corners, Exact};
+use loosepin_bounds::{Failure, Problem as Question, Request, Response, Sampling};
+use loosepin_uncertainty::{Interval, RandomVariable, hash, normal_cdf};
+
+/// Runs of the mixture, at random u and X, which may be read beside those of the double loop.
+const MIXTURE: usize = 1024;
+/// Points of low discrepancy that the first round has.
+const FIRST_OUTER: usize = 32;
+/// At each of them so many runs show a height of this share of the scatter of one run: four standard errors of a mean of 256.
+const SHARE_OF_SCATTER: f64 = 4.0 / 16.0;
+/// With so many independent runs in a volume on the average, there is one in 99 %.
+const EXPECTED_RUNS: f64 = 4.6;
+
+/// A response whose exact bounds are known.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    seed: u64,
+    index: u64,
+    /// Ends of the intervals of u.
+    box_ends: Vec<(f64, f64)>,
+    law: Law,
+    /// m is the sum of these and `middle`.
+    location: Vec<Group>,
+    middle: f64,
+    spread: Spread,
+    /// k at its two ends, and what goes from one to the other; nothing where k is constant.
+    shape: ([f64; 2], Option<Group>),
+    /// Whether Y is the absolute value.
+    is_absolute: bool,
+    /// What is asked, with the answers.
+    pub exact: Vec<Exact>,
+}
+
+/// s, what multiplies Z.
+#[derive(Debug, Clone)]
+enum Spread {
+    Constant(f64),
+    /// base · (1 + rise · share), the share of a group from its least value, 0, to its greatest, 1.
+    Varying {
+        base: f64,
+        rise: f64,
+        group: Group,
+    },
+    /// slope · (t - zero) of one coordinate, which vanishes inside of the box; of symmetric Z alone.
+    Through {
+        axis: usize,
+        slope: f64,
+        zero: f64,
+    },
+}
+
+impl Spread {
+    fn value(&self, t: &[f64]) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Varying { base, rise, group } => base * (1.0 + rise * group.share(t)),
+            Self::Through { axis, slope, zero } => slope * (t[*axis] - zero),
+        }
+    }
+
+    /// The least and the greatest of its absolute value.
+    fn ends(&self) -> [f64; 2] {
+        match self {
+            Self::Constant(value) => [*value; 2],
+            Self::Varying { base, rise, .. } => [*base, base * (1.0 + rise)],
+            Self::Through { slope, zero, .. } => [0.0, slope * zero.max(1.0 - zero)],
+        }
+    }
+
+    fn group(&self) -> Option<&Group> {
+        match self {
+            Self::Varying { group, .. } => Some(group),
+            Self::Constant(_) | Self::Through { .. } => None,
+        }
+    }
+}
+
+impl Problem {
+    /// Problem `index` of `seed`.
+    pub fn draw(seed: u64, index: u64) -> Self {
+        let draw = &mut Draw::new(seed, index);
+        let dimensions = 1 + draw.below(6);
+        let character = match draw.fraction() {
+            f if f < 0.3 => Character::Smooth,
+            f if f < 0.75 => Character::Featured,
+            _ => Character::Rough,
+        };
+        let box_ends = (0..dimensions).map(|_| {
+            let low = draw.sign() * draw.of_size(0.1, 10.0);
+            (low, low + draw.of_size(0.1, 10.0))
+        });
+        let box_ends: Vec<(f64, f64)> = box_ends.collect();
+        let law = Law::draw(draw, character == Character::Rough);
+        let mut parts = partition(draw, dimensions);
+        let mut take = |draw: &mut Draw, probability: f64| {
+            if parts.len() > 1 && draw.chance(probability) { parts.pop() } else { None }
+        };
+        let of_spread = take(draw, 0.5);
+        let k = law.shape(draw);
+        let of_shape = if k.is_some() { take(draw, 0.6) } else { None };
+        let shape = match (k, of_shape) {
+            (Some(k), Some(axes)) => {
+                let other = law.shape(draw).unwrap_or(k);
+                let group = Group::new(axes.clone(), draw_shape(draw, axes.len(), Character::Smooth));
+                ([k.min(other), k.max(other)], Some(group))
+            }
+            (k, _) => ([k.unwrap_or(0.0); 2], None),
+        };
+        // One group has the character; the others are smooth or have it too.
+        let new_group = |draw: &mut Draw, axes: Vec<usize>, is_first: bool| {
+            let own = if is_first || draw.chance(0.4) { character } else { Character::Smooth };
+            let shape = draw_shape(draw, axes.len(), own);
+            Group::new(axes, shape)
+        };
+        let location: Vec<Group> =
+            parts.into_iter().enumerate().map(|(place, axes)| new_group(draw, axes, place == 0)).collect();
+        let width: f64 = location.iter().map(Group::width).sum();
+        let base = draw.of_size(0.01, 1.0) * width / law.standard_deviation(shape.0[1]);
+        let spread = match of_spread {
+            Some(axes) if axes.len() == 1 && law.is_symmetric() && draw.chance(0.25) => {
+                Spread::Through { axis: axes[0], slope: 2.0 * base, zero: draw.between(0.05, 0.95) }
+            }
+            Some(axes) => {
+                let group = new_group(draw, axes, false);
+                Spread::Varying { base, rise: draw.of_size(0.2, 4.0), group }
+            }
+            None => Spread::Constant(base),
+        };
+        // About zero in half of the problems.
+        let centre: f64 = location.iter().map(|group| 0.5 * (group.ends[0] + group.ends[1])).sum();
+        let middle = if draw.chance(0.5) { width * draw.between(-0.5, 0.5) - centre } else { draw.between(-2.0, 2.0) };
+        let mut problem =
+            Self { seed, index, box_ends, law, location, middle, spread, shape, is_absolute: false, exact: Vec::new() };
+        let corners = problem.corners();
+        let is_absolute = corners.is_continuous && corners.law.has_folded() && draw.chance(0.2);
+        let exact = if is_absolute { corners.of_absolute(draw) } else { corners.of_sum(draw) };
+        (problem.is_absolute, problem.exact) = (is_absolute, exact);
+        problem
+    }
+
+    /// Ends of m, s and k.
+    fn corners(&self) -> Corners<'_> {
+        let end = |end: usize| self.middle + self.location.iter().map(|group| group.ends[end]).sum::<f64>();
+        let is_continuous = !self.location.iter().chain(self.spread.group()).any(|group| group.shape.has_jump());
+        let (location, spread, shape) = ([end(0), end(1)], self.spread.ends(), self.shape.0);
+        Corners { law: &self.law, location, spread, shape, is_continuous }
+    }
+
+    /// How many numbers are not known.
+    pub fn dimensions(&self) -> usize {
+        self.box_ends.len()
+    }
+
+    /// Every feature that sets an extreme, with its height against the scatter of one run: where that is largest for one of m, beside
+    /// it for one of s.
+    pub fn features(&self) -> Vec<(&Feature, f64)> {
+        let deviations = self.shape.0.map(|k| self.law.standard_deviation(k));
+        let scatter = self.spread.ends()[1] * deviations[0].max(deviations[1]);
+        let of_location = self.location.iter().flat_map(|group| &group.features);
+        let mut features: Vec<(&Feature, f64)> =
+            of_location.map(|feature| (feature, feature.height / scatter)).collect();
+        if let Spread::Varying { rise, group, .. } = &self.spread {
+            features.extend(group.features.iter().map(|feature| (feature, feature.height * rise / group.width())));
+        }
+        features
+    }
+
+    /// Whether every feature that sets an extreme can be seen: one run of the mixture is in it and stands out of the scatter, or a point
+    /// of the first round is in it and the mean of its runs stands out; and a rare branch of X has a run of the mixture.
+    pub fn is_visible(&self) -> bool {
+        let is_seen = |&(feature, height): &(&Feature, f64)| {
+            let by_mixture = feature.volume >= EXPECTED_RUNS / MIXTURE as f64 && height > 1.0;
+            let by_outer = feature.volume >= EXPECTED_RUNS / FIRST_OUTER as f64 && height > SHARE_OF_SCATTER;
+            by_mixture || by_outer
+        };
+        let is_branch_seen = match self.law {
+            Law::RareBranch { .. } => normal_cdf(-self.shape.0[1]) >= EXPECTED_RUNS / MIXTURE as f64,
+            _ => true,
+        };
+        is_branch_seen && self.features().iter().all(is_seen)
+    }
+
+    /// Whether the statistics over u or the motion is rough.
+    pub fn is_rough(&self) -> bool {
+        let mut groups = self.location.iter().chain(self.spread.group());
+        matches!(self.law, Law::Chaotic { .. }) || groups.any(|group| group.shape.is_rough())
+    }
+
+    /// Words for what it is made of, without trends.
+    pub fn kinds(&self) -> Vec<String> {
+        let words = |group: &Group, prefix: &str| -> Vec<String> {
+            let names = group.shape.names().into_iter().filter(|name| !["linear", "square"].contains(name));
+            names.map(|name| format!("{prefix}{name}")).collect()
+        };
+        let mut kinds: Vec<String> = self.location.iter().flat_map(|group| words(group, "")).collect();
+        kinds.extend(self.spread.group().map(|group| words(group, "s:")).unwrap_or_default());
+        if matches!(self.spread, Spread::Through { .. }) {
+            kinds.push("s:through-zero".to_owned());
+        }
+        let folded = if self.is_absolute { "|Y| " } else { "" };
+        let moving = if self.shape.1.is_some() { " moving" } else { "" };
+        kinds.push(format!("{folded}Z:{}{moving}", self.law.name()));
+        kinds.sort();
+        kinds.dedup();
+        kinds
+    }
+
+    /// The question, with a seed of its own for each repetition.
+    ///
+    /// # Panics
+    /// Where the problem itself is wrong.
+    pub fn question(&self, repetition: u64, outer: usize) -> Question {
+        let random = self.law.inputs().into_iter().map(|input| RandomVariable::try_new(input).expect("a distribution"));
+        let interval = |&(low, high): &(f64, f64)| Interval::try_new(low, high).expect("an interval").into();
+        let requests = self.exact.iter().map(|exact| Request { column: 0, statistic: exact.statistic }).collect();
+        let seed = hash(hash(self.seed, self.index), repetition) >> 32;
+        Question {
+            compared_columns: vec![0],
+            sampling: Sampling { seed, outer, mixture: MIXTURE, ..Sampling::default() },
+            ..Question::new(random.collect(), self.box_ends.iter().map(interval).collect(), requests)
+        }
+    }
+
+    /// m, s and k at a place of the unit box.
+    pub fn parts(&self, t: &[f64]) -> [f64; 3] {
+        let m = self.middle + self.location.iter().map(|group| group.value(t)).sum::<f64>();
+        let (shape, group) = &self.shape;
+        let share = group.as_ref().map_or(0.0, |group| group.share(t));
+        [m, self.spread.value(t), shape[0] + (shape[1] - shape[0]) * share]
+    }
+}
+
+impl Group {
+    /// How far it is from its least value, 0, to its greatest, 1.
+    fn share(&self, t: &[f64]) -> f64 {
+        (self.value(t) - self.ends[0]) / self.width()
+    }
+}
+
+/// Coordinates in groups of one, two or many.
+fn partition(draw: &mut Draw, dimensions: usize) -> Vec<Vec<usize>> {
+    let mut axes: Vec<usize> = (0..dimensions).collect();
+    for place in (1..dimensions).rev() {
+        axes.swap(place, draw.below(place + 1));
+    }
+    let mut parts = Vec::new();
+    if dimensions >= 3 && draw.chance(0.4) {
+        let rest = axes.split_off(3 + draw.below(dimensions - 2));
+        parts.push(axes);
+        axes = rest;
+    }
+    while !axes.is_empty() {
+        let rest = axes.split_off(if axes.len() > 1 && draw.chance(0.5) { 2 } else { 1 });
+        parts.push(axes);
+        axes = rest;
+    }
+    parts
+}
+
+impl Response for Problem {
+    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        let mut t = [0.0; 6];
+        for ((t, u), (low, high)) in t.iter_mut().zip(epistemic).zip(&self.box_ends) {
+            *t = ((u - low) / (high - low)).clamp(0.0, 1.0);
+        }
+        let [m, s, k] = self.parts(&t);
+        let y = m + s * self.law.value(k, random, epistemic);
+        columns[0] = if self.is_absolute { y.abs() } else { y };
+        Ok(())
+    }
+}
