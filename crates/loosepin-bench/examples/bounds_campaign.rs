@@ -3,6 +3,7 @@
 //! the median of stated over actual error is above 6.
 
 use loosepin::bounds::{BoundPair, Statistic, evaluate};
+use loosepin_bench::hard_bounds;
 use loosepin_bench::known_bounds::{self, slider_crank_with_play};
 use loosepin_bench::known_case::KnownCase;
 use loosepin_bench::{largest, median};
@@ -52,7 +53,8 @@ fn main() {
         "largest; missed by"
     );
     let mut is_met = true;
-    for case in known_bounds::all().into_iter().filter(|case| case.name.contains(&only)) {
+    let cases = known_bounds::all().into_iter().chain(hard_bounds::hard());
+    for case in cases.filter(|case| case.name.contains(&only)) {
         is_met &= report(&case, seeds);
     }
     let step = std::f64::consts::TAU / 72.0;
@@ -81,6 +83,8 @@ fn report(case: &KnownCase, seeds: u64) -> bool {
     for seed in 1..=seeds {
         let bounds = evaluate(case.problem(seed), case).expect("the case can be planned");
         runs = runs.max(bounds.runs);
+        assert_eq!(bounds.pairs.len(), case.statistics.len(), "{}: bounds", case.name);
+        assert_eq!(bounds.levels.len(), case.levels.len(), "{}: levels", case.name);
         for (place, tally) in tallies.iter_mut().enumerate() {
             // A fuzzy number has bounds at each degree: all of them must hold.
             let pairs: Vec<(&BoundPair, (f64, f64))> = if case.levels.is_empty() {

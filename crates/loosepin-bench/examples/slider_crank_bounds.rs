@@ -29,6 +29,7 @@ fn main() {
         let started = Instant::now();
         let bounds = evaluate(case.problem(seed), &case).expect("the case can be planned");
         let seconds = started.elapsed().as_secs_f64();
+        assert_eq!(bounds.pairs.len(), case.statistics.len());
         for (pair, &(statistic, _)) in bounds.pairs.iter().zip(&case.statistics) {
             println!(
                 "{seed},{},{:e},{:e},{:e},{:e},{},{seconds:.4}",

@@ -3,6 +3,7 @@
 pub mod batch;
 pub mod diagram;
 pub mod equations;
+pub mod hard_bounds;
 pub mod known_bounds;
 pub mod known_case;
 pub mod known_pairings;

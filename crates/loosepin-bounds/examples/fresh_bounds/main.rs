@@ -11,7 +11,7 @@ mod misses;
 mod widths;
 
 use fresh::Problem;
-use loosepin_bounds::{Bounds, evaluate};
+use loosepin_bounds::{Bounds, Sampling, evaluate};
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -76,7 +76,8 @@ fn main() {
 
 /// Bounds of a problem, one for each of its statistics.
 fn bounds(problem: &Problem, repetition: u64, outer: usize) -> Bounds {
-    let bounds = evaluate(problem.question(repetition, outer), problem).expect("the problem can be planned");
+    let sampling = Sampling { outer, ..Sampling::default() };
+    let bounds = evaluate(problem.question(repetition, sampling), problem).expect("the problem can be planned");
     assert_eq!(bounds.pairs.len(), problem.exact.len(), "a pair of bounds for each statistic");
     bounds
 }

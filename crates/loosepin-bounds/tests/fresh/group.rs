@@ -1,9 +1,10 @@
 //! Functions of a few coordinates of the unit box with known extremes.
 
-use super::brute::extremes;
+use super::brute::{Extreme, extremes};
 use super::feature::{Feature, ball_volume, share};
 use super::term::{Term, dot};
 use loosepin_uncertainty::normal;
+use std::f64::consts::TAU;
 
 /// A function of its coordinates in the unit box; each variant says why its extremes are exact.
 #[derive(Debug, Clone)]
@@ -49,6 +50,8 @@ pub struct Group {
     pub shape: Shape,
     /// Least and greatest value.
     pub ends: [f64; 2],
+    /// Where they are attained, or come as near as round-off.
+    pub places: [Vec<f64>; 2],
     /// Features at either of them.
     pub features: Vec<Feature>,
 }
@@ -62,25 +65,24 @@ impl Group {
     /// With extremes and features worked out.
     pub fn new(axes: Vec<usize>, shape: Shape) -> Self {
         let dimensions = axes.len();
-        let (ends, features) = match &shape {
+        let (found, features) = match &shape {
             Shape::Terms(terms) => of_terms(terms, dimensions),
             Shape::Hill { centre, height, .. } => {
                 let corner: Vec<f64> = centre.iter().map(|c| if *c > 0.5 { 0.0 } else { 1.0 }).collect();
                 let volume = share(dimensions, |t| shape.value(t) / height > 0.5);
                 let feature = Feature { name: "hill", volume, height: height.abs() };
-                (sorted([shape.value(&corner), *height]), vec![feature])
+                let ends = [
+                    Extreme { value: shape.value(&corner), at: corner },
+                    Extreme { value: *height, at: centre.clone() },
+                ];
+                (sorted(ends), vec![feature])
             }
             Shape::Hills(hills) => of_hills(hills),
-            Shape::Cells { key, per_axis, height } => {
-                let count = per_axis.pow(dimensions as u32);
-                let heights = (0..count).map(|cell| height * normal(*key, cell as u64));
-                let ends = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], h| [a.min(h), b.max(h)]);
-                let feature = |end: f64| Feature { name: "cell", volume: 1.0 / count as f64, height: end.abs() };
-                (ends, ends.map(feature).to_vec())
-            }
+            Shape::Cells { key, per_axis, height } => of_cells(*key, *per_axis, *height, dimensions),
             Shape::Sheet { along, height, profile } => of_sheet(&shape, along, *height, *profile),
         };
-        Self { axes, shape, ends, features }
+        let [least, greatest] = found;
+        Self { axes, shape, ends: [least.value, greatest.value], places: [least.at, greatest.at], features }
     }
 
     /// Its value at a place of the whole unit box.
@@ -162,7 +164,7 @@ impl Profile {
             Self::Ridge { at, width } => libm::exp(-((x - at) / width).powi(2)),
             Self::Kink { at } => -(x - at).abs(),
             Self::Step { at } => f64::from(u8::from(x > at)),
-            Self::Wave { turns, phase } => libm::sin(std::f64::consts::TAU * turns * x + phase),
+            Self::Wave { turns, phase } => libm::sin(TAU * turns * x + phase),
         }
     }
 
@@ -176,11 +178,12 @@ impl Profile {
     }
 }
 
-fn sorted([a, b]: [f64; 2]) -> [f64; 2] {
-    [a.min(b), a.max(b)]
+/// The lower one first.
+fn sorted([a, b]: [Extreme; 2]) -> [Extreme; 2] {
+    if a.value <= b.value { [a, b] } else { [b, a] }
 }
 
-fn of_terms(terms: &[Term], dimensions: usize) -> ([f64; 2], Vec<Feature>) {
+fn of_terms(terms: &[Term], dimensions: usize) -> ([Extreme; 2], Vec<Feature>) {
     let sum = |t: &[f64]| terms.iter().map(|term| term.value(t)).sum();
     let inside = |at: &Vec<f64>| at.len() == dimensions && at.iter().all(|t| (0.0..=1.0).contains(t));
     let known: Vec<Vec<f64>> = terms.iter().flat_map(Term::places).filter(inside).collect();
@@ -204,30 +207,65 @@ fn of_terms(terms: &[Term], dimensions: usize) -> ([f64; 2], Vec<Feature>) {
             }
         }
     }
-    (found.map(|end| end.value), features)
+    (found, features)
 }
 
-fn of_hills(hills: &[Hill]) -> ([f64; 2], Vec<Feature>) {
-    let heights = || hills.iter().map(|hill| hill.height);
-    let ends = [heights().fold(0.0, f64::min), heights().fold(0.0, f64::max)];
+fn of_hills(hills: &[Hill]) -> ([Extreme; 2], Vec<Feature>) {
+    let dimensions = hills[0].centre.len();
+    // A corner outside of all balls.
+    let corners = (0..1_usize << dimensions)
+        .map(|corner| (0..dimensions).map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { 0.0 }).collect());
+    let is_flat = |at: &Vec<f64>| hills.iter().all(|hill| hill.value(at) == 0.0);
+    let flat = Extreme { value: 0.0, at: corners.into_iter().find(is_flat).expect("hills leave a corner of the box") };
+    let tops = hills.iter().map(|hill| Extreme { value: hill.height, at: hill.centre.clone() });
+    let all: Vec<Extreme> = tops.chain([flat]).collect();
+    let least = all.iter().min_by(|a, b| a.value.total_cmp(&b.value)).expect("not empty").clone();
+    let greatest = all.iter().max_by(|a, b| a.value.total_cmp(&b.value)).expect("not empty").clone();
     let feature = |hill: &Hill| Feature {
         name: if hill.height > 0.0 { "top" } else { "pit" },
         volume: ball_volume(&hill.centre, HALF_HEIGHT * hill.radius),
         height: hill.height.abs(),
     };
-    (ends, hills.iter().filter(|hill| ends.contains(&hill.height)).map(feature).collect())
+    let is_end = |hill: &&Hill| [least.value, greatest.value].contains(&hill.height);
+    let features = hills.iter().filter(is_end).map(feature).collect();
+    ([least, greatest], features)
 }
 
-fn of_sheet(shape: &Shape, along: &[f64], height: f64, profile: Profile) -> ([f64; 2], Vec<Feature>) {
+fn of_cells(key: u64, per_axis: usize, height: f64, dimensions: usize) -> ([Extreme; 2], Vec<Feature>) {
+    let count = per_axis.pow(dimensions as u32);
+    let heights = || (0..count).map(|cell| (height * normal(key, cell as u64), cell));
+    let least = heights().min_by(|a, b| a.0.total_cmp(&b.0)).expect("cells");
+    let greatest = heights().max_by(|a, b| a.0.total_cmp(&b.0)).expect("cells");
+    let middle = |cell: usize| {
+        let along = |axis: usize| (cell / per_axis.pow(axis as u32) % per_axis) as f64 + 0.5;
+        (0..dimensions).map(|axis| along(axis) / per_axis as f64).collect()
+    };
+    let ends = [least, greatest].map(|(value, cell)| Extreme { value, at: middle(cell) });
+    let feature = |end: &Extreme| Feature { name: "cell", volume: 1.0 / count as f64, height: end.value.abs() };
+    let features = ends.iter().map(feature).collect();
+    (ends, features)
+}
+
+fn of_sheet(shape: &Shape, along: &[f64], height: f64, profile: Profile) -> ([Extreme; 2], Vec<Feature>) {
     let least: f64 = along.iter().map(|a| a.min(0.0)).sum();
     let most: f64 = along.iter().map(|a| a.max(0.0)).sum();
-    let at_corners = [least, most].map(|x| profile.value(x));
+    let furthest = |at: f64| if at - least > most - at { least } else { most };
+    // Where the profile is least and greatest.
     let ends = match profile {
-        Profile::Ridge { .. } => [at_corners[0].min(at_corners[1]), 1.0],
-        Profile::Kink { .. } => [at_corners[0].min(at_corners[1]), 0.0],
-        Profile::Step { .. } => [0.0, 1.0],
-        Profile::Wave { .. } => [-1.0, 1.0],
+        Profile::Ridge { at, .. } | Profile::Kink { at } => [furthest(at), at],
+        Profile::Step { .. } => [least, most],
+        Profile::Wave { turns, phase } => [0.75, 0.25].map(|turn| {
+            // The first such place above the corner; over the box there is at least one turn.
+            let start = turns * least + phase / TAU;
+            (least * turns + (turn - start).rem_euclid(1.0)) / turns
+        }),
     };
+    // Along the diagonal from the one corner to the other.
+    let place = |x: f64| {
+        let share = ((x - least) / (most - least)).clamp(0.0, 1.0);
+        along.iter().map(|a| if *a > 0.0 { share } else { 1.0 - share }).collect()
+    };
+    let ends = ends.map(|x| Extreme { value: height * profile.value(x), at: place(x) });
     let above = share(along.len(), |t| shape.value(t) / height > 0.5);
     let volume = match profile {
         Profile::Step { .. } => above.min(1.0 - above),
@@ -235,5 +273,5 @@ fn of_sheet(shape: &Shape, along: &[f64], height: f64, profile: Profile) -> ([f6
     };
     let feature = Feature { name: profile.name(), volume, height: height.abs() };
     let features = if matches!(profile, Profile::Kink { .. }) { Vec::new() } else { vec![feature] };
-    (sorted(ends.map(|end| height * end)), features)
+    (sorted(ends), features)
 }

@@ -7,9 +7,9 @@ use super::law::Law;
 use super::shapes::{Character, draw_shape};
 use super::statistics::{Corners, Exact};
 use loosepin_bounds::{Failure, Problem as Question, Request, Response, Sampling};
-use loosepin_uncertainty::{Interval, RandomVariable, hash, normal_cdf};
+use loosepin_uncertainty::{Interval, RandomVariable, hash, normal_cdf, uniform};
 
-/// Runs of the mixture, at random u and X, which may be read beside those of the double loop.
+/// Runs of the mixture, at random u and X, which may be read beside those of the double loop, with the usual sampling.
 const MIXTURE: usize = 1024;
 /// Points of low discrepancy that the first round has.
 const FIRST_OUTER: usize = 32;
@@ -212,20 +212,70 @@ impl Problem {
         kinds
     }
 
-    /// The question, with a seed of its own for each repetition.
+    /// The question, with so many runs and a seed of its own for each repetition.
     ///
     /// # Panics
     /// Where the problem itself is wrong.
-    pub fn question(&self, repetition: u64, outer: usize) -> Question {
+    pub fn question(&self, repetition: u64, sampling: Sampling) -> Question {
         let random = self.law.inputs().into_iter().map(|input| RandomVariable::try_new(input).expect("a distribution"));
         let interval = |&(low, high): &(f64, f64)| Interval::try_new(low, high).expect("an interval").into();
         let requests = self.exact.iter().map(|exact| Request { column: 0, statistic: exact.statistic }).collect();
         let seed = hash(hash(self.seed, self.index), repetition) >> 32;
         Question {
             compared_columns: vec![0],
-            sampling: Sampling { seed, outer, mixture: MIXTURE, ..Sampling::default() },
+            sampling: Sampling { seed, ..sampling },
             ..Question::new(random.collect(), self.box_ends.iter().map(interval).collect(), requests)
         }
+    }
+
+    /// Ends of m, s (with its sign) and k.
+    pub fn part_ends(&self) -> [[f64; 2]; 3] {
+        let corners = self.corners();
+        let spread = match self.spread {
+            Spread::Through { slope, zero, .. } => [-slope * zero, slope * (1.0 - zero)],
+            _ => corners.spread,
+        };
+        [corners.location, spread, corners.shape]
+    }
+
+    /// Where m, s and k are at these of their ends, 0 or 1 each.
+    pub fn corner(&self, [m, s, k]: [usize; 3]) -> Vec<f64> {
+        let mut t = vec![0.5; self.dimensions()];
+        let of_location = self.location.iter().map(|group| (group, m));
+        let of_others = self.spread.group().map(|group| (group, s)).into_iter();
+        for (group, end) in of_location.chain(of_others).chain(self.shape.1.iter().map(|group| (group, k))) {
+            for (axis, at) in group.axes.iter().zip(&group.places[end]) {
+                t[*axis] = *at;
+            }
+        }
+        if let Spread::Through { axis, .. } = self.spread {
+            t[axis] = s as f64;
+        }
+        t
+    }
+
+    /// Responses of so many random X at a place of the unit box.
+    ///
+    /// # Panics
+    /// Where the problem itself is wrong.
+    pub fn runs(&self, t: &[f64], count: u64) -> Vec<f64> {
+        let inputs = self.law.inputs().into_iter().map(|input| RandomVariable::try_new(input).expect("a distribution"));
+        let inputs: Vec<RandomVariable> = inputs.collect();
+        let u: Vec<f64> = t.iter().zip(&self.box_ends).map(|(t, (low, high))| low + (high - low) * t).collect();
+        let run = |run: u64| {
+            let of_input =
+                |(place, input): (u64, &RandomVariable)| input.quantile(uniform(hash(self.seed, run), place));
+            let x: Vec<f64> = (0..).zip(&inputs).map(of_input).collect();
+            let mut columns = [f64::NAN];
+            self.evaluate(&x, &u, &mut columns).expect("no run fails");
+            columns[0]
+        };
+        (0..count).map(run).collect()
+    }
+
+    /// Whether a few runs do not tell their own deviation.
+    pub fn has_heavy_tail(&self) -> bool {
+        matches!(self.law, Law::Lognormal | Law::RareBranch { .. })
     }
 
     /// m, s and k at a place of the unit box.
