@@ -1,7 +1,7 @@
 //! Problems that are drawn from a seed: are their exact bounds exact, and does the program hold them? The long version, with another seed
 //! each time, is `just campaign fresh-bounds`.
 
-#[allow(dead_code, reason = "the campaign reads all of it")]
+#[allow(dead_code, reason = "the campaign reads the rest of it")]
 mod fresh;
 
 use fresh::{Exact, Problem};
