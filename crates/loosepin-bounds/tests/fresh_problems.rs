@@ -8,9 +8,13 @@ use fresh::{Exact, Problem};
 use loosepin_bounds::{Sampling, Statistic, evaluate};
 use loosepin_uncertainty::{hash, uniform};
 use rayon::prelude::*;
+use std::sync::LazyLock;
 
 /// Of the set that each commit is tested with. The search was developed with other ones.
 const SEED: u64 = 20_261_123;
+/// They are drawn once for all tests.
+static PROBLEMS: LazyLock<Vec<Problem>> =
+    LazyLock::new(|| (0..150_u64).into_par_iter().map(|index| Problem::draw(SEED, index)).collect());
 
 /// A place of the unit box.
 fn place(key: u64, point: u64, dimensions: usize) -> Vec<f64> {
@@ -19,14 +23,13 @@ fn place(key: u64, point: u64, dimensions: usize) -> Vec<f64> {
 
 #[test]
 fn analytic_the_ends_of_location_spread_and_shape_are_attained_together() {
-    const PROBLEMS: u64 = 150;
     /// Of the places on both sides of an edge, which are 1e-14 from it.
     const TOLERANCE: f64 = 1e-10;
-    for index in 0..PROBLEMS {
-        let problem = Problem::draw(SEED, index);
+    for (index, problem) in (0..).zip(PROBLEMS.iter()) {
         let ends = problem.part_ends();
         for corner in (0..8).map(|corner| [corner & 1, corner >> 1 & 1, corner >> 2 & 1]) {
-            let parts = problem.parts(&problem.corner(corner));
+            let Some(place) = problem.corner(corner) else { continue };
+            let parts = problem.parts(&place);
             for ((part, end), ends) in parts.into_iter().zip(corner).zip(ends) {
                 let allowed = TOLERANCE * (ends[1] - ends[0]) + 1e-14 * ends[end].abs();
                 assert!((part - ends[end]).abs() <= allowed, "{index}: {part} at end {end} of {ends:?}: {problem:?}");
@@ -38,7 +41,6 @@ fn analytic_the_ends_of_location_spread_and_shape_are_attained_together() {
 /// In one and two dimensions so many places come near to every extreme that is not narrower than they are dense.
 #[test]
 fn analytic_no_place_of_the_box_lies_beyond_the_exact_ends_and_some_come_near() {
-    const PROBLEMS: u64 = 100;
     const PLACES: u64 = 10_000;
     /// Of numbers about 1.
     const ROUND_OFF: f64 = 1e-12;
@@ -46,8 +48,7 @@ fn analytic_no_place_of_the_box_lies_beyond_the_exact_ends_and_some_come_near() 
     /// 1 and width 0.04 in two dimensions is missed by 0.5 %, beside it a slope.
     const LEFT_OUT: f64 = 0.05;
     let mut compared = 0;
-    for index in 0..PROBLEMS {
-        let problem = Problem::draw(SEED, index);
+    for (index, problem) in (0..).zip(PROBLEMS.iter()) {
         let ends = problem.part_ends();
         let mut seen = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         for point in 0..PLACES {
@@ -70,20 +71,18 @@ fn analytic_no_place_of_the_box_lies_beyond_the_exact_ends_and_some_come_near() 
             }
         }
     }
-    assert!(compared > 40, "{compared}");
+    assert!(compared > 60, "{compared}");
 }
 
 /// The statistics of many runs at a few places of the box lie between the exact ends, and at each they lie where the formulas say.
 #[test]
 fn analytic_statistics_of_many_runs_lie_between_the_exact_ends() {
-    const PROBLEMS: u64 = 80;
-    const PLACES: u64 = 3;
+    const PLACES: u64 = 2;
     const RUNS: u64 = 4_000;
     /// So many standard errors; of the deviation of a lognormal number with σ = 1.5 these are themselves not known from so few runs, so
     /// a quarter of the value is allowed beside.
     const STANDARD_ERRORS: f64 = 6.0;
-    for index in 0..PROBLEMS {
-        let problem = Problem::draw(SEED, index);
+    for (index, problem) in (0..).zip(PROBLEMS.iter()) {
         for point in 0..PLACES {
             let values = problem.runs(&place(index, point, problem.dimensions()), RUNS);
             for exact in &problem.exact {
@@ -131,21 +130,22 @@ fn estimate(values: &[f64], statistic: Statistic) -> (f64, f64) {
 #[test]
 #[ignore = "six of the forty are missed: hills, sheets, bumps, a step"]
 fn analytic_bounds_of_visible_problems_hold() {
-    const PROBLEMS: usize = 40;
+    const SOLVED: usize = 40;
     /// Each of four ends may be missed in 0.5 %, so 2 % of the problems: more than three are missed in one of 120 such sets.
     const MOST_MISSED: usize = 3;
-    let candidates = (0..).map(|index| (index, Problem::draw(SEED, index)));
-    let visible = candidates.filter(|(_, problem)| problem.is_visible() && problem.dimensions() <= 4);
-    let problems: Vec<(u64, Problem)> = visible.take(PROBLEMS).collect();
+    let visible = (0..).zip(PROBLEMS.iter()).filter(|(_, problem)| problem.is_visible() && problem.dimensions() <= 4);
+    let problems: Vec<(usize, Problem)> =
+        visible.map(|(index, problem)| (index, problem.clone())).take(SOLVED).collect();
+    assert_eq!(problems.len(), SOLVED);
     let missed: Vec<String> = problems.into_par_iter().filter_map(|(index, problem)| missed(index, problem)).collect();
     assert!(missed.len() <= MOST_MISSED, "at most {MOST_MISSED} missed, not {}\n{}", missed.len(), missed.join("\n"));
 }
 
 /// What is missed of a problem; nothing where all holds.
-fn missed(index: u64, mut problem: Problem) -> Option<String> {
+fn missed(index: usize, mut problem: Problem) -> Option<String> {
     // Another pair of statistics for each problem.
     let count = problem.exact.len();
-    problem.exact = [index as usize, index as usize + 1].map(|place| problem.exact[place % count]).to_vec();
+    problem.exact = [index, index + 1].map(|place| problem.exact[place % count]).to_vec();
     let sampling = Sampling { outer: 32, inner: 128, extreme: 32, ..Sampling::default() };
     let bounds = evaluate(problem.question(0, sampling), &problem).expect("the problem can be planned");
     assert_eq!(bounds.pairs.len(), problem.exact.len());

@@ -58,17 +58,27 @@ fn of_end(pair: &BoundPair, exact: &Exact, end: usize) -> String {
 /// A problem in words: dimension, kinds, features with their volume and their height in scatters of one run.
 fn told(problem: &Problem) -> String {
     let features: Vec<String> = problem
-        .features()
+        .features
         .iter()
         .map(|(feature, height)| format!("{} {:.4} x {height:.2}", feature.name, feature.volume))
         .collect();
     let visible = if problem.is_visible() { "visible" } else { "hidden" };
-    format!("{visible} {}-d {} | {}", problem.dimensions(), problem.kinds().join(", "), features.join(", "))
+    let together = problem.volume_together();
+    format!(
+        "{visible} {}-d {} | {}; together {together:.1e}",
+        problem.dimensions(),
+        problem.kinds().join(", "),
+        features.join(", ")
+    )
 }
 
 fn classes(problem: &Problem) -> Vec<String> {
     let mut classes = problem.kinds();
     classes.push(format!("{} dimensions", problem.dimensions()));
+    classes.push(
+        if problem.is_seen_together() { "all with extremes in a run" } else { "all with extremes where no run is" }
+            .to_owned(),
+    );
     classes.push(if problem.is_rough() { "all rough" } else { "all smooth" }.to_owned());
     classes
 }

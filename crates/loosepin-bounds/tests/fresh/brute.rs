@@ -25,39 +25,53 @@ pub struct Extreme {
 
 /// The least and the greatest value of `f`; `known` are places, and `curves` lines, where it may have a sharp extreme.
 pub fn extremes(f: &dyn Fn(&[f64]) -> f64, dimensions: usize, known: &[Vec<f64>], curves: &[Curve]) -> [Extreme; 2] {
-    [-1.0, 1.0].map(|sign| {
-        let mut best = greatest(&|at| sign * f(at), dimensions, known);
-        for curve in curves {
-            let along = greatest(&|s| sign * f(&curve(s[0])), 1, &[]);
-            if along.value > best.value {
-                best = Extreme { at: curve(along.at[0]), ..along };
+    let mut ends = of_box(f, dimensions, known);
+    for curve in curves {
+        for (end, along) in ends.iter_mut().zip(of_box(&|s| f(&curve(s[0])), 1, &[])) {
+            let is_further = if along.sign < 0.0 {
+                along.extreme.value < end.extreme.value
+            } else {
+                along.extreme.value > end.extreme.value
+            };
+            if is_further {
+                end.extreme = Extreme { at: curve(along.extreme.at[0]), ..along.extreme };
             }
         }
-        Extreme { value: sign * best.value, ..best }
-    })
+    }
+    ends.map(|end| end.extreme)
 }
 
-fn greatest(f: &dyn Fn(&[f64]) -> f64, dimensions: usize, known: &[Vec<f64>]) -> Extreme {
+/// An extreme on one side: the least value, sign -1, or the greatest, sign 1.
+struct End {
+    sign: f64,
+    extreme: Extreme,
+}
+
+fn of_box(f: &dyn Fn(&[f64]) -> f64, dimensions: usize, known: &[Vec<f64>]) -> [End; 2] {
     let per_axis = if dimensions == 1 { ALONG_ONE } else { ALONG_TWO };
     let step = 1.0 / (per_axis - 1) as f64;
     let place = |index: usize| -> Vec<f64> {
         (0..dimensions).map(|axis| (index / per_axis.pow(axis as u32) % per_axis) as f64 * step).collect()
     };
     let values: Vec<f64> = (0..per_axis.pow(dimensions as u32)).map(|index| f(&place(index))).collect();
-    let is_local = |index: usize| {
-        (0..dimensions).all(|axis| {
-            let stride = per_axis.pow(axis as u32);
-            let at = index / stride % per_axis;
-            (at == 0 || values[index - stride] <= values[index])
-                && (at + 1 == per_axis || values[index + stride] <= values[index])
-        })
-    };
-    let mut starts: Vec<usize> = (0..values.len()).filter(|&index| is_local(index)).collect();
-    starts.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
-    starts.truncate(STARTS);
-    let starts = starts.into_iter().map(place).chain(known.iter().cloned());
-    let climbed = starts.map(|start| climb(f, start, 2.0 * step));
-    climbed.reduce(|best, other| if other.value > best.value { other } else { best }).expect("a grid has points")
+    [-1.0, 1.0].map(|sign| {
+        let is_local = |index: usize| {
+            (0..dimensions).all(|axis| {
+                let stride = per_axis.pow(axis as u32);
+                let at = index / stride % per_axis;
+                (at == 0 || sign * values[index - stride] <= sign * values[index])
+                    && (at + 1 == per_axis || sign * values[index + stride] <= sign * values[index])
+            })
+        };
+        let mut starts: Vec<usize> = (0..values.len()).filter(|&index| is_local(index)).collect();
+        starts.sort_by(|&a, &b| (sign * values[b]).total_cmp(&(sign * values[a])));
+        starts.truncate(STARTS);
+        let starts = starts.into_iter().map(place).chain(known.iter().cloned());
+        let climbed = starts.map(|start| climb(&|at| sign * f(at), start, 2.0 * step));
+        let best = climbed.reduce(|best, other| if other.value > best.value { other } else { best });
+        let best = best.expect("a grid has points");
+        End { sign, extreme: Extreme { value: sign * best.value, ..best } }
+    })
 }
 
 fn climb(f: &dyn Fn(&[f64]) -> f64, start: Vec<f64>, width: f64) -> Extreme {

@@ -10,6 +10,8 @@ pub struct Feature {
     pub volume: f64,
     /// Its height, > 0.
     pub height: f64,
+    /// Whether it sets the least and the greatest value.
+    pub ends: [bool; 2],
 }
 
 /// Points that volumes are measured with: one of 0.0045 has a relative error of 7 %.

@@ -70,7 +70,8 @@ impl Group {
             Shape::Hill { centre, height, .. } => {
                 let corner: Vec<f64> = centre.iter().map(|c| if *c > 0.5 { 0.0 } else { 1.0 }).collect();
                 let volume = share(dimensions, |t| shape.value(t) / height > 0.5);
-                let feature = Feature { name: "hill", volume, height: height.abs() };
+                let feature =
+                    Feature { name: "hill", volume, height: height.abs(), ends: [*height < 0.0, *height > 0.0] };
                 let ends = [
                     Extreme { value: shape.value(&corner), at: corner },
                     Extreme { value: *height, at: centre.clone() },
@@ -116,6 +117,14 @@ impl Shape {
                 height * normal(*key, cell as u64)
             }
             Self::Sheet { along, height, profile } => height * profile.value(dot(along, t)),
+        }
+    }
+
+    /// The terms of a sum; none of another shape.
+    pub fn terms(&self) -> &[Term] {
+        match self {
+            Self::Terms(terms) => terms,
+            _ => &[],
         }
     }
 
@@ -190,24 +199,34 @@ fn of_terms(terms: &[Term], dimensions: usize) -> ([Extreme; 2], Vec<Feature>) {
     let curves: Vec<_> = terms.iter().filter_map(Term::curve).collect();
     let found = extremes(&sum, dimensions, &known, &curves);
     let mut features = Vec::new();
+    add_features(terms, &found, dimensions, &mut features);
+    (found, features)
+}
+
+/// Adds those of `terms` that set these extremes, a least and a greatest value, and are not there yet.
+pub fn add_features(terms: &[Term], found: &[Extreme; 2], dimensions: usize, features: &mut Vec<Feature>) {
     for term in terms {
-        let at_ends = found.iter().map(|end| term.value(&end.at));
+        let name = term.name();
+        let at_ends = [0, 1].map(|end| term.value(&found[end].at));
+        let above = |height: f64| share(dimensions, |t| term.value(t) / height > 0.5);
+        let mut add = |height: f64, ends: [bool; 2]| {
+            if features.iter().all(|other| other.name != name || other.height != height.abs()) {
+                let above = above(height);
+                let volume = if term.is_edge() { above.min(1.0 - above) } else { above };
+                features.push(Feature { name, volume, height: height.abs(), ends });
+            }
+        };
         if matches!(term, Term::Rough { .. }) {
             // Its height is what it adds to an extreme.
-            for height in at_ends {
-                let volume = share(dimensions, |t| term.value(t) / height > 0.5);
-                features.push(Feature { name: term.name(), volume, height: height.abs() });
-            }
+            add(at_ends[0], [true, false]);
+            add(at_ends[1], [false, true]);
         } else if let Some(height) = term.height() {
-            let mut parts = at_ends.map(|value| (value / height).abs());
-            if term.is_edge() || parts.any(|part| part > LEAST_PART) {
-                let above = share(dimensions, |t| term.value(t) / height > 0.5);
-                let volume = if term.is_edge() { above.min(1.0 - above) } else { above };
-                features.push(Feature { name: term.name(), volume, height: height.abs() });
+            let ends = at_ends.map(|value| term.is_edge() || (value / height).abs() > LEAST_PART);
+            if ends != [false; 2] {
+                add(height, ends);
             }
         }
     }
-    (found, features)
 }
 
 fn of_hills(hills: &[Hill]) -> ([Extreme; 2], Vec<Feature>) {
@@ -225,6 +244,7 @@ fn of_hills(hills: &[Hill]) -> ([Extreme; 2], Vec<Feature>) {
         name: if hill.height > 0.0 { "top" } else { "pit" },
         volume: ball_volume(&hill.centre, HALF_HEIGHT * hill.radius),
         height: hill.height.abs(),
+        ends: [hill.height == least.value, hill.height == greatest.value],
     };
     let is_end = |hill: &&Hill| [least.value, greatest.value].contains(&hill.height);
     let features = hills.iter().filter(is_end).map(feature).collect();
@@ -241,8 +261,11 @@ fn of_cells(key: u64, per_axis: usize, height: f64, dimensions: usize) -> ([Extr
         (0..dimensions).map(|axis| along(axis) / per_axis as f64).collect()
     };
     let ends = [least, greatest].map(|(value, cell)| Extreme { value, at: middle(cell) });
-    let feature = |end: &Extreme| Feature { name: "cell", volume: 1.0 / count as f64, height: end.value.abs() };
-    let features = ends.iter().map(feature).collect();
+    let feature = |end: usize| {
+        let (volume, height) = (1.0 / count as f64, ends[end].value.abs());
+        Feature { name: "cell", volume, height, ends: [end == 0, end == 1] }
+    };
+    let features = [0, 1].map(feature).to_vec();
     (ends, features)
 }
 
@@ -271,7 +294,11 @@ fn of_sheet(shape: &Shape, along: &[f64], height: f64, profile: Profile) -> ([Ex
         Profile::Step { .. } => above.min(1.0 - above),
         _ => above,
     };
-    let feature = Feature { name: profile.name(), volume, height: height.abs() };
+    let ends_set = match profile {
+        Profile::Ridge { .. } => [height < 0.0, height > 0.0],
+        _ => [true; 2],
+    };
+    let feature = Feature { name: profile.name(), volume, height: height.abs(), ends: ends_set };
     let features = if matches!(profile, Profile::Kink { .. }) { Vec::new() } else { vec![feature] };
     (sorted(ends), features)
 }

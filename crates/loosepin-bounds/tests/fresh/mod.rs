@@ -10,6 +10,9 @@
 //! of m, s and k where the other two are held (`statistics.rs`), so its extremes are at corners. Where that is not so (P(|Y| > L), |m + s Z|) m
 //! and s are continuous, take every pair of values in their rectangle, and the extremes over the rectangle are those of a formula.
 //!
+//! In some problems of one or two unknown numbers m and s depend on the same ones: the extremes of every statistic, a formula of m and s, are
+//! found by brute force.
+//!
 //! Where brute force would overlook something, the exact bound would be too narrow, and a miss would go uncounted; no miss is counted
 //! wrongly. `fresh_problems.rs` samples u against that.
 //!

@@ -1,11 +1,13 @@
 //! A problem: its response, its question, its exact bounds, what may be overlooked in it.
 
+use super::brute::extremes;
 use super::draw::Draw;
 use super::feature::Feature;
-use super::group::Group;
+use super::group::{Group, Shape, add_features};
 use super::law::Law;
-use super::shapes::{Character, draw_shape};
+use super::shapes::{Character, draw_shape, draw_terms};
 use super::statistics::{Corners, Exact};
+use super::term::Term;
 use loosepin_bounds::{Failure, Problem as Question, Request, Response, Sampling};
 use loosepin_uncertainty::{Interval, RandomVariable, hash, normal_cdf, uniform};
 
@@ -17,6 +19,8 @@ const FIRST_OUTER: usize = 32;
 const SHARE_OF_SCATTER: f64 = 4.0 / 16.0;
 /// With so many independent runs in a volume on the average, there is one in 99 %.
 const EXPECTED_RUNS: f64 = 4.6;
+/// A volume that a run of the mixture is in.
+const LEAST_VOLUME: f64 = EXPECTED_RUNS / MIXTURE as f64;
 
 /// A response whose exact bounds are known.
 #[derive(Debug, Clone)]
@@ -34,6 +38,11 @@ pub struct Problem {
     shape: ([f64; 2], Option<Group>),
     /// Whether Y is the absolute value.
     is_absolute: bool,
+    /// Every feature that sets an extreme, with its height against the scatter of one run: where that is largest for one of m, beside
+    /// it for one of s.
+    pub features: Vec<(Feature, f64)>,
+    /// Whether m and s depend on the same coordinates.
+    is_coupled: bool,
     /// What is asked, with the answers.
     pub exact: Vec<Exact>,
 }
@@ -136,13 +145,61 @@ impl Problem {
         // About zero in half of the problems.
         let centre: f64 = location.iter().map(|group| 0.5 * (group.ends[0] + group.ends[1])).sum();
         let middle = if draw.chance(0.5) { width * draw.between(-0.5, 0.5) - centre } else { draw.between(-2.0, 2.0) };
-        let mut problem =
-            Self { seed, index, box_ends, law, location, middle, spread, shape, is_absolute: false, exact: Vec::new() };
+        let mut problem = Self {
+            seed,
+            index,
+            box_ends,
+            law,
+            location,
+            middle,
+            spread,
+            shape,
+            is_absolute: false,
+            features: Vec::new(),
+            is_coupled: false,
+            exact: Vec::new(),
+        };
         let corners = problem.corners();
         let is_absolute = corners.is_continuous && corners.law.has_folded() && draw.chance(0.2);
         let exact = if is_absolute { corners.of_absolute(draw) } else { corners.of_sum(draw) };
+        let of_location: Vec<Feature> = problem.location.iter().flat_map(|group| group.features.clone()).collect();
+        let of_spread = problem.spread.group().map_or_else(Vec::new, |group| group.features.clone());
+        problem.features = problem.against_scatter(&of_location, &of_spread);
         (problem.is_absolute, problem.exact) = (is_absolute, exact);
+        // Where there are few coordinates, in some problems m and s depend on the same ones.
+        if dimensions <= 2 && character != Character::Rough && problem.shape.1.is_none() && draw.chance(0.4) {
+            problem.couple(draw, character);
+        }
         problem
+    }
+
+    /// Lets m and s depend on all coordinates: both are sums of terms.
+    fn couple(&mut self, draw: &mut Draw, character: Character) {
+        let axes: Vec<usize> = (0..self.dimensions()).collect();
+        let new_group =
+            |draw: &mut Draw| Group::new(axes.clone(), Shape::Terms(draw_terms(draw, axes.len(), character)));
+        let group = new_group(draw);
+        let base = draw.of_size(0.02, 0.5) * group.width() / self.law.standard_deviation(self.shape.0[1]);
+        self.location = vec![group];
+        self.spread = Spread::Varying { base, rise: draw.of_size(0.2, 4.0), group: new_group(draw) };
+        (self.is_absolute, self.is_coupled) = (false, true);
+        let Spread::Varying { group: of_spread, .. } = &self.spread else { unreachable!("made above") };
+        let (m, s) = (self.location[0].shape.terms(), of_spread.shape.terms());
+        let known = m.iter().chain(s).flat_map(Term::places).collect::<Vec<_>>();
+        let curves: Vec<_> = m.iter().chain(s).filter_map(Term::curve).collect();
+        let mut features = [Vec::new(), Vec::new()];
+        self.exact = self.corners().of_place(draw, |value| {
+            let at = |t: &[f64]| {
+                let [m, s, k] = self.parts(t);
+                value(m, s, k)
+            };
+            let found = extremes(&at, axes.len(), &known, &curves);
+            for (features, terms) in features.iter_mut().zip([m, s]) {
+                add_features(terms, &found, axes.len(), features);
+            }
+            found.map(|end| end.value)
+        });
+        self.features = self.against_scatter(&features[0], &features[1]);
     }
 
     /// Ends of m, s and k.
@@ -158,33 +215,46 @@ impl Problem {
         self.box_ends.len()
     }
 
-    /// Every feature that sets an extreme, with its height against the scatter of one run: where that is largest for one of m, beside
-    /// it for one of s.
-    pub fn features(&self) -> Vec<(&Feature, f64)> {
+    /// Features of m and of s with their heights against the scatter of one run.
+    fn against_scatter(&self, of_location: &[Feature], of_spread: &[Feature]) -> Vec<(Feature, f64)> {
         let deviations = self.shape.0.map(|k| self.law.standard_deviation(k));
         let scatter = self.spread.ends()[1] * deviations[0].max(deviations[1]);
-        let of_location = self.location.iter().flat_map(|group| &group.features);
-        let mut features: Vec<(&Feature, f64)> =
-            of_location.map(|feature| (feature, feature.height / scatter)).collect();
+        let mut features: Vec<(Feature, f64)> =
+            of_location.iter().map(|feature| (feature.clone(), feature.height / scatter)).collect();
         if let Spread::Varying { rise, group, .. } = &self.spread {
-            features.extend(group.features.iter().map(|feature| (feature, feature.height * rise / group.width())));
+            features.extend(of_spread.iter().map(|feature| (feature.clone(), feature.height * rise / group.width())));
         }
         features
+    }
+
+    /// Share of the box in which all features of m at the rarer one of its ends are together.
+    pub fn volume_together(&self) -> f64 {
+        let of_group = |group: &Group, end: usize| {
+            let at_end = group.features.iter().filter(|feature| feature.ends[end]);
+            at_end.map(|feature| feature.volume).fold(1.0, f64::min)
+        };
+        let of_end = |end: usize| self.location.iter().map(|group| of_group(group, end)).product::<f64>();
+        of_end(0).min(of_end(1))
     }
 
     /// Whether every feature that sets an extreme can be seen: one run of the mixture is in it and stands out of the scatter, or a point
     /// of the first round is in it and the mean of its runs stands out; and a rare branch of X has a run of the mixture.
     pub fn is_visible(&self) -> bool {
-        let is_seen = |&(feature, height): &(&Feature, f64)| {
-            let by_mixture = feature.volume >= EXPECTED_RUNS / MIXTURE as f64 && height > 1.0;
-            let by_outer = feature.volume >= EXPECTED_RUNS / FIRST_OUTER as f64 && height > SHARE_OF_SCATTER;
+        let is_seen = |(feature, height): &(Feature, f64)| {
+            let by_mixture = feature.volume >= LEAST_VOLUME && *height > 1.0;
+            let by_outer = feature.volume >= EXPECTED_RUNS / FIRST_OUTER as f64 && *height > SHARE_OF_SCATTER;
             by_mixture || by_outer
         };
         let is_branch_seen = match self.law {
-            Law::RareBranch { .. } => normal_cdf(-self.shape.0[1]) >= EXPECTED_RUNS / MIXTURE as f64,
+            Law::RareBranch { .. } => normal_cdf(-self.shape.0[1]) >= LEAST_VOLUME,
             _ => true,
         };
-        is_branch_seen && self.features().iter().all(is_seen)
+        is_branch_seen && self.features.iter().all(is_seen)
+    }
+
+    /// Whether a run of the mixture is where all features at an end of m are together.
+    pub fn is_seen_together(&self) -> bool {
+        self.volume_together() >= LEAST_VOLUME
     }
 
     /// Whether the statistics over u or the motion is rough.
@@ -205,6 +275,9 @@ impl Problem {
             kinds.push("s:through-zero".to_owned());
         }
         let folded = if self.is_absolute { "|Y| " } else { "" };
+        if self.is_coupled {
+            kinds.push("coupled".to_owned());
+        }
         let moving = if self.shape.1.is_some() { " moving" } else { "" };
         kinds.push(format!("{folded}Z:{}{moving}", self.law.name()));
         kinds.sort();
@@ -238,8 +311,11 @@ impl Problem {
         [corners.location, spread, corners.shape]
     }
 
-    /// Where m, s and k are at these of their ends, 0 or 1 each.
-    pub fn corner(&self, [m, s, k]: [usize; 3]) -> Vec<f64> {
+    /// Where m, s and k are at these of their ends, 0 or 1 each; nothing where they depend on each other.
+    pub fn corner(&self, [m, s, k]: [usize; 3]) -> Option<Vec<f64>> {
+        if self.is_coupled {
+            return None;
+        }
         let mut t = vec![0.5; self.dimensions()];
         let of_location = self.location.iter().map(|group| (group, m));
         let of_others = self.spread.group().map(|group| (group, s)).into_iter();
@@ -251,7 +327,7 @@ impl Problem {
         if let Spread::Through { axis, .. } = self.spread {
             t[axis] = s as f64;
         }
-        t
+        Some(t)
     }
 
     /// Responses of so many random X at a place of the unit box.

@@ -24,11 +24,16 @@ pub fn draw_shape(draw: &mut Draw, dimensions: usize, character: Character) -> S
         return Shape::Cells { key: draw.key(), per_axis, height: draw.between(0.05, 0.3) };
     }
     match dimensions {
-        1 => Shape::Terms(of_one(draw, character)),
+        1 => Shape::Terms(draw_terms(draw, 1, character)),
         2 if character == Character::Featured && draw.chance(0.15) => sheet(draw, 2, character),
-        2 => Shape::Terms(of_two(draw, character)),
+        2 => Shape::Terms(draw_terms(draw, 2, character)),
         _ => of_many(draw, dimensions, character),
     }
+}
+
+/// A sum of functions of one or two coordinates.
+pub fn draw_terms(draw: &mut Draw, dimensions: usize, character: Character) -> Vec<Term> {
+    if dimensions == 1 { of_one(draw, character) } else { of_two(draw, character) }
 }
 
 /// A direction of length 1.

@@ -63,7 +63,7 @@ fn above(law: &Law, limit: f64, m: f64, s: f64, k: f64) -> f64 {
 
 impl Corners<'_> {
     /// A statistic that rises or falls all the way with each of m, s and k.
-    fn at_corners(&self, value: impl Fn(f64, f64, f64) -> f64) -> [f64; 2] {
+    fn at_corners(&self, value: &dyn Fn(f64, f64, f64) -> f64) -> [f64; 2] {
         let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
         for m in self.location {
             for s in self.spread {
@@ -92,8 +92,22 @@ impl Corners<'_> {
         if low < 0.0 && high > 0.0 { 0.0 } else { low.abs().min(high.abs()) }
     }
 
-    /// Bounds of statistics of m + s Z.
+    /// Bounds of statistics of m + s Z where every corner is attained.
     pub fn of_sum(&self, draw: &mut Draw) -> Vec<Exact> {
+        let mut all = self.of_place(draw, |value| self.at_corners(value));
+        if self.law.is_symmetric() && self.is_continuous {
+            let (statistic, ends) = self.beyond(draw);
+            all.push(Exact { statistic, ends, magnitude: self.magnitude() });
+        }
+        all
+    }
+
+    /// Bounds of statistics of m + s Z; `ends` has the extremes of a function of m, s and k.
+    pub fn of_place(
+        &self,
+        draw: &mut Draw,
+        mut ends: impl FnMut(&dyn Fn(f64, f64, f64) -> f64) -> [f64; 2],
+    ) -> Vec<Exact> {
         let law = self.law;
         let between = |draw: &mut Draw, [low, high]: [f64; 2]| draw.between(low, high);
         // A limit that is exceeded with this probability where m, s and k are somewhere between their ends.
@@ -101,16 +115,15 @@ impl Corners<'_> {
         let (m, s, k) = (between(draw, self.location), between(draw, self.spread), between(draw, self.shape));
         let limit = m + s * law.quantile(k, 1.0 - p);
         let mut all = vec![
-            (Statistic::Mean, self.at_corners(|m, s, k| m + s * law.mean(k))),
-            (Statistic::StandardDeviation, self.at_corners(|_, s, k| s * law.standard_deviation(k))),
-            (Statistic::ProbabilityAbove(limit), self.at_corners(|m, s, k| above(law, limit, m, s, k))),
+            (Statistic::Mean, ends(&|m, s, k| m + s * law.mean(k))),
+            (Statistic::StandardDeviation, ends(&|_, s, k| s * law.standard_deviation(k))),
+            (Statistic::ProbabilityAbove(limit), ends(&|m, s, k| above(law, limit, m, s, k))),
         ];
-        all.extend(
-            [0.025, 0.5, 0.975]
-                .map(|p| (Statistic::Quantile(p), self.at_corners(|m, s, k| m + s * law.quantile(k, p)))),
-        );
-        if law.is_symmetric() && self.is_continuous {
-            all.push(self.beyond(draw));
+        for p in [0.025, 0.5, 0.975] {
+            // Of a shape that does not change it is needed once.
+            let constant = law.quantile(self.shape[0], p);
+            let quantile = |k: f64| if k == self.shape[0] { constant } else { law.quantile(k, p) };
+            all.push((Statistic::Quantile(p), ends(&|m, s, k| m + s * quantile(k))));
         }
         all.into_iter().map(|(statistic, ends)| Exact { statistic, ends, magnitude: self.magnitude() }).collect()
     }
