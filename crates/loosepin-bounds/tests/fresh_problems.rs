@@ -126,6 +126,19 @@ fn estimate(values: &[f64], statistic: Statistic) -> (f64, f64) {
     }
 }
 
+#[test]
+fn identity_visible_features_are_not_smaller_than_runs_are_dense() {
+    /// Where one of 1,024 independent runs is in 99 %.
+    const LEAST_VOLUME: f64 = 0.0045;
+    let visible = PROBLEMS.iter().filter(|problem| problem.is_visible());
+    for problem in visible.clone() {
+        let is_large = |feature: &fresh::Feature| feature.volume >= LEAST_VOLUME;
+        assert!(problem.features.iter().all(|(feature, height)| is_large(feature) && *height > 0.25), "{problem:?}");
+    }
+    let share = visible.count() as f64 / PROBLEMS.len() as f64;
+    assert!((0.6..0.8).contains(&share), "{share}");
+}
+
 /// The short version of the campaign: a fixed set, two statistics of each problem, fewer runs but for those of the mixture.
 #[test]
 #[ignore = "six of the forty are missed: hills, sheets, bumps, a step"]

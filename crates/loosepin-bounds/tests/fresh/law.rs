@@ -198,3 +198,54 @@ impl Law {
         matches!(self, Self::Sum(_) | Self::Chaotic { .. } | Self::Uniform)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Law;
+    use loosepin_uncertainty::{RandomVariable, hash, uniform};
+
+    #[test]
+    fn analytic_moments_probabilities_and_quantiles_are_those_of_many_numbers() {
+        const COUNT: u64 = 200_000;
+        /// Standard errors; there are about 60 comparisons.
+        const MOST: f64 = 5.0;
+        let laws = [
+            (Law::Sum(vec![0.6, 0.8]), 0.0),
+            (Law::Chaotic { noise: 0.7 }, 0.0),
+            (Law::Uniform, 0.0),
+            (Law::Lognormal, 0.6),
+            (Law::Absolute, 0.0),
+            (Law::Discrete { values: vec![-1.0, 0.3, 2.0], probabilities: vec![0.3, 0.5, 0.2] }, 0.0),
+            (Law::RareBranch { jump: 5.0 }, 1.6),
+            (Law::RareBranch { jump: -5.0 }, 2.1),
+        ];
+        for (law, k) in laws {
+            let inputs = law.inputs().into_iter().map(|input| RandomVariable::try_new(input).expect("a distribution"));
+            let inputs: Vec<RandomVariable> = inputs.collect();
+            let draw = |run: u64| {
+                let input = |(place, input): (u64, &RandomVariable)| input.quantile(uniform(hash(3, run), place));
+                law.value(k, &(0..).zip(&inputs).map(input).collect::<Vec<f64>>(), &[0.37])
+            };
+            let values: Vec<f64> = (0..COUNT).map(draw).collect();
+            let average = |of: &dyn Fn(f64) -> f64| {
+                let mean = values.iter().map(|value| of(*value)).sum::<f64>() / COUNT as f64;
+                let square = values.iter().map(|value| (of(*value) - mean).powi(2)).sum::<f64>() / COUNT as f64;
+                (mean, (square / COUNT as f64).sqrt())
+            };
+            let check = |what: &str, (found, error): (f64, f64), exact: f64| {
+                assert!((found - exact).abs() <= MOST * error, "{law:?}, {what}: {found} ± {error}, exact {exact}");
+            };
+            let (mean, deviation) = (law.mean(k), law.standard_deviation(k));
+            check("mean", average(&|z| z), mean);
+            check("variance", average(&|z| (z - mean) * (z - mean)), deviation * deviation);
+            for p in [0.025, 0.5, 0.975] {
+                let quantile = law.quantile(k, p);
+                check("above", average(&|z| f64::from(u8::from(z > quantile))), law.above(k, quantile));
+                // The values of a discrete number have probabilities.
+                let below = 1.0 - law.above(k, quantile);
+                let just_below = 1.0 - law.above(k, quantile - 1e-9);
+                assert!(just_below <= p + 1e-8 && p <= below + 1e-8, "{law:?}: {p} {quantile} {just_below} {below}");
+            }
+        }
+    }
+}

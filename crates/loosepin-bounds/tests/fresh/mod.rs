@@ -28,5 +28,6 @@ mod shapes;
 mod statistics;
 mod term;
 
+pub use feature::Feature;
 pub use problem::Problem;
 pub use statistics::Exact;
