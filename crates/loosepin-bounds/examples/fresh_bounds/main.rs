@@ -4,7 +4,7 @@
 //! of them with K sampling seeds. `--widths` compares stated with actual errors over K seeds of each, `--growth` widths with 32 to 256 outer
 //! points; `--draw` only tells what is drawn.
 
-#[allow(dead_code, reason = "tests read the rest of it")]
+#[allow(dead_code, unused_imports, reason = "tests read the rest of it")]
 #[path = "../../tests/fresh/mod.rs"]
 mod fresh;
 mod growth;
