@@ -8,3 +8,4 @@ mod inner_runs;
 pub(crate) mod refinement;
 mod results;
 mod rounds;
+mod scouting;

@@ -20,6 +20,9 @@ use crate::search::target::Target;
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
 
+/// At most one in so many of the points of a round goes where a scout calls.
+const CALLED_SHARE: usize = 2;
+
 /// Where each run may have its own u, so many inner runs of every column are searched, to this share of their range.
 const SINGLE_RUNS: usize = 8;
 const SINGLE_RUN_RESOLUTION: f64 = 1e-4;
@@ -131,7 +134,9 @@ impl DoubleLoop {
             &self.setup.candidates,
             targets.iter().map(|(target, _)| target),
         );
-        search.next_places(&targets, &self.searched_elements, count)
+        let mut places = self.called_places(table, pool, &search, count.div_ceil(CALLED_SHARE));
+        places.extend(search.next_places(&targets, &self.searched_elements, count - places.len()));
+        places
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.

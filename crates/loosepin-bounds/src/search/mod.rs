@@ -12,6 +12,7 @@ mod next;
 pub(crate) mod parts;
 mod promises;
 pub(crate) mod reach;
+pub(crate) mod scouts;
 pub(crate) mod search_box;
 pub(crate) mod smoother;
 mod summits;

@@ -126,7 +126,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first `count` of `places` that keep their distances.
-    pub(super) fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
+    pub fn new_places(&self, places: impl IntoIterator<Item = Place>, count: usize) -> Vec<Place> {
         let mut chosen: Vec<Place> = Vec::new();
         for place in places {
             let is_new = self.points.iter().all(|point| self.axes.distance(point, &place) > LEAST_DISTANCE)
