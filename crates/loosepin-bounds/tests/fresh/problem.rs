@@ -22,6 +22,9 @@ const EXPECTED_RUNS: f64 = 4.6;
 /// A volume that a run of the mixture is in.
 const LEAST_VOLUME: f64 = EXPECTED_RUNS / MIXTURE as f64;
 
+/// A branch with this probability changes no statistic by more than round-off.
+const NEVER: f64 = 1e-13;
+
 /// A response whose exact bounds are known.
 #[derive(Debug, Clone)]
 pub struct Problem {
@@ -238,17 +241,19 @@ impl Problem {
     }
 
     /// Whether every feature that sets an extreme can be seen: one run of the mixture is in it and stands out of the scatter, or a point
-    /// of the first round is in it and the mean of its runs stands out; and a rare branch of X has a run of the mixture.
+    /// of the first round is in it and the mean of its runs stands out; and a rare branch of X, or the fold of an absolute value, has a run of the mixture.
     pub fn is_visible(&self) -> bool {
         let is_seen = |(feature, height): &(Feature, f64)| {
             let by_mixture = feature.volume >= LEAST_VOLUME && *height > 1.0;
             let by_outer = feature.volume >= EXPECTED_RUNS / FIRST_OUTER as f64 && *height > SHARE_OF_SCATTER;
             by_mixture || by_outer
         };
-        let is_branch_seen = match self.law {
-            Law::RareBranch { .. } => normal_cdf(-self.shape.0[1]) >= LEAST_VOLUME,
-            _ => true,
+        let branch = match self.law {
+            Law::RareBranch { .. } => normal_cdf(-self.shape.0[1]),
+            _ if self.is_absolute => self.corners().folded_share(),
+            _ => 1.0,
         };
+        let is_branch_seen = branch >= LEAST_VOLUME || branch <= NEVER;
         is_branch_seen && self.features.iter().all(is_seen)
     }
 

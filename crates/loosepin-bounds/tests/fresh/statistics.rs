@@ -92,6 +92,13 @@ impl Corners<'_> {
         if low < 0.0 && high > 0.0 { 0.0 } else { low.abs().min(high.abs()) }
     }
 
+    /// Probability that m + s Z is on the other side of 0 than m, where m is nearest to 0 and s greatest.
+    pub fn folded_share(&self) -> f64 {
+        let z = -self.nearest() / self.spread[1];
+        // On the side of m that is nearer to 0.
+        if self.location[0] >= 0.0 { 1.0 - self.law.above(self.shape[0], z) } else { self.law.above(self.shape[0], -z) }
+    }
+
     /// Bounds of statistics of m + s Z where every corner is attained.
     pub fn of_sum(&self, draw: &mut Draw) -> Vec<Exact> {
         let mut all = self.of_place(draw, |value| self.at_corners(value));
