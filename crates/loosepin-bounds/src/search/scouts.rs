@@ -49,3 +49,36 @@ impl Search<'_> {
         self.new_places(calls.into_iter().map(|(_, place)| place.clone()), count)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Expectation, Scout};
+    use crate::data::direction::Direction;
+    use crate::search::models::Search;
+    use crate::search::search_box::{Axes, Place};
+    use loosepin_uncertainty::normal_quantile;
+
+    /// 1,000 scouts of a response whose mean is 0 and whose standard deviation is 0.1, but for a hill 1 high between 0.62 and 0.63.
+    #[test]
+    fn analytic_a_hill_that_only_scouts_have_met_is_called() {
+        let axes = Axes::open(1);
+        let place = |x: f64| Place { combination: 0, at: vec![x] };
+        let points: Vec<Place> = (0..=10).map(|i| place(0.1 * f64::from(i))).collect();
+        let level = |run: usize| (run as f64 + 0.5) / 1000.0;
+        let scouts: Vec<Scout> = (0..1000)
+            .map(|run| {
+                let x = level(run);
+                let hill = if (0.62..0.63).contains(&x) { 1.0 } else { 0.0 };
+                // Every run has another one of as many quantiles.
+                Scout { place: place(x), value: hill + 0.1 * normal_quantile(level(7 * run % 1000)) }
+            })
+            .collect();
+        let scatter: Vec<f64> = (0..10_000).map(|run| normal_quantile((f64::from(run) + 0.5) / 10_000.0)).collect();
+        let expectation = Expectation { moments: &[(0.0, 0.1); 11], means: &[0.0; 1000], scatter: &scatter };
+        let search = Search::new(&axes, &points, &[], []);
+        let called = search.calls(&scouts, &expectation, 4);
+        assert!((0.62..0.63).contains(&called[0].at[0]), "{called:?}");
+        // Two places of a round are not nearer than 0.02: one on the hill, and at most one of chance to either side.
+        assert!(called.len() <= 1 + Direction::BOTH.len(), "{called:?}");
+    }
+}
