@@ -9,6 +9,7 @@
 pub mod contributors;
 pub mod reliability;
 
+mod binomial;
 mod correlation;
 mod counter;
 mod direction_numbers;
@@ -30,6 +31,7 @@ mod second_order;
 mod sobol;
 mod student;
 
+pub use binomial::{binomial_tail, clopper_pearson};
 pub use correlation::{CopulaError, GaussianCopula, Pair, normal_of_rank, rank_of_normal};
 pub use counter::{hash, normal, uniform};
 pub use distribution::{Distribution, DistributionError};
