@@ -45,15 +45,20 @@ pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES}
 pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::statistic::Statistic;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
+pub use loosepin_terms::Side;
 pub use plan::check::{MOST_OUTER, ProblemError};
 pub use plan::double_loop::DoubleLoop;
 pub use plan::error::PlanError;
 pub use plan::evaluate::{EvaluateError, Function, Response, evaluate, execute};
+pub use plan::promise::{
+    PROMISE_MISS, PromiseError, PromisePlan, PromiseRequest, PromiseSettings, PromisedBound, least_promise_runs,
+};
 pub use plan::refinement::{Assessment, Goal, Refinement, Standing};
 pub use readings::bounds::Bounds;
 pub use readings::coverage::{Coverage, CoveragePoint};
 pub use readings::pinching::{PinchedInput, Pinching};
 pub use readings::probability_box::ProbabilityBox;
+pub use readings::promise::InnerRuns;
 pub use readings::second_order::{Percentile, StatisticPercentiles};
 pub use readings::simultaneous::SimultaneousBand;
 pub use readings::treatment::{Band, TreatmentComparison};

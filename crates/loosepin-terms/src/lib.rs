@@ -3,6 +3,7 @@
 mod guarantee;
 mod purpose;
 mod reading;
+mod side;
 mod statistic;
 mod surrogate_verdict;
 mod treatment;
@@ -10,6 +11,7 @@ mod treatment;
 pub use guarantee::Guarantee;
 pub use purpose::Purpose;
 pub use reading::Reading;
+pub use side::Side;
 pub use statistic::Statistic;
 pub use surrogate_verdict::SurrogateVerdict;
 pub use treatment::Treatment;

@@ -23,11 +23,13 @@ pub enum Purpose {
     Training,
     /// Comparison of a surrogate with the response: X sampled at the u of a bound.
     Confirming,
+    /// The promise for a share of the box: X drawn by itself at a u that was drawn beforehand.
+    Promise,
 }
 
 impl Purpose {
     /// Every purpose, in the order in which runs are counted in results.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::DoubleLoop,
         Self::Mixture,
         Self::Extreme,
@@ -35,6 +37,7 @@ impl Purpose {
         Self::Rare,
         Self::Training,
         Self::Confirming,
+        Self::Promise,
     ];
 
     /// Word in files and in Python.
@@ -47,6 +50,7 @@ impl Purpose {
             Self::Rare => "rare",
             Self::Training => "training",
             Self::Confirming => "confirming",
+            Self::Promise => "promise",
         }
     }
 }

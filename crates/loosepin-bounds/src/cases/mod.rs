@@ -8,6 +8,7 @@ mod kink;
 mod noisy;
 mod parameter;
 mod periodic;
+mod promise;
 mod second_order;
 mod simultaneous;
 mod tail;

@@ -1,10 +1,21 @@
 //! Minimum and maximum.
 
+use loosepin_terms::Side;
+
 /// Which end is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Direction {
     Minimum,
     Maximum,
+}
+
+impl From<Side> for Direction {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Lower => Self::Minimum,
+            Side::Upper => Self::Maximum,
+        }
+    }
 }
 
 impl Direction {

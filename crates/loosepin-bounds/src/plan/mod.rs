@@ -5,6 +5,7 @@ pub(crate) mod double_loop;
 pub(crate) mod error;
 pub(crate) mod evaluate;
 mod inner_runs;
+pub(crate) mod promise;
 pub(crate) mod refinement;
 mod results;
 mod rounds;

@@ -10,6 +10,7 @@ mod interval;
 mod limits;
 pub(crate) mod pinching;
 pub(crate) mod probability_box;
+pub(crate) mod promise;
 pub(crate) mod random_set;
 pub(crate) mod second_order;
 pub(crate) mod setup;

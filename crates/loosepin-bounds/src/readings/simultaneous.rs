@@ -64,6 +64,11 @@ impl SimultaneousBand {
         })
     }
 
+    /// Centres and half-widths.
+    pub(crate) fn shape(&self) -> BandShape {
+        BandShape { centres: self.centres.clone(), half_widths: self.half_widths.clone() }
+    }
+
     /// Guarantee of the band.
     pub fn guarantee(&self) -> Guarantee {
         self.factor.guarantee
@@ -89,18 +94,20 @@ impl BandShape {
         Some(Self { half_widths: ends.iter().map(half_width).collect(), centres })
     }
 
+    /// M of a run with these `values` of all columns.
+    pub fn excess(&self, values: &[f64], columns: &[usize]) -> f64 {
+        let each = columns.iter().zip(self.centres.iter().zip(&self.half_widths));
+        let each = each.map(|(&column, (centre, half_width))| (values[column] - centre).abs() / half_width);
+        // A point that is missing leaves the excess unknown.
+        each.fold(0.0, |most: f64, own| if own.is_nan() || most.is_nan() { f64::NAN } else { most.max(own) })
+    }
+
     /// M of every run of the double loop in `table`, as a table of one column; `columns` are those of the curve.
     pub fn excesses(&self, table: &SampleTable, columns: &[usize]) -> SampleTable {
-        let excess = |values: &[f64]| {
-            let each = columns.iter().zip(self.centres.iter().zip(&self.half_widths));
-            let each = each.map(|(&column, (centre, half_width))| (values[column] - centre).abs() / half_width);
-            // A point that is missing leaves the excess unknown.
-            each.fold(0.0, |most: f64, own| if own.is_nan() || most.is_nan() { f64::NAN } else { most.max(own) })
-        };
         let mut excesses = SampleTable::new(1);
         for (run, inputs) in table.inputs().iter().enumerate() {
             if inputs.purpose == Purpose::DoubleLoop {
-                let outcome = [excess(table.values(run))];
+                let outcome = [self.excess(table.values(run), columns)];
                 // A row of one column fits a table of one column.
                 let _ = excesses.push(inputs.clone(), table.failure(run).map_or(Ok(&outcome[..]), Err));
             }

@@ -166,6 +166,7 @@ fn purpose_words(purpose: Purpose) -> &'static str {
         Purpose::Rare => "for small probabilities",
         Purpose::Training => "to train surrogates",
         Purpose::Confirming => "to confirm surrogates",
+        Purpose::Promise => "for the promise",
     }
 }
 
