@@ -2,6 +2,7 @@
 
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding, plain_name};
+use super::promise_text::promised_share;
 use super::wording::{
     capitalised, counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
     verdict_words,
@@ -80,6 +81,7 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
 pub(super) fn verdict_headline(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Met => "All requirements met",
+        Verdict::Promised => "Requirements promised for a share of the box",
         Verdict::NotMet => "Requirement not met",
         Verdict::Undecided => "Requirement undecided",
     }
@@ -239,15 +241,24 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
             let way_out = match requirement.verdict {
                 Verdict::Undecided => format!(" {}", way_to_decide(result, requirement, writer)),
-                Verdict::Met | Verdict::NotMet => String::new(),
+                Verdict::Met | Verdict::Promised | Verdict::NotMet => String::new(),
+            };
+            let searched = format!(
+                "in {} of mechanisms",
+                writer.percent_range(requirement.probability[0], requirement.probability[1])
+            );
+            let share = match (requirement.promised, &result.promise) {
+                (Some(least), Some(promise)) => {
+                    format!("{}; searched over every value: {searched}", promised_share(promise, least, writer))
+                }
+                _ => searched,
             };
             format!(
-                "{}: the {} of {} stays {limits} {} in {} of mechanisms; required: at least {}.{way_out}",
+                "{}: the {} of {} stays {limits} {} {share}; required: at least {}.{way_out}",
                 capitalised(verdict_words(requirement.verdict)),
                 deviation_words(requirement.of),
                 requirement.output,
                 place_words(requirement.at, writer),
-                writer.percent_range(requirement.probability[0], requirement.probability[1]),
                 writer.percent(requirement.probability_at_least, Rounding::Nearest),
             )
         })
@@ -262,6 +273,9 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     // None lies outside, and still so few mechanisms would not show a share that is small enough.
     let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
     let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
+    if requirement.promised.is_some() {
+        return "The promised share is too small: increase 'inner' under [promise].".to_owned();
+    }
     if is_by_surrogate(result) && result.counts.failed > 0 {
         "Some runs failed, and only direct runs count failures: use direct = \"double-loop\".".to_owned()
     } else if let Some(known) = too_few.filter(|known| needed(known) < MOST) {

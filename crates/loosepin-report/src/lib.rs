@@ -8,6 +8,7 @@
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
 //! | the required accuracy and the budget | `accuracy_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs` |
+//! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
 //! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
 //! | whether the motion repeats | `motion_kind_section.rs` |
@@ -35,6 +36,7 @@ mod motion_page;
 mod number;
 mod page;
 mod percentile_words;
+mod promise_text;
 mod script_data;
 mod section_figure;
 mod simulation_page;

@@ -10,6 +10,7 @@ use super::inverse::{inverse_sentences, rare_sentences};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::percentile_words::percentile_sentences;
+use super::promise_text::{promise_sentences, promise_title};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wording::{
@@ -76,7 +77,9 @@ pub fn study_text(result: &StudyResult) -> String {
     } else if let Some(words) = only_curves(result.bounds.len(), &writer) {
         text.push_str(&format!("\n{}\n", wrapped(&words, "")));
     }
+    let promise_title = result.promise.as_ref().map_or_else(String::new, |promise| promise_title(promise, &writer));
     for (title, sentences) in [
+        (&promise_title[..], promise_sentences(result, &writer)),
         ("Accuracy of the bounds", accuracy_sentences(result, &writer)),
         ("Percentiles of the statistics", percentile_sentences(result, &writer)),
         ("Small probabilities", rare_sentences(result, &writer)),

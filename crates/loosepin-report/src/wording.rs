@@ -123,6 +123,7 @@ pub(super) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> St
 pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Met => "met",
+        Verdict::Promised => "promised",
         Verdict::NotMet => "not met",
         Verdict::Undecided => "undecided",
     }

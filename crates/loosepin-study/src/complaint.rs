@@ -19,6 +19,7 @@ impl Problem for StudyError {
             Self::Plan(_)
             | Self::Contributors(_)
             | Self::Surrogate(_)
+            | Self::Promise(_)
             | Self::TimeOfShards
             | Self::TooManyRuns { .. }
             | Self::BudgetTooSmall { .. } => Code::SamplingNotPossible,
@@ -61,7 +62,12 @@ impl Problem for StudyError {
                 Some("what was made is kept: continue with the same command and --resume".to_owned())
             }
             Self::TimeOfShards => Some("state it in runs or rounds, for example 200000runs".to_owned()),
-            Self::Plan(_) | Self::Contributors(_) | Self::Surrogate(_) | Self::Table(_) | Self::Loosened { .. } => None,
+            Self::Plan(_)
+            | Self::Contributors(_)
+            | Self::Surrogate(_)
+            | Self::Promise(_)
+            | Self::Table(_)
+            | Self::Loosened { .. } => None,
         }
     }
 }
@@ -82,9 +88,14 @@ impl StudyError {
             Self::Plan(_)
             | Self::Contributors(_)
             | Self::Surrogate(_)
+            | Self::Promise(_)
             | Self::TooManyRuns { .. }
             | Self::TooMuchMemory { .. } => {
-                let key = if matches!(self, Self::Surrogate(_)) { "surrogate" } else { "sampling" };
+                let key = match self {
+                    Self::Surrogate(_) => "surrogate",
+                    Self::Promise(_) => "promise",
+                    _ => "sampling",
+                };
                 let within = match self {
                     Self::Plan(PlanError::Problem(problem)) => problem.key(),
                     Self::Surrogate(SurrogatePlanError::TooFewTraining { .. }) => Some("training_runs"),

@@ -12,6 +12,7 @@ use super::keep::Keeping;
 use super::learned::{LearnedBounds, SurrogateQuestion};
 use super::part::Part;
 use super::plans::{Plans, refuse_time};
+use super::promise::{PromiseQuestion, Promised};
 use super::question::ask;
 use super::rare::{Rare, RareQuestion};
 use super::response::StudyResponse;
@@ -19,7 +20,7 @@ use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
 use super::sheet::{Progress, Runner, Sheet};
 use super::simultaneous::curve_bands;
-use loosepin_bounds::{Bounds, SampleTable, TableError};
+use loosepin_bounds::{Bounds, PromisedBound, SampleTable, TableError};
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, StudyResult};
 use loosepin_store::RunStore;
 use std::sync::atomic::{AtomicBool, AtomicUsize};
@@ -102,8 +103,13 @@ fn conduct_with(
         None => Vec::new(),
     };
     let learned = learned(&plans, &mut sheet)?;
+    let rounds = sheet.table.rounds();
+    let promised = match &plans.promise {
+        Some(plan) => ask(PromiseQuestion::new(plan, rounds), &mut sheet, None)?,
+        None => Vec::new(),
+    };
     let (allowances, allocation) = inverse_question(&sheet)?;
-    let found = Found { refined, direct, rare, learned, allowances, allocation };
+    let found = Found { refined, direct, rare, learned, rounds, promised, allowances, allocation };
     tell(&sheet, plans, found, input_hash)
 }
 
@@ -114,6 +120,9 @@ struct Found {
     direct: Option<Direct>,
     rare: Vec<Rare>,
     learned: Option<LearnedBounds>,
+    /// Rounds of the bounds, without that of the promise.
+    rounds: u32,
+    promised: Vec<PromisedBound>,
     allowances: Vec<AllowanceRecord>,
     allocation: Option<AllocationRecord>,
 }
@@ -172,7 +181,7 @@ fn inverse_question(sheet: &Sheet<'_>) -> Result<(Vec<AllowanceRecord>, Option<A
 
 /// Puts the result together.
 fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Result<Conducted, StudyError> {
-    let Found { refined, direct, rare, learned, allowances, allocation } = found;
+    let Found { refined, direct, rare, learned, rounds, promised, allowances, allocation } = found;
     let (study, table, pool) = (sheet.study, &sheet.table, sheet.runner.pool);
     let (plan, mut ended, bounds) = match direct {
         Some(Direct { plan, bounds, ended }) => (Some(plan), Some(ended), Some(bounds)),
@@ -182,7 +191,7 @@ fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Resu
     if let Some(learned) = learned.as_mut() {
         // The bounds that the study states are those of the surrogate that stands alone.
         ended = learned.ended.take().or(ended);
-        bounds = bounds.or_else(|| Some(learned.bounds.to_bounds(&learned.plan, table.rounds())));
+        bounds = bounds.or_else(|| Some(learned.bounds.to_bounds(&learned.plan, rounds)));
     }
     let (Some(ended), Some(bounds)) = (ended, bounds) else { return Err(all_failed(sheet.response, table)) };
     let material = Material {
@@ -203,7 +212,9 @@ fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Resu
     let surrogates =
         learned.as_ref().map(|learned| saved_surrogates(&material, input_hash, &learned.plan, &learned.bounds));
     let contributors = plans.contributors;
-    let answers = Answers { plan, ended, contributors, learned, allowances, allocation, curve_bands: bands, beside };
+    let promise = plans.promise.map(|plan| Promised::new(plan, promised, &bands, table)).transpose()?;
+    let curve_bands = bands;
+    let answers = Answers { plan, ended, contributors, learned, promise, allowances, allocation, curve_bands, beside };
     let result = pool.install(|| assemble(&material, input_hash, answers));
     Ok(Conducted { result, runs: sheet.runs_table(), surrogates })
 }

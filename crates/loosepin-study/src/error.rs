@@ -4,7 +4,7 @@ use super::file::MOST_RUNS;
 use super::part::OpenRound;
 use super::response::PrepareError;
 use super::runs::RunsTable;
-use loosepin_bounds::{PlanError, SurrogatePlanError, TableError};
+use loosepin_bounds::{PlanError, PromiseError, SurrogatePlanError, TableError};
 use loosepin_result::study::FailureGroup;
 use loosepin_simulate::RunFailure;
 use loosepin_store::StoreError;
@@ -25,6 +25,9 @@ pub enum StudyError {
     /// The runs of its surrogate are not possible.
     #[error("surrogate: {0}")]
     Surrogate(#[from] SurrogatePlanError),
+    /// Nothing can be promised.
+    #[error("promise: {0}")]
+    Promise(#[from] PromiseError),
     /// Shares of the variance are not possible.
     #[error(transparent)]
     Contributors(#[from] IndexPlanError),

@@ -2,10 +2,10 @@
 
 use super::error::StudyError;
 use super::file::Study;
-use super::plans::planned_runs;
+use super::plans::planned;
 use super::problem::problem;
 use super::response::StudyResponse;
-use loosepin_bounds::DoubleLoop;
+use loosepin_bounds::{DoubleLoop, PromisePlan};
 use loosepin_simulate::{Execution, RunFailure};
 use std::cell::Cell;
 use std::time::Instant;
@@ -27,6 +27,29 @@ pub struct Foreseen {
     pub most_runs: usize,
     /// Processor time of a run on the lanes of one thread, s; none where a run takes too long to be tried.
     pub run_s: Option<f64>,
+    /// Those of the runs that stand behind a promise, where something is promised.
+    pub promise: Option<ForeseenPromise>,
+}
+
+/// What a promise costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ForeseenPromise {
+    /// Ends that are promised together.
+    pub ends: usize,
+    /// Boxes: combinations of the members of lists and focal elements.
+    pub boxes: usize,
+    /// Values in each box.
+    pub values: usize,
+    /// Runs at each value.
+    pub inner: usize,
+    /// All of them.
+    pub runs: usize,
+}
+
+impl ForeseenPromise {
+    fn new(plan: &PromisePlan) -> Self {
+        Self { ends: plan.ends(), boxes: plan.boxes(), values: plan.values(), inner: plan.inner(), runs: plan.runs() }
+    }
 }
 
 /// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some thousand
@@ -36,17 +59,18 @@ pub struct Foreseen {
 /// As for [`super::plan_runs`], or all timed runs failed.
 pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
-    let most_runs = planned_runs(study, &response)?;
+    let plans = planned(study, &response)?;
+    let (most_runs, promise) = (plans.limits.most_runs(), plans.promise.as_ref().map(ForeseenPromise::new));
     let multiplications = response.mechanism().multiplications();
     // Where drives do not move everything, a run is prepared by a run of its ideal motion, which no lanes share.
     let most = if response.mechanism().is_driven() { TIMED_RUNS } else { TIMED_FREE_RUNS };
     let runs = ((TIMED_MULTIPLICATIONS / (LEAST_EVALUATIONS * multiplications)) as usize).min(most);
     if runs == 0 {
-        return Ok(Foreseen { most_runs, run_s: None });
+        return Ok(Foreseen { most_runs, run_s: None, promise });
     }
     let evaluations = (TIMED_MULTIPLICATIONS / (runs as f64 * multiplications)).min(MOST_EVALUATIONS);
     response.limit_evaluations(evaluations as u64);
-    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response, runs)? })
+    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response, runs)?, promise })
 }
 
 /// Processor time of a whole run, s, from the first `runs` of the plan; none where no run came to its first step.

@@ -35,6 +35,7 @@ mod memory_at_hand;
 mod part;
 mod plans;
 mod problem;
+mod promise;
 mod question;
 mod rare;
 mod recorder;
@@ -62,7 +63,7 @@ pub use file::{
     study_schema,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
-pub use foresee::{Foreseen, foresee};
+pub use foresee::{Foreseen, ForeseenPromise, foresee};
 pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study, study_inputs};

@@ -8,10 +8,11 @@ use super::file::{Budget, MOST_RUNS, Study};
 use super::goals::goals;
 use super::memory_at_hand::memory_at_hand_bytes;
 use super::problem::problem;
+use super::promise::promise_plan;
 use super::rare::{most_rare_runs, requests};
 use super::response::StudyResponse;
 use super::surrogate::{most_surrogate_runs, surrogate_plan};
-use loosepin_bounds::{Refinement, SampleTable, SurrogatePlan};
+use loosepin_bounds::{PromisePlan, Refinement, SampleTable, SurrogatePlan};
 
 /// What a run takes in memory beside its numbers: two copies of its inputs with their places, while a round is made.
 const BYTES_PER_RUN: usize = 400;
@@ -28,6 +29,8 @@ pub(super) struct Plans {
     pub contributors: Option<ContributorPlan>,
     /// The surrogates, where the study asks for them.
     pub surrogate: Option<SurrogatePlan>,
+    /// The promise for a share of the box, where something is promised.
+    pub promise: Option<PromisePlan>,
     /// Whether all bounds are those of the surrogates.
     pub is_surrogate_alone: bool,
     /// Limits of the question that gives the bounds.
@@ -47,18 +50,23 @@ impl Plans {
         let direct = refinement.plan(&SampleTable::new(row_length));
         let contributors = ContributorPlan::new(study, direct)?;
         let surrogate = surrogate_plan(study, response)?;
+        let promise = promise_plan(study, response)?;
+        let promised = promise.as_ref().map_or(0, PromisePlan::runs);
         let surrogate_runs = surrogate.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
         let rare = most_rare_runs(direct) * requests(&response.shared.plan.asks).count();
         let allowed = most_studies(study).saturating_mul(runs_of_a_study(study));
         let contributing = contributors.as_ref().map_or(0, ContributorPlan::runs);
-        let beside = [contributing, rare, allowed, surrogate_runs].into_iter().fold(0, usize::saturating_add);
-        let (stated_runs, reserved) =
-            if is_surrogate_alone { (surrogate_runs, 0) } else { (direct.most_runs().saturating_add(beside), beside) };
+        let beside = [contributing, rare, allowed, surrogate_runs, promised].into_iter().fold(0, usize::saturating_add);
+        let (stated_runs, reserved) = if is_surrogate_alone {
+            (surrogate_runs.saturating_add(promised), promised)
+        } else {
+            (direct.most_runs().saturating_add(beside), beside)
+        };
         let limits = Limits { budget: budget(study, stated_runs, row_length), stated_runs, reserved };
         let numbers = row_length + study.random.len() + study.epistemic.len();
         check_size(limits.most_runs().min(stated_runs), numbers, memory_at_hand_bytes())?;
-        Ok(Self { refinement, contributors, surrogate, is_surrogate_alone, limits, row_length })
+        Ok(Self { refinement, contributors, surrogate, promise, is_surrogate_alone, limits, row_length })
     }
 
     /// An empty table with room for the runs of the first question.
@@ -86,11 +94,11 @@ fn check_size(runs: usize, numbers: usize, at_hand_bytes: u64) -> Result<(), Stu
 /// The study cannot begin, its sampling is not possible, its budget does not suffice for anything, or the memory at hand does not
 /// hold its runs.
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
-    planned_runs(study, &StudyResponse::new(study)?)
+    Ok(planned(study, &StudyResponse::new(study)?)?.limits.most_runs())
 }
 
-/// As [`plan_runs`], of a study that is compiled already.
-pub(super) fn planned_runs(study: &Study, response: &StudyResponse) -> Result<usize, StudyError> {
+/// The plans of `study`, whose budget suffices for a first answer.
+pub(super) fn planned(study: &Study, response: &StudyResponse) -> Result<Plans, StudyError> {
     let plans = Plans::new(study, response)?;
     if matches!(plans.limits.budget, Some(Budget::Runs { .. })) {
         let first = match &plans.surrogate {
@@ -101,7 +109,7 @@ pub(super) fn planned_runs(study: &Study, response: &StudyResponse) -> Result<us
             return Err(plans.limits.too_small(first));
         }
     }
-    Ok(plans.limits.most_runs())
+    Ok(plans)
 }
 
 /// How many runs `study` comes to at most, as [`plan_runs`], where shards make them.

@@ -11,6 +11,8 @@ pub(super) struct CurveBand {
     pub columns: Vec<usize>,
     /// The share that was asked for.
     pub share: f64,
+    /// Whether it is promised for a share of the box too.
+    pub is_promised: bool,
     /// The band; nothing where the ends at some pose are not finite, or nothing differs from run to run.
     pub found: Option<SimultaneousBand>,
 }
@@ -34,7 +36,8 @@ pub(super) fn curve_bands(material: &Material<'_>, plan: &DoubleLoop) -> Result<
                 Some(shape) => plan.simultaneous_band(material.table, &planned.columns, &shape, share)?,
                 None => None,
             };
-            Ok(CurveBand { columns: planned.columns.clone(), share, found })
+            let is_promised = !planned.ask.promised.is_empty();
+            Ok(CurveBand { columns: planned.columns.clone(), share, is_promised, found })
         })
         .collect()
 }

@@ -97,7 +97,7 @@ impl StoredResult for StudyResult {
 
     fn done(&self) -> Done {
         match self.verdict() {
-            None | Some(Verdict::Met) => Done::Well,
+            None | Some(Verdict::Met | Verdict::Promised) => Done::Well,
             Some(Verdict::NotMet | Verdict::Undecided) => Done::RequirementNotMet,
         }
     }

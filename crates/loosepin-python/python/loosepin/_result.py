@@ -188,14 +188,23 @@ class StudyResult:
 
     @property
     def requirements(self) -> list[dict[str, Any]]:
-        """The requirements with their `verdict`: "met", "not_met" or "undecided"."""
+        """The requirements with their `verdict`: "met", "promised", "not_met" or "undecided"."""
         requirements: list[dict[str, Any]] = self.summary["requirements"]
         return requirements
 
     @property
     def is_met(self) -> bool:
-        """Whether all requirements are met for every value of what is not known, numerical error included."""
+        """Whether all requirements are met for every value of what is not known, numerical error included.
+
+        A requirement that a promise decides is not: it is "promised", for a share of the box.
+        """
         return all(requirement["verdict"] == "met" for requirement in self.requirements)
+
+    @property
+    def promise(self) -> dict[str, Any] | None:
+        """What is promised for a share of the box, as `summary.json` has it; nothing where the study promises nothing."""
+        promise: dict[str, Any] | None = self.summary.get("promise")
+        return promise
 
     @cached_property
     def curves(self) -> tuple[Curve, ...]:

@@ -18,6 +18,7 @@ use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
+use super::promise_text::{promise_sentences, promise_title};
 use super::still_figures::orbit_figure;
 use super::wording::{counted, has_unknown, place_words, unknown_words, verdict_words};
 use loosepin_result::study::{StudyResult, Verdict};
@@ -43,6 +44,15 @@ pub fn study_page(result: &StudyResult) -> String {
     }
     if !result.bounds.is_empty() {
         sections.push(Section::new("bounds", "Bounds", bounds_table::bounds_table(result, &writer)));
+    }
+    if let Some(promise) = &result.promise {
+        let sentences = promise_sentences(result, &writer);
+        let (head, ends) = sentences.split_at(2);
+        let markup = html! {
+            @for sentence in head { p { (sentence) } }
+            ul { @for sentence in ends { li { (sentence) } } }
+        };
+        sections.push(Section::new("promise", promise_title(promise, &writer), markup));
     }
     if let Some(record) = &result.surrogate {
         let markup = surrogate::surrogate(result, record, &writer);
@@ -133,6 +143,7 @@ fn answer_markup(answer: &Answer) -> Markup {
 fn verdict_class(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Met => "met",
+        Verdict::Promised => "promised",
         Verdict::NotMet => "not-met",
         Verdict::Undecided => "undecided",
     }
@@ -169,6 +180,9 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
                         }
                         td.number data-label="Share inside" {
                             (writer.percent_range(requirement.probability[0], requirement.probability[1]))
+                            @if let Some(least) = requirement.promised {
+                                " " span.quiet { "promised: at least " (writer.percent(least, Rounding::Down)) }
+                            }
                         }
                         td data-label="Smallest at" { (writer.witness(&requirement.witness, &result.inputs)) }
                         td data-label="Verdict" {

@@ -7,6 +7,7 @@ mod contributors;
 mod deviation;
 mod figures;
 mod inputs;
+mod promise;
 mod rare;
 mod reduction;
 mod requirement;
@@ -29,7 +30,8 @@ pub use inputs::{
     InputDescription, InputKind, OutputDescription, PurposeRuns, RunCounts,
 };
 
-pub use loosepin_terms::{Guarantee, Purpose, Reading, Statistic, SurrogateVerdict, Treatment};
+pub use loosepin_terms::{Guarantee, Purpose, Reading, Side, Statistic, SurrogateVerdict, Treatment};
+pub use promise::{PromiseRecord, PromisedBand, PromisedEnd};
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 pub use reduction::Reduction;
 pub use requirement::{CountedMechanisms, RequirementOutcome};
@@ -109,6 +111,9 @@ pub struct StudyResult {
     /// Small probabilities that were not counted but estimated by other means; their bounds stand among the others.
     #[serde(default)]
     pub rare: Vec<RareRecord>,
+    /// Bounds that a share of the box keeps; absent where none was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub promise: Option<PromiseRecord>,
     /// Bounds by surrogates beside the direct ones; absent where none was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surrogate: Option<SurrogateRecord>,

@@ -30,6 +30,9 @@ pub struct RequirementOutcome {
     pub probability: [f64; 2],
     /// The epistemic inputs at which the share is smallest.
     pub witness: Witness,
+    /// Least share that a promise for a share of the box states, where the requirement is decided by one.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub promised: Option<f64>,
     /// Mechanisms that were counted at the witness; nothing where the share is no count at one value of the epistemic inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub counted: Option<CountedMechanisms>,

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 pub enum Verdict {
     /// Met for every value of the epistemic inputs, numerical error included.
     Met,
+    /// Kept in a stated share of the box of the epistemic inputs, with a stated confidence; not shown for every value.
+    Promised,
     /// Not met for at least one value, numerical error included.
     NotMet,
     /// The numerical error reaches over the limit, or nothing is known of the share: more runs decide.
@@ -40,12 +42,23 @@ impl Verdict {
         }
     }
 
+    /// Verdict of a requirement that a promise decides, where the search has come to this one. A value at which it is not met stays one.
+    #[must_use]
+    pub fn by_promise(self, is_promised: bool) -> Self {
+        match (self, is_promised) {
+            (Self::NotMet, _) => Self::NotMet,
+            (_, true) => Self::Promised,
+            (_, false) => Self::Undecided,
+        }
+    }
+
     /// Verdict over several requirements: the worst of them; nothing where nothing is required.
     pub fn of_all(verdicts: impl IntoIterator<Item = Self>) -> Option<Self> {
         let rank = |verdict: &Self| match verdict {
             Self::Met => 0,
-            Self::Undecided => 1,
-            Self::NotMet => 2,
+            Self::Promised => 1,
+            Self::Undecided => 2,
+            Self::NotMet => 3,
         };
         verdicts.into_iter().max_by_key(rank)
     }
@@ -63,6 +76,15 @@ mod tests {
         assert_eq!(of(0.90, 0.949), Verdict::NotMet);
         assert_eq!(of(f64::NAN, f64::NAN), Verdict::Undecided);
         assert_eq!(Verdict::of(KnownShare::NOTHING, 0.01), Verdict::Undecided);
+    }
+
+    #[test]
+    fn what_is_promised_is_never_met() {
+        use Verdict::{Met, NotMet, Promised, Undecided};
+        assert_eq!([Met, Undecided, NotMet].map(|verdict| verdict.by_promise(true)), [Promised, Promised, NotMet]);
+        assert_eq!([Met, Undecided, NotMet].map(|verdict| verdict.by_promise(false)), [Undecided, Undecided, NotMet]);
+        assert_eq!(Verdict::of_all([Met, Promised]), Some(Promised));
+        assert_eq!(Verdict::of_all([Undecided, Promised]), Some(Undecided));
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod curves;
 mod describe;
 mod drawing;
 pub(super) mod material;
+mod promise;
 mod rare;
 mod requirements;
 mod summary;
@@ -22,6 +23,7 @@ use super::contributors::ContributorPlan;
 use super::failures::failures;
 use super::goals::Ended;
 use super::learned::LearnedBounds;
+use super::promise::Promised;
 use super::simultaneous::CurveBand;
 use loosepin_bounds::{Bounds, DoubleLoop};
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, Contributors, FORMAT, StudyResult, SurrogateRecord};
@@ -36,6 +38,8 @@ pub(super) struct Answers {
     /// The runs of the contributors, where they were asked for.
     pub contributors: Option<ContributorPlan>,
     pub learned: Option<LearnedBounds>,
+    /// What is promised for a share of the box.
+    pub promise: Option<Promised>,
     pub allowances: Vec<AllowanceRecord>,
     pub allocation: Option<AllocationRecord>,
     pub curve_bands: Vec<CurveBand>,
@@ -45,7 +49,7 @@ pub(super) struct Answers {
 
 /// Puts the result together.
 pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answers) -> StudyResult {
-    let Answers { plan, ended, contributors, learned, allowances, allocation, curve_bands, beside } = answers;
+    let Answers { plan, ended, contributors, learned, promise, allowances, allocation, curve_bands, beside } = answers;
     let study = material.study;
     let contributors = plan.as_ref().map_or_else(Vec::new, |plan| -> Vec<Contributors> {
         contributors::contributors(material, plan, contributors.as_ref())
@@ -56,6 +60,11 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         Some(learned) if plan.is_none() => treatments::learned_treatments(material, &learned.plan, &learned.bounds),
         _ => treatments::treatments(material),
     };
+    let mut requirements = requirements(material);
+    let promise = promise.map(|promised| {
+        promise::decide(material, &promised.ends, &mut requirements);
+        promise::promise_record(material, &promised)
+    });
     let pictures = drawing::pictures(material);
     StudyResult {
         format: FORMAT,
@@ -72,13 +81,14 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         accuracy: accuracy::accuracy(material, &ended),
         failures: failures(material.study, material.response, material.table),
         settled_share: summary::settled_share(material),
-        requirements: requirements(material),
+        requirements,
         allowances,
         allocation,
         bounds: bounds::all_bounds(material, &curve_bands, &beside),
         cuts: bounds::cuts(material),
         percentiles: bounds::percentiles(material),
         rare: rare::rare_records(material),
+        promise,
         surrogate,
         contributors,
         treatments,

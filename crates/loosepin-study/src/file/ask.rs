@@ -56,6 +56,7 @@ fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
         contributors: false,
         rare: vec![(statistic, method)],
         simultaneous_bands: Vec::new(),
+        promised: Vec::new(),
     });
     let anywhere = anywhere.collect();
     ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));
@@ -104,6 +105,7 @@ impl StudyReader {
         if PLACES.into_iter().filter(|key| table.has(key)).count() == 1 {
             self.check_new(&entries, (output, deviation), &location);
         }
+        let promised = self.promised_ends(table, &entries);
         let asked: Vec<Asked> = entries.into_iter().map(|(_, asked)| asked).collect();
         let contributors = asked.contains(&Asked::Contributors);
         let rare: Vec<(Statistic, RareMethod)> = asked
@@ -128,7 +130,7 @@ impl StudyReader {
             Asked::Contributors | Asked::SimultaneousBand(_) => None,
         });
         let statistics = statistics.collect();
-        Some(Ask { output, deviation, location, statistics, contributors, rare, simultaneous_bands: bands })
+        Some(Ask { output, deviation, location, statistics, contributors, rare, simultaneous_bands: bands, promised })
     }
 
     /// Reads the requirements.
@@ -160,6 +162,7 @@ impl StudyReader {
             }
         });
         let probability_at_least = probability_at_least?;
+        let is_promised = self.is_decided_by_promise(table, probability_at_least);
         // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
         if probability_at_least == 1.0
             && !self.random.is_empty()
@@ -169,7 +172,8 @@ impl StudyReader {
             let place = Place::new(&self.reader.source, entry.span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
-        Some(Requirement { output, deviation: deviation?, limit: limit?, location: location?, probability_at_least })
+        let (deviation, limit, location) = (deviation?, limit?, location?);
+        Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised })
     }
 
     fn output(&mut self, table: &Table<'_>) -> Option<usize> {

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::target::AccuracyTarget;
-use loosepin_bounds::{Reading, Statistic};
+use loosepin_bounds::{PromiseSettings, Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
-use loosepin_result::study::{Budget, Deviation, Reduction};
+use loosepin_result::study::{Budget, Deviation, Reduction, Side};
 use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -32,6 +32,8 @@ pub struct Study {
     pub sampling: Sampling,
     /// The surrogate whose bounds stand beside the direct ones; nothing where none is asked for.
     pub surrogate: Option<StudySurrogate>,
+    /// The promise for a share of the box; nothing where nothing is promised.
+    pub promise: Option<PromiseSettings>,
     /// How an interval is read: first the reading of everything that has one, then those whose bounds stand beside; never empty.
     pub readings: Vec<Reading>,
     /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself.
@@ -324,6 +326,8 @@ pub struct Ask {
     pub rare: Vec<(Statistic, RareMethod)>,
     /// Shares of mechanisms for which a band is wanted that they stay in for the whole cycle.
     pub simultaneous_bands: Vec<f64>,
+    /// Ends of the statistics that are promised for a share of the box.
+    pub promised: Vec<Side>,
 }
 
 /// How a small probability is estimated.
@@ -390,6 +394,8 @@ pub struct Requirement {
     pub location: Where,
     /// The least probability, in (0, 1].
     pub probability_at_least: f64,
+    /// Whether a promise for a share of the box decides it.
+    pub is_promised: bool,
 }
 
 /// What may be loosened as far as the requirements allow.

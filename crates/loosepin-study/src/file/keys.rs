@@ -110,6 +110,30 @@ pub(super) static SURROGATE_KEYS: Keys = Keys::new(
     ],
 );
 
+pub(super) static PROMISE_KEYS: Keys = Keys::new(
+    "a bound that a share of the box of the intervals keeps, without a model",
+    &[
+        optional(
+            "share",
+            Kind::Number { rule: Rule::Probability },
+            "0.99",
+            "share of the box, by volume, that keeps every promised bound; 0.99 if left out",
+        ),
+        optional(
+            "confidence",
+            Kind::Number { rule: Rule::Probability },
+            "0.99",
+            "confidence that this holds for all promised bounds together; 0.99 if left out",
+        ),
+        optional(
+            "inner",
+            Kind::Count { least: 1, most: MOST_INNER },
+            "256",
+            "runs at each value of the intervals; 256 if left out",
+        ),
+    ],
+);
+
 /// A parameter with a unit: a number, or what is known of it.
 const PARAMETER: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::Table(&PARAMETER_KEYS)]);
 /// The same, a pure number.
@@ -417,6 +441,8 @@ const DEVIATIONS: [&str; 4] = words(&words::DEVIATIONS);
 const REDUCTIONS: [&str; 6] = words(&words::REDUCTIONS);
 const PLAIN_STATISTICS: [&str; words::PLAIN_STATISTICS.len()] = words(&words::PLAIN_STATISTICS);
 const METHODS: [&str; 4] = words(&words::METHODS);
+const PROMISED_ENDS: [&str; 3] = words(&words::PROMISED_ENDS);
+const DECIDED_BY: [&str; 2] = words(&words::DECIDED_BY);
 
 pub(super) static STATISTIC_KEYS: Keys = Keys::new(
     "a statistic with a number",
@@ -472,6 +498,12 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
             "\"1 um\"",
             "what these bounds are widened by at most: the samples grow until they are; a value or a list",
         ),
+        optional(
+            "promise",
+            Kind::Choice(&PROMISED_ENDS),
+            "\"upper\"",
+            "ends of these quantiles and probabilities that are also promised for a share of the box; none if left out",
+        ),
     ],
 )
 .with_exactly_one(&[&["at", "poses", "reduce"]]);
@@ -494,6 +526,12 @@ pub(super) static REQUIRE_KEYS: Keys = Keys::new(
             Kind::Number { rule: Rule::RequiredProbability },
             "0.9973",
             "the least probability of staying within the limit",
+        ),
+        optional(
+            "decided_by",
+            Kind::Choice(&DECIDED_BY),
+            "\"promise\"",
+            "search (if left out): for every value of the epistemic inputs; promise: for a share of the box, without a model",
         ),
     ],
 )
@@ -543,6 +581,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             Kind::AnyOf(&[Kind::Choice(&SURROGATES), Kind::Table(&SURROGATE_KEYS)]),
             "\"auto\"",
             "bounds from a function learned from few runs, beside the direct ones; none if left out",
+        ),
+        optional(
+            "promise",
+            Kind::Table(&PROMISE_KEYS),
+            "",
+            "a bound that a share of the box of the intervals keeps, without a model: how large; for questions with promise and requirements decided by one",
         ),
         optional(
             "random",

@@ -15,6 +15,7 @@ mod keys;
 mod parameter;
 mod parameter_keys;
 mod problem;
+mod promise;
 mod random;
 mod random_problem;
 mod reader;
@@ -46,7 +47,7 @@ pub use target::AccuracyTarget;
 use words::READINGS;
 pub(super) use words::statistic_name;
 
-use loosepin_bounds::{PERCENTILES, Reading};
+use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
@@ -164,6 +165,7 @@ fn read(
         tables: Vec::new(),
         parameters: Parameters::default(),
         poses: HashMap::new(),
+        promise: PromiseSettings::default(),
         questions: HashSet::new(),
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(loosepin_bounds::Sampling::default().seed);
@@ -178,11 +180,13 @@ fn read(
     let correlation = file.read_correlations(&root);
     file.read_reading(&root);
     let percentiles = file.percentiles(&root);
+    file.read_promise(&root);
     let (asks, of_asks) = file.read_asks(&root);
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
+    let promise = file.promise(&root, &asks, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
     file.check_whole(&root);
     if !file.reader.complaints.has_errors() {
@@ -202,6 +206,7 @@ fn read(
         cycle,
         sampling,
         surrogate,
+        promise,
         readings: file.readings,
         percentiles,
         random: file.random,

@@ -192,6 +192,29 @@ problems! {
         NeedsDirectRuns { entry: String, of: &'static str } => Code::AskNotPossible,
             says("{entry}: {of} need direct runs"),
             hint("write direct = \"double-loop\", or do not ask for them");
+        /// What cannot be promised.
+        PromiseOf { entry: String, of: &'static str, is_unbounded: bool } => Code::AskNotPossible,
+            says("{entry}: nothing can be promised of {of}{}",
+                if *is_unbounded { "; no number of runs bounds it without a known range" } else { "" }),
+            hint("promise quantiles and probabilities, and ask for {of} in an [[ask]] of its own");
+        /// Fewer runs at each value than a limit there needs.
+        PromiseRuns { entry: String, of: String, inner: usize, least: usize } => Code::AskNotPossible,
+            says("{entry}: to promise {of} takes at least {least} runs at each value; inner under [promise] is {inner}"),
+            hint("write inner = {} under [promise]", least.next_power_of_two());
+        /// A promise beside what is not one fixed value in an interval.
+        PromiseBeside { entry: String, what: &'static str } => Code::AskNotPossible,
+            says("{entry} cannot be used with {what}: a promise is for values that are fixed but unknown, and for the \
+                  inputs as they stand"),
+            hint("leave one of the two out, or write two studies");
+        /// A promise where no interval is.
+        PromiseWithoutBox { entry: String } => Code::AskNotPossible,
+            says("{entry}: no input of [epistemic] has an interval, so that there is no box of which a share could be \
+                  promised"),
+            hint("leave it out: without intervals the bounds need no search");
+        /// A promise of nothing.
+        NothingPromised { entry: String } => Code::AskNotPossible,
+            says("{entry}: no question and no requirement asks for a promise"),
+            hint("write promise = \"upper\" in an [[ask]], or decided_by = \"promise\" in a [[require]]");
         /// A small probability of which only sums over focal elements, or belief and plausibility, are wanted.
         RareOfSets { entry: String, of: &'static str } => Code::AskNotPossible,
             says("{entry}: a method finds where the probability is largest over fixed values; it knows no {of}"),

@@ -2,7 +2,7 @@
 
 use super::description::{EpistemicInput, RandomInput, RareMethod, Where};
 use super::problem::StudyProblem;
-use loosepin_bounds::{Reading, Statistic};
+use loosepin_bounds::{PromiseSettings, Reading, Statistic};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Problem, Source, Span};
@@ -25,6 +25,8 @@ pub struct StudyReader {
     pub parameters: Parameters,
     /// Angles at which single numbers are asked for or required, rad: by output, deviation and the bits of the angle in names.
     pub poses: HashMap<((usize, Deviation), u64), Vec<f64>>,
+    /// How large a promise is, where something is promised.
+    pub promise: PromiseSettings,
     /// What is asked so far, by [`KnownQuestion::name`].
     pub questions: HashSet<String>,
 }

@@ -2,7 +2,7 @@
 
 use super::description::RareMethod;
 use loosepin_bounds::{Reading, Statistic};
-use loosepin_result::study::{Deviation, Reduction};
+use loosepin_result::study::{Deviation, Reduction, Side};
 use loosepin_surrogate::{Choice, Kind};
 
 /// The words of a table.
@@ -67,6 +67,13 @@ pub(super) const SURROGATES: [(&str, Option<Choice>); 5] = [
 
 /// Which direct runs are made beside a surrogate, and whether it is then alone.
 pub(super) const DIRECT_RUNS: [(&str, bool); 2] = [("double-loop", false), ("confirming", true)];
+
+/// Ends of a statistic that are promised.
+pub(super) const PROMISED_ENDS: [(&str, &[Side]); 3] =
+    [("upper", &[Side::Upper]), ("lower", &[Side::Lower]), ("both", &Side::BOTH)];
+
+/// What decides a requirement, and whether it is a promise.
+pub(super) const DECIDED_BY: [(&str, bool); 2] = [("search", false), ("promise", true)];
 
 /// Statistics without a number; nothing stands for what contributes.
 pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.len() + 1] = {

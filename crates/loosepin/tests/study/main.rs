@@ -6,5 +6,6 @@ mod epistemic_inputs;
 mod exact_bounds;
 mod inner_bands;
 mod kept_runs;
+mod promise;
 mod study_accuracy;
 mod surrogates;

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
-use loosepin::study::{Budget, CorrelationMeasure, Foreseen, Study, StudyError, distribution_words, foresee};
+use loosepin::study::{
+    Budget, CorrelationMeasure, Foreseen, ForeseenPromise, Study, StudyError, distribution_words, foresee,
+};
 use loosepin::uncertainty::EpistemicVariable;
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -37,7 +39,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         counted(study.asks.len(), "question", "questions"),
         counted(study.requirements.len(), "requirement", "requirements")
     );
-    let Foreseen { most_runs, run_s } = foresee(study).map_err(|error| match error {
+    let Foreseen { most_runs, run_s, promise } = foresee(study).map_err(|error| match error {
         StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
         error => error.complaint(study),
     })?;
@@ -51,6 +53,9 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         format_value(tried.turn_s, Dimension::TIME),
         study.sampling.tolerance_m
     );
+    if let Some(promise) = promise {
+        push_promise(&mut text, study, &promise);
+    }
     let time = match run_s {
         Some(run_s) => format!("about {}", duration(run_s * most_runs as f64 / threads as f64)),
         None => "longer than can be foreseen".to_owned(),
@@ -62,6 +67,26 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
     let threads = counted(threads, "thread", "threads");
     let _ = writeln!(text, "At most {}{before}: {time} on {threads}", counted(most_runs, "run", "runs"));
     Ok(text)
+}
+
+/// What is promised, and what it costs.
+fn push_promise(text: &mut String, study: &Study, promise: &ForeseenPromise) {
+    let ForeseenPromise { ends, boxes, values, inner, runs } = *promise;
+    let settings = study.promise.unwrap_or_default();
+    let boxes = if boxes == 1 { String::new() } else { format!(" in each of {boxes} boxes") };
+    let _ = writeln!(
+        text,
+        "\nA promise of {} for {} of the box with {} confidence: {values} values{boxes}, {} at each, {}",
+        counted(ends, "bound", "bounds"),
+        format_percent(settings.share),
+        format_percent(settings.confidence),
+        counted(inner, "run", "runs"),
+        counted(runs, "run", "runs"),
+    );
+}
+
+fn format_percent(share: f64) -> String {
+    format!("{} %", format_number(100.0 * share))
 }
 
 fn push_inputs(text: &mut String, study: &Study) {

@@ -146,6 +146,7 @@ pub fn worn_pin() -> StudyResult {
         cuts: Vec::new(),
         percentiles: Vec::new(),
         rare: Vec::new(),
+        promise: None,
         surrogate: None,
         contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
@@ -293,6 +294,7 @@ fn requirements(outers: &[Outer]) -> Vec<RequirementOutcome> {
             probability_at_least,
             probability: [(least - 0.0004).max(0.0), shares().fold(0.0, f64::max)],
             witness: at.at.clone(),
+            promised: None,
             counted: None,
             verdict: if least >= probability_at_least { Verdict::Met } else { Verdict::NotMet },
         }

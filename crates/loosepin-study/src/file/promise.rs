@@ -1,0 +1,130 @@
+//! The promise for a share of the box: how large it is, and what is promised.
+
+use super::description::{Ask, Requirement};
+use super::keys::PROMISE_KEYS;
+use super::problem::StudyProblem;
+use super::reader::{Asked, StudyReader};
+use super::words::{DECIDED_BY, PROMISED_ENDS};
+use loosepin_bounds::{PromiseSettings, Reading, Statistic, least_promise_runs};
+use loosepin_result::study::Side;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::format_number;
+use loosepin_uncertainty::EpistemicVariable;
+
+impl StudyReader {
+    /// Reads how large a promise is; questions are checked against it.
+    pub fn read_promise(&mut self, root: &Table<'_>) {
+        let Some(table) = root.get("promise").and_then(|entry| self.reader.table(&entry, &PROMISE_KEYS)) else {
+            return;
+        };
+        let PromiseSettings { share, confidence, inner } = &mut self.promise;
+        *share = self.reader.number(&table, "share").unwrap_or(*share);
+        *confidence = self.reader.number(&table, "confidence").unwrap_or(*confidence);
+        *inner = self.reader.count(&table, "inner").map_or(*inner, |written| written as usize);
+    }
+
+    /// The ends of the statistics of a question that are promised.
+    pub(super) fn promised_ends(&mut self, table: &Table<'_>, entries: &[(Entry<'_>, Asked)]) -> Vec<Side> {
+        let Some(entry) = table.get("promise") else { return Vec::new() };
+        let Some(ends) = self.reader.choice(&entry, &PROMISED_ENDS) else { return Vec::new() };
+        if !self.check_promise(&entry) {
+            return Vec::new();
+        }
+        for (asked_entry, asked) in entries {
+            let quantile = match asked {
+                Asked::Statistic(Statistic::Quantile(probability)) => Some((*probability, ends)),
+                // The half-width of a band is one number, whose upper end is promised.
+                Asked::SimultaneousBand(share) => Some((*share, &[Side::Upper][..])),
+                Asked::Statistic(statistic) if statistic.is_probability() => None,
+                _ => {
+                    let (entry, of) = (asked_entry.path.describe(), of_words(*asked));
+                    let is_unbounded =
+                        matches!(asked, Asked::Statistic(Statistic::Mean | Statistic::StandardDeviation));
+                    self.complain(&StudyProblem::PromiseOf { entry, of, is_unbounded }, asked_entry);
+                    continue;
+                }
+            };
+            let least = quantile.and_then(|(probability, ends)| {
+                let least = ends.iter().map(|&side| least_promise_runs(probability, side)).max()?;
+                Some((least, format!("the quantile at {}", format_number(probability))))
+            });
+            if let Some((least, of)) = least {
+                self.check_promise_runs(asked_entry, least, of);
+            }
+        }
+        ends.to_vec()
+    }
+
+    /// Whether a promise decides a requirement.
+    pub(super) fn is_decided_by_promise(&mut self, table: &Table<'_>, probability_at_least: f64) -> bool {
+        let Some(entry) = table.get("decided_by") else { return false };
+        if self.reader.choice(&entry, &DECIDED_BY) != Some(true) || !self.check_promise(&entry) {
+            return false;
+        }
+        // That all mechanisms keep a limit is shown by no number of them, which has its own warning.
+        if probability_at_least < 1.0 {
+            let of = format!("a share of {} of the mechanisms", format_number(probability_at_least));
+            // After no mechanism outside the limit of the share outside is 1 - γ^(1/N), which is small enough where p^N <= γ.
+            self.check_promise_runs(&entry, least_promise_runs(probability_at_least, Side::Upper), of);
+        }
+        true
+    }
+
+    /// That enough runs are made at each value for the limit of a statistic there.
+    fn check_promise_runs(&mut self, entry: &Entry<'_>, least: usize, of: String) {
+        let inner = self.promise.inner;
+        if !self.random.is_empty() && inner < least {
+            self.complain(&StudyProblem::PromiseRuns { entry: entry.path.describe(), of, inner, least }, entry);
+        }
+    }
+
+    /// That there is a box of which a share can be promised.
+    fn check_promise(&mut self, entry: &Entry<'_>) -> bool {
+        let has_interval = self.epistemic.iter().any(|input| input.interval().is_some());
+        let beside = self.epistemic.iter().find_map(|input| match &input.variable {
+            EpistemicVariable::SecondOrder(_) => Some("a parameter with a distribution"),
+            EpistemicVariable::Evidence(evidence) if evidence.is_scattering() => {
+                Some("a quantity that scatters in an unknown way")
+            }
+            _ => None,
+        });
+        let is_fixed = self.readings == [Reading::FixedButUnknown];
+        let words = entry.path.describe();
+        let problem = match (has_interval, beside) {
+            (false, _) => StudyProblem::PromiseWithoutBox { entry: words },
+            (_, Some(what)) => StudyProblem::PromiseBeside { entry: words, what },
+            _ if !is_fixed => StudyProblem::PromiseBeside { entry: words, what: "another reading of intervals" },
+            _ => return true,
+        };
+        self.complain(&problem, entry);
+        false
+    }
+
+    /// The promise, where anything is promised.
+    pub fn promise(&mut self, root: &Table<'_>, asks: &[Ask], requirements: &[Requirement]) -> Option<PromiseSettings> {
+        let is_asked = asks.iter().any(|ask| !ask.promised.is_empty());
+        if is_asked || requirements.iter().any(|requirement| requirement.is_promised) {
+            if let Some(entry) = root.get("allow") {
+                let problem = StudyProblem::PromiseBeside { entry: entry.path.describe(), what: "a promise" };
+                self.complain(&problem, &entry.at_key());
+            }
+            return Some(self.promise);
+        }
+        if let Some(entry) = root.get("promise").filter(|_| !self.reader.complaints.has_errors()) {
+            self.complain(&StudyProblem::NothingPromised { entry: entry.path.describe() }, &entry.at_key());
+        }
+        None
+    }
+}
+
+/// What of a question cannot be promised.
+fn of_words(asked: Asked) -> &'static str {
+    match asked {
+        Asked::Statistic(Statistic::Mean) => "a mean",
+        Asked::Statistic(Statistic::StandardDeviation) => "a standard deviation",
+        Asked::Statistic(_) => "a distribution function",
+        Asked::Contributors => "contributors",
+        Asked::Rare(..) => "a probability by a method",
+        Asked::SimultaneousBand(_) => "a band",
+    }
+}
