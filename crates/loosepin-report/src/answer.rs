@@ -2,14 +2,13 @@
 
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::promise_text::promised_share;
 use super::wording::{
     capitalised, counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
     verdict_words,
 };
 use loosepin_result::study::{
-    BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, Reduction, RequirementOutcome,
-    ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
+    BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PromiseRecord, Reduction,
+    RequirementOutcome, ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -263,6 +262,16 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             )
         })
         .collect()
+}
+
+/// What a promise says of a requirement that it decides, to stand behind the sentence on its verdict.
+fn promised_share(promise: &PromiseRecord, least_share: f64, writer: &NumberWriter) -> String {
+    format!(
+        "in at least {} of mechanisms, for at least {} of the box of the intervals with {} confidence (not for every value)",
+        writer.percent(least_share, Rounding::Down),
+        writer.percent(promise.share, Rounding::Down),
+        writer.percent(promise.confidence, Rounding::Down),
+    )
 }
 
 /// Hint for a requirement that is undecided.

@@ -144,13 +144,3 @@ fn band_sentence(result: &StudyResult, band: &PromisedBand, writer: &NumberWrite
 const FACTOR_DIGITS: usize = 3;
 /// Digits of a bound.
 const BOUND_DIGITS: usize = 4;
-
-/// What a promise says of a requirement that it decides, to stand behind the sentence on its verdict.
-pub(super) fn promised_share(promise: &PromiseRecord, least_share: f64, writer: &NumberWriter) -> String {
-    format!(
-        "in at least {} of mechanisms, for at least {} of the box of the intervals with {} confidence (not for every value)",
-        writer.percent(least_share, Rounding::Down),
-        writer.percent(promise.share, Rounding::Down),
-        writer.percent(promise.confidence, Rounding::Down),
-    )
-}

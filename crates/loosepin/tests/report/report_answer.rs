@@ -7,8 +7,8 @@ use loosepin::report::{motion_page, motion_text, simulation_text, study_page, st
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
     AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, Deviation, Guarantee, InputDescription, InputKind,
-    NumericalError, PercentileBounds, Purpose, PurposeRuns, Reduction, ResponsePoint, Statistic, StudyResult,
-    Treatment, TreatmentBand, TreatmentComparison, TreatmentEnd, Verdict,
+    NumericalError, PercentileBounds, PromiseRecord, PromisedEnd, Purpose, PurposeRuns, Reduction, ResponsePoint, Side,
+    Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, TreatmentEnd, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -444,4 +444,50 @@ fn a_search_for_offers_says_why_it_ended() {
     (allocation.combinations, allocation.excluded, allocation.studies) = (160_000, 0, 0);
     allocation.stop = AllocationStop::TooManyCombinations;
     assert_says(&result, "No offer found: 160000 combinations are too many to search.");
+}
+
+#[test]
+fn what_is_promised_is_said_to_be_a_share_of_volume_and_never_met() {
+    let mut result = worn_pin();
+    result.requirements.truncate(1);
+    result.requirements[0].promised = Some(0.9981);
+    result.requirements[0].verdict = Verdict::Promised;
+    let end = |side: Side, bound_si: f64, failed_values: u64| PromisedEnd {
+        output: "slider".to_owned(),
+        of: Deviation::Total,
+        at: ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute },
+        statistic: Statistic::Quantile(0.975),
+        unit: SiUnit::LENGTH,
+        side,
+        bound_si,
+        witness: result.requirements[0].witness.clone(),
+        failed_values,
+    };
+    let ends = vec![end(Side::Upper, 6.1234e-4, 0), end(Side::Lower, f64::NEG_INFINITY, 2)];
+    result.promise = Some(PromiseRecord {
+        share: 0.99,
+        confidence: 0.995,
+        boxes: 1,
+        values: 533,
+        inner: 256,
+        miss: 0.01,
+        runs: 136_448,
+        ends,
+        bands: Vec::new(),
+    });
+    for words in [
+        "Requirements promised for a share of the box",
+        "in at least 99.81 % of mechanisms, for at least 99 % of the box of the intervals with 99.5 % confidence (not for every value)",
+        "Promised for 99 % of the box",
+        "With 99.5 % confidence, at least 99 % of the box of the intervals keeps all of these bounds.",
+        "It is not a probability of the true values, and it does not hold for every value.",
+        "at most 0.6124 mm; the limit is largest at",
+        "nothing is promised, for runs failed at 2 values.",
+    ] {
+        assert_says(&result, words);
+    }
+    let (text, page) = (one_line(&study_text(&result)), one_line(&study_page(&result)));
+    assert!(!text.contains("All requirements met") && !text.contains("Met:"), "{text}");
+    // In the answer and in the table.
+    assert_eq!(page.matches("class=\"verdict promised\"").count(), 2, "{page}");
 }
