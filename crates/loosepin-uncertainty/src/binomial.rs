@@ -27,13 +27,11 @@ pub fn binomial_tail(runs: u64, hits: u64, probability: f64) -> f64 {
 /// ```
 ///
 /// C. J. Clopper and E. S. Pearson, "The use of confidence or fiducial limits illustrated in the case of the binomial", Biometrika 26
-/// (1934) 404-413.
-pub fn clopper_pearson(runs: u64, hits: u64, miss: f64) -> [f64; 2] {
-    let limit = |hits: u64, rest: u64, below: f64, above: f64| {
-        inverse_incomplete_beta(hits as f64, rest as f64, below, above).0
-    };
-    let lower = if hits == 0 { 0.0 } else { limit(hits, runs - hits + 1, miss, 1.0 - miss) };
-    let upper = if hits == runs { 1.0 } else { limit(hits + 1, runs - hits, 1.0 - miss, miss) };
+/// (1934) 404-413, in the form of the beta distribution, so that the numbers need not be whole ones.
+pub fn clopper_pearson(runs: f64, hits: f64, miss: f64) -> [f64; 2] {
+    let rest = runs - hits;
+    let lower = if hits > 0.0 { inverse_incomplete_beta(hits, rest + 1.0, miss, 1.0 - miss).0 } else { 0.0 };
+    let upper = if rest > 0.0 { inverse_incomplete_beta(hits + 1.0, rest, 1.0 - miss, miss).0 } else { 1.0 };
     [lower, upper]
 }
 
@@ -71,9 +69,9 @@ mod tests {
         // (1 - p)^n = miss
         const TOLERANCE: f64 = 1e-12;
         let bound = 1.0 - 0.01_f64.powf(1.0 / 256.0);
-        let [lower, upper] = clopper_pearson(256, 0, 0.01);
+        let [lower, upper] = clopper_pearson(256.0, 0.0, 0.01);
         assert!(lower == 0.0 && (upper - bound).abs() < TOLERANCE, "{upper}");
-        let [lower, upper] = clopper_pearson(256, 256, 0.01);
+        let [lower, upper] = clopper_pearson(256.0, 256.0, 0.01);
         assert!((lower - (1.0 - bound)).abs() < TOLERANCE && upper == 1.0, "{lower}");
     }
 
@@ -81,7 +79,7 @@ mod tests {
     fn identity_at_its_limits_a_count_is_as_improbable_as_stated() {
         const RELATIVE_TOLERANCE: f64 = 1e-9;
         for (runs, hits, miss) in [(20, 3, 0.01), (256, 1, 0.001), (1000, 977, 0.05)] {
-            let [lower, upper] = clopper_pearson(runs, hits, miss);
+            let [lower, upper] = clopper_pearson(runs as f64, hits as f64, miss);
             let at_lower = binomial_tail(runs, hits, lower);
             let at_upper = 1.0 - binomial_tail(runs, hits + 1, upper);
             assert!((at_lower / miss - 1.0).abs() < RELATIVE_TOLERANCE, "{at_lower}");
@@ -92,7 +90,7 @@ mod tests {
     #[test]
     fn published_limits_of_two_hits_in_twenty() {
         // Two-sided 95 % limits of 2 in 20, in every table of Clopper and Pearson's: 1.23 % and 31.70 %.
-        let [lower, upper] = clopper_pearson(20, 2, 0.025);
+        let [lower, upper] = clopper_pearson(20.0, 2.0, 0.025);
         assert!((lower - 0.0123).abs() < 5e-5 && (upper - 0.3170).abs() < 5e-5, "{lower} {upper}");
     }
 }

@@ -3,6 +3,7 @@
 use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
 use super::sample::Sample;
 use crate::data::statistic::Event;
+use loosepin_uncertainty::{clopper_pearson, normal_cdf};
 
 /// Below this many hits or misses a replicate the spread of the replicates says nothing.
 const LEAST_PER_REPLICATE: usize = 2;
@@ -17,8 +18,8 @@ pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence
 
 /// The share of values with property `is_hit`: with m hits and f failures in N runs between m/N and (m + f)/N.
 ///
-/// The error is that of Wilson's interval (E. B. Wilson 1927) for n = p(1 - p)/v runs, v the variance of the share that the
-/// replicates show: it is not 0 when nothing was hit. Where there are fewer than two hits or misses a replicate, or where
+/// The error is that of the interval of Clopper and Pearson for n = p(1 - p)/v runs, v the variance of the share that the replicates
+/// show: it is not 0 when nothing was hit, and holds for a single hit. Where there are fewer than two hits or misses a replicate, or where
 /// the replicates are worse than independent runs, n = N.
 pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {
     let count = |values: &[f64]| values.iter().filter(|&&value| is_hit(value)).count();
@@ -34,7 +35,7 @@ pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f6
         if runs == 1 {
             return Estimate::symmetric(value, 0.0);
         }
-        let (low, high) = wilson(value, effective, confidence.normal);
+        let [low, high] = clopper_pearson(effective, value * effective, normal_cdf(-confidence.normal));
         Estimate { value, below: (value - low).max(0.0), above: (high - value).max(0.0) }
     };
     EitherWay { low: at(hits), high: at(hits + sample.failed()) }
@@ -58,27 +59,11 @@ pub(crate) fn effective_runs(sample: &Sample, confidence: &Confidence, hits: usi
     (share * (1.0 - share) / variance).max(runs)
 }
 
-/// Wilson's interval of a share seen in `runs` independent runs, with factor z: the p with |p - share| <= z √(p(1 - p)/n).
-pub(crate) fn wilson(share: f64, runs: f64, factor: f64) -> (f64, f64) {
-    let square = factor * factor / runs;
-    let centre = (share + 0.5 * square) / (1.0 + square);
-    let half_width = factor * ((share * (1.0 - share) + 0.25 * square) / runs).sqrt() / (1.0 + square);
-    ((centre - half_width).max(0.0), (centre + half_width).min(1.0))
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::estimate::Confidence;
     use super::super::sample::Sample;
-    use super::{share, wilson};
-
-    #[test]
-    fn analytic_wilsons_interval_at_no_hit() {
-        // 0 of n: (0, z²/(n + z²))
-        const TOLERANCE: f64 = 1e-15;
-        let (low, high) = wilson(0.0, 256.0, 1.96);
-        assert!(low.abs() < TOLERANCE && (high - 1.96 * 1.96 / (256.0 + 1.96 * 1.96)).abs() < TOLERANCE);
-    }
+    use super::share;
 
     #[test]
     fn analytic_failed_runs_widen_the_share_from_m_over_n_to_m_and_f_over_n() {

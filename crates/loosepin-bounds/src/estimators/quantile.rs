@@ -2,15 +2,15 @@
 
 use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
 use super::moments::variance;
-use super::probability::{effective_runs, wilson};
+use super::probability::effective_runs;
 use super::sample::Sample;
 
 /// The quantile of the finished and failed runs at `probability`.
 ///
 /// The value interpolates between order statistics (y_(k) at (k - 1/2)/N, A. Hazen 1914). Its error inverts a test of the
 /// share below it (R. S. Woodruff, "Confidence intervals for medians and other position measures", Journal of the American
-/// Statistical Association 47 (1952) 635-646) with the errors of [`super::probability`]; where the interval needs an order
-/// statistic that the sample does not have, it is infinite on that side.
+/// Statistical Association 47 (1952) 635-646) for the number of runs that [`super::probability`] takes for independent ones
+/// ([`fewest_below`]); where the interval needs an order statistic that the sample does not have, it is infinite on that side.
 pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> EitherWay {
     let sorted = &sample.sorted()[..];
     if sample.runs() == 0 {
@@ -39,16 +39,35 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
         .map(|values| values.iter().filter(|&&value| value <= central).count() as f64 / values.len() as f64)
         .collect();
     let effective = effective_runs(sample, confidence, hits, &shares);
-    let (share_low, share_high) = wilson(probability, effective, confidence.normal);
+    let [fewest_below, fewest_above] = [probability, 1.0 - probability]
+        .map(|share| fewest_below(share, effective, confidence.normal).map(|count| (count * runs / effective).floor()));
     let at = |below_everything: f64| {
         let value = interpolate(sorted, probability * runs - below_everything);
-        let low = order_statistic(sorted, (share_low * runs - below_everything).floor(), f64::NEG_INFINITY);
-        let high = order_statistic(sorted, (share_high * runs - below_everything).ceil() + 1.0, f64::INFINITY);
+        let low = fewest_below.map(|count| count + 1.0 - below_everything);
+        let high = fewest_above.map(|count| runs - count - below_everything);
+        let low = low.map_or(f64::NEG_INFINITY, |rank| order_statistic(sorted, rank, f64::NEG_INFINITY));
+        let high = high.map_or(f64::INFINITY, |rank| order_statistic(sorted, rank, f64::INFINITY));
         let below = if value.is_finite() { (value - low).max(0.0) } else { 0.0 };
         let above = if value.is_finite() { (high - value).max(0.0) } else { 0.0 };
         Estimate { value, below, above }
     };
     EitherWay { low: at(failed), high: at(0.0) }
+}
+
+/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), that of a binomial distribution; nothing where even no run below it
+/// is likelier than that.
+///
+/// ```text
+/// x = n p - z σ + (1 - 2p)(z² - 1)/6 - 1/2,   σ² = n p (1 - p)
+/// ```
+///
+/// (E. A. Cornish and R. A. Fisher, "Moments and cumulants in the specification of distributions", Revue de l'Institut International de
+/// Statistique 5 (1938) 307-320, to the skewness, with the correction for continuity.)
+fn fewest_below(probability: f64, runs: f64, factor: f64) -> Option<f64> {
+    let deviation = (runs * probability * (1.0 - probability)).sqrt();
+    let skewed = (1.0 - 2.0 * probability) * (factor * factor - 1.0) / 6.0;
+    let count = runs * probability - factor * deviation + skewed - 0.5;
+    (count >= 0.0).then_some(count)
 }
 
 /// The value at `rank` = N p; infinite where the rank lies among failed runs.

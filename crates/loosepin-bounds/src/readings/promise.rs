@@ -112,7 +112,7 @@ impl OneSidedLimit {
         match self.kind {
             LimitKind::Rank(_) => found,
             LimitKind::Hits { runs, miss: 0.0, .. } => found / runs as f64,
-            LimitKind::Hits { runs, miss, .. } => clopper_pearson(runs, found as u64, miss)[self.direction.index()],
+            LimitKind::Hits { runs, miss, .. } => clopper_pearson(runs as f64, found, miss)[self.direction.index()],
         }
     }
 }
