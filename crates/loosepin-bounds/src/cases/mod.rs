@@ -9,6 +9,7 @@ mod noisy;
 mod parameter;
 mod periodic;
 mod promise;
+mod sampling;
 mod second_order;
 mod simultaneous;
 mod tail;

@@ -63,29 +63,30 @@ impl EitherWay {
     }
 }
 
-/// Distances from the mean of `values` (one number a replicate) to both ends of its confidence interval.
-///
-/// t s/√R each way, lengthened by the factor 1 + |γ| towards which the skewness γ of the values points: the sample that
-/// missed the long tail is the one whose spread is too small. With 8 replicates of skewed responses this brings the share
-/// of misses from 12 % to about the stated 5 % (normal ones: from 7 % to 4 %). In the spirit of N. J. Johnson, "Modified t
-/// tests and confidence intervals for asymmetrical populations", Journal of the American Statistical Association 73 (1978)
-/// 536-544, whose own correction is too small for so few values.
+/// Distances from the mean of `values` (one number a replicate) to both ends of its confidence interval, where nothing is known but these
+/// values: t s/√R each way, lengthened by the factor 1 + |γ| towards which their skewness γ points, since the sample that missed a long
+/// tail is the one whose spread is too small. Where the runs themselves are known: [`super::mean_error`].
 pub(crate) fn replicate_error(values: &[f64], confidence: &Confidence) -> (f64, f64) {
     let error = confidence.student * variance_of_mean(values).sqrt();
-    if !(error.is_finite() && error > 0.0) {
-        return (error, error);
-    }
+    let skewness = skewness(values);
+    (error * (1.0 + (-skewness).max(0.0)), error * (1.0 + skewness.max(0.0)))
+}
+
+/// Mean of `values`; not a number of none.
+pub(crate) fn mean_of(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Skewness of `values`, 0 where they do not differ.
+pub(crate) fn skewness(values: &[f64]) -> f64 {
     let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
+    let mean = mean_of(values);
     let (square, cube) = values.iter().map(|value| value - mean).fold((0.0, 0.0), |(square, cube), deviation| {
         (square + deviation * deviation, cube + deviation * deviation * deviation)
     });
     let variance = square / count;
     let skewness = cube / (count * variance * variance.sqrt());
-    if !skewness.is_finite() {
-        return (error, error);
-    }
-    (error * (1.0 + (-skewness).max(0.0)), error * (1.0 + skewness.max(0.0)))
+    if skewness.is_finite() { skewness } else { 0.0 }
 }
 
 /// Variance of the mean of `values` (one number a replicate), infinite for fewer than two.
@@ -98,16 +99,18 @@ pub(crate) fn variance_of_mean(values: &[f64]) -> f64 {
     values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count * (count - 1.0))
 }
 
-/// The variance `value`, with the error of its logarithm from the estimate `squares` of each replicate: variances of few runs are skewed.
-pub(crate) fn variance_of_replicates(value: f64, squares: &[f64], confidence: &Confidence) -> Estimate {
-    let (below, above) = replicate_error(squares, confidence);
+/// The variance `value` with the errors `below` and `above`, taken as those of its cube root: of normal values that is nearly normal (E. B.
+/// Wilson and M. M. Hilferty, "The distribution of chi-square", Proceedings of the National Academy of Sciences 17 (1931) 684-688).
+/// So the error is longer upwards, and does not grow without bounds as that of the logarithm does.
+pub(crate) fn variance_with_error(value: f64, (below, above): (f64, f64)) -> Estimate {
     if !value.is_finite() {
         return Estimate::UNDEFINED;
     }
-    if value <= 0.0 || !below.is_finite() {
+    if value <= 0.0 || !below.is_finite() || !above.is_finite() {
         return Estimate { value, below, above };
     }
-    Estimate { value, below: -value * libm::expm1(-below / value), above: value * libm::expm1(above / value) }
+    let [low, high] = [-below, above].map(|error| (1.0 + error / (3.0 * value)).max(0.0).powi(3));
+    Estimate { value, below: value * (1.0 - low), above: value * (high - 1.0) }
 }
 
 /// Standard deviation, from an estimate of the variance.

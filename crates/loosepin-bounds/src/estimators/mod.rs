@@ -4,6 +4,7 @@ pub(crate) mod basis;
 pub(crate) mod estimate;
 pub(crate) mod index;
 pub(crate) mod inner_basis;
+pub(crate) mod mean_error;
 pub(crate) mod moments;
 pub(crate) mod orthogonal;
 pub(crate) mod pool;

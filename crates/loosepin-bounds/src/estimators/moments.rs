@@ -1,9 +1,10 @@
 //! Mean and variance with their sampling errors.
 
-use super::estimate::{Confidence, Estimate, replicate_error, variance_of_mean, variance_of_replicates};
+use super::estimate::{Confidence, Estimate, mean_of, variance_of_mean, variance_with_error};
+use super::mean_error::{error_of_mean, excess_of_squares, excess_of_values};
 use super::sample::Sample;
 
-/// Mean over the finished runs; its error from the means of the replicates ([`replicate_error`]).
+/// Mean over the finished runs, with its error ([`super::mean_error`]).
 pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
     if let Some(smooth) = sample.smooth() {
         return smooth.mean(confidence);
@@ -12,8 +13,7 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
     }
-    let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
-    let (below, above) = replicate_error(&means, confidence);
+    let (below, above) = error_of_mean(sample, excess_of_values(sample), confidence);
     Estimate { value, below, above }
 }
 
@@ -21,8 +21,8 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
 ///
 /// With m the mean of all N values and m_r that of replicate r, E[(y - m)²] falls short of the variance by Var(m), which
 /// the replicates show: v = 1/N Σ(y - m)² + Σ(m_r - m)²/(R(R - 1)). For independent points that is the usual N - 1, for
-/// scrambled nets, whose mean is far better known, nearly N. The error is that of ln v, from the replicates'
-/// mean (y - m)² divided by v: variances of few runs are skewed, and their logarithms less so.
+/// scrambled nets, whose mean is far better known, nearly N. The error is that of the mean of (y - m)² ([`super::mean_error`]), by the
+/// cube root of v.
 pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     if let Some(smooth) = sample.smooth() {
         return smooth.variance(sample.values(), confidence);
@@ -31,16 +31,15 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     if sample.runs() == 1 {
         return Estimate::symmetric(0.0, 0.0);
     }
-    let square = |values: &[f64]| values.iter().map(|y| (y - mean) * (y - mean)).sum::<f64>() / values.len() as f64;
-    let squares: Vec<f64> = sample.replicates().map(square).collect();
-    let means: Vec<f64> = sample.replicates().filter_map(plain_mean).collect();
-    let value = square(sample.values()) + variance_of_mean(&means);
-    variance_of_replicates(value, &squares, confidence)
+    let squares = sample.mapped(|y| (y - mean) * (y - mean));
+    let means: Vec<f64> = sample.replicates().map(mean_of).collect();
+    let value = mean_of(squares.values()) + variance_of_mean(&means);
+    variance_with_error(value, error_of_mean(&squares, excess_of_squares(sample, mean), confidence))
 }
 
 /// Mean of `values`; nothing of none.
 fn plain_mean(values: &[f64]) -> Option<f64> {
-    if values.is_empty() { None } else { Some(values.iter().sum::<f64>() / values.len() as f64) }
+    (!values.is_empty()).then(|| mean_of(values))
 }
 
 #[cfg(test)]
@@ -60,8 +59,10 @@ mod tests {
         let confidence = Confidence { student: 2.0, normal: 1.0 };
         let mean = mean(&sample(), &confidence);
         assert!((mean.value - 3.8).abs() < TOLERANCE);
-        // means 2.5 and 14/3: standard error half their distance
-        assert!((mean.above - 2.0 * 13.0 / 12.0).abs() < TOLERANCE);
+        // means 2.5 and 14/3: standard error half their distance; the skewness of the five, over √2.5, lengthens the upper end
+        let skewness = 112.32 / 5.0 / (38.8_f64 / 5.0).powf(1.5);
+        assert!((mean.below - 2.0 * 13.0 / 12.0).abs() < TOLERANCE);
+        assert!((mean.above - 2.0 * 13.0 / 12.0 * (1.0 + skewness / 2.5_f64.sqrt())).abs() < TOLERANCE, "{mean:?}");
         let variance = variance(&sample(), &confidence);
         assert!((variance.value - (38.8 / 5.0 + (13.0_f64 / 12.0).powi(2))).abs() < TOLERANCE);
         let deviation = standard_deviation(variance);

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::estimate::{
-    Confidence, Estimate, replicate_error, standard_deviation, variance_of_mean, variance_of_replicates,
+    Confidence, Estimate, replicate_error, standard_deviation, variance_of_mean, variance_with_error,
 };
 use super::index::{Index, compressed};
 use super::inner_basis::{CrossFit, DesignMatrix};
@@ -76,7 +76,7 @@ impl Smooth {
     pub fn variance(&self, values: &[f64], confidence: &Confidence) -> Estimate {
         let squares = self.squares(values, self.mean(confidence).value);
         let value = squares.iter().sum::<f64>() / squares.len() as f64 + variance_of_mean(&self.means());
-        variance_of_replicates(value.max(0.0), &squares, confidence)
+        variance_with_error(value.max(0.0), replicate_error(&squares, confidence))
     }
 
     /// The distribution function at `y`.

@@ -1,0 +1,247 @@
+//! How often the sampling errors at one u are too small, over families of distributions and many seeds of scrambled replicates: every end of
+//! every statistic may be missed as often as its confidence allows.
+
+use crate::data::points::inner_points;
+use crate::data::problem::Sampling;
+use crate::data::statistic::Event;
+use crate::estimators::estimate::{Confidence, Estimate, standard_deviation};
+use crate::estimators::moments::{mean, variance};
+use crate::estimators::probability::probability;
+use crate::estimators::quantile::quantile;
+use crate::estimators::sample::Sample;
+use loosepin_uncertainty::{ScrambledSobol, hash, normal_quantile, uniform};
+use rayon::prelude::*;
+
+/// Inputs of a family, at most.
+const INPUTS: usize = 4;
+/// Points of which the exact statistics are taken where no closed form is given: of a scrambled net of their own.
+const EXACT_POINTS: u32 = 1 << 18;
+const MORE_EXACT_POINTS: u32 = 1 << 20;
+const QUANTILES: [f64; 3] = [0.025, 0.5, 0.975];
+/// Probabilities to exceed a limit.
+const TAILS: [f64; 4] = [0.5, 0.05, 1e-3, 1e-4];
+const STATISTICS: usize = 2 + QUANTILES.len() + TAILS.len();
+/// Of numbers about 1: what the sums of the exact statistics leave.
+const ROUND_OFF: f64 = 1e-9;
+
+type Response = Box<dyn Fn(&[f64]) -> f64 + Sync>;
+
+/// A response of independent uniform numbers.
+struct Family {
+    name: String,
+    response: Response,
+    /// Whether every run draws numbers of its own, as where motion is chaotic: replicates are then no better than independent runs.
+    is_rough: bool,
+    /// Mean and standard deviation in closed form.
+    moments: Option<[f64; 2]>,
+}
+
+fn family(name: &str, is_rough: bool, response: impl Fn(&[f64]) -> f64 + Sync + 'static) -> Family {
+    Family {
+        name: format!("{name}{}", if is_rough { ", rough" } else { "" }),
+        response: Box::new(response),
+        is_rough,
+        moments: None,
+    }
+}
+
+/// Normal, skewed, bounded, in steps, with two humps; each smooth and rough in the random inputs.
+fn families() -> Vec<Family> {
+    let z = normal_quantile;
+    let both = [false, true];
+    let mut families: Vec<Family> = Vec::new();
+    for rough in both {
+        families.push(family("normal", rough, move |w| z(w[0])));
+        families.push(family("uniform", rough, |w| w[0]));
+        families.push(family("exponential", rough, |w| -libm::log1p(-w[0])));
+        families.push(family("magnitude", rough, move |w| (z(w[0]) + 0.3 * z(w[1])).abs()));
+        families.push(family("square", rough, move |w| z(w[0]).powi(2)));
+        families.push(family("two humps", rough, move |w| 0.3 * z(w[1]) + if w[0] < 0.37 { -2.0 } else { 2.0 }));
+        families.push(family("one of fifty", rough, |w| f64::from(w[0] < 0.02)));
+        families.push(family("steps", rough, |w| {
+            f64::from(w[0] > 0.5) + f64::from(w[0] > 0.8) + 3.0 * f64::from(w[0] > 0.97)
+        }));
+        families.push(family("rare branch", rough, move |w| z(w[0]) + 4.0 * f64::from(w[1] < 0.05)));
+        for deviation in [0.5, 1.0] {
+            let response = move |w: &[f64]| libm::exp(deviation * z(w[0]));
+            families.push(lognormal(deviation, family(&format!("lognormal {deviation}"), rough, response)));
+        }
+    }
+    families
+}
+
+/// Distributions without a fourth moment, or nearly so.
+fn heavy_families() -> Vec<Family> {
+    let response = |w: &[f64]| libm::exp(1.5 * normal_quantile(w[0]));
+    let t3 = |w: &[f64]| student_3(w[0]);
+    let of = |rough| {
+        let t3 = Family { moments: Some([0.0, 3.0_f64.sqrt()]), ..family("Student, 3 degrees", rough, t3) };
+        [lognormal(1.5, family("lognormal 1.5", rough, response)), t3]
+    };
+    [false, true].into_iter().flat_map(of).collect()
+}
+
+fn lognormal(deviation: f64, family: Family) -> Family {
+    let square = deviation * deviation;
+    let mean = libm::exp(0.5 * square);
+    Family { moments: Some([mean, mean * libm::expm1(square).sqrt()]), ..family }
+}
+
+/// Quantile of Student's distribution with three degrees of freedom, from its distribution function by bisection in t/(1 + t).
+fn student_3(probability: f64) -> f64 {
+    if probability < 0.5 {
+        return -student_3(1.0 - probability);
+    }
+    let (mut low, mut high) = (0.0_f64, 1.0_f64);
+    for _ in 0..52 {
+        let middle = 0.5 * (low + high);
+        let x = middle / (1.0 - middle) / 3.0_f64.sqrt();
+        let below = 0.5 + (x / (1.0 + x * x) + libm::atan(x)) / core::f64::consts::PI;
+        if below < probability { low = middle } else { high = middle }
+    }
+    low / (1.0 - low)
+}
+
+/// A sum of one to four functions of one input each, drawn from `seed`.
+fn drawn_family(seed: u64) -> Family {
+    let at = |index: u64| uniform(seed, index);
+    let count = 1 + (at(0) * INPUTS as f64) as usize;
+    let mut name = format!("drawn {seed}:");
+    let mut parts: Vec<(f64, Response)> = Vec::new();
+    for part in 0..count as u64 {
+        let (size, shape, kind) = (4.0 * at(8 * part + 8) - 2.0, at(8 * part + 9), (at(8 * part + 10) * 7.0) as usize);
+        let z = normal_quantile;
+        let (word, response): (&str, Response) = match kind {
+            0 => ("normal", Box::new(move |w| z(w[0]))),
+            1 => ("magnitude", Box::new(move |w| (z(w[0]) - shape).abs())),
+            2 => ("lognormal", Box::new(move |w| libm::exp((0.2 + shape) * z(w[0])))),
+            3 => {
+                ("branch", Box::new(move |w| if w[0] < 0.5 * libm::pow(0.1, shape) { 1.0 + 2.0 * shape } else { 0.0 }))
+            }
+            4 => ("square", Box::new(move |w| (z(w[0]) + shape).powi(2))),
+            5 => ("steps", Box::new(move |w| ((2.0 + 4.0 * shape).floor() * w[0]).floor())),
+            _ => ("kink", Box::new(move |w| (z(w[0]) - shape).max(0.0))),
+        };
+        name += &format!(" {word}");
+        parts.push((size, response));
+    }
+    let is_rough = at(1) < 0.3;
+    family(&name, is_rough, move |w| parts.iter().zip(w).map(|((size, of), &w)| size * of(&[w])).sum())
+}
+
+impl Family {
+    fn sample(&self, points: &[Vec<Vec<f64>>], seed: u64) -> Sample {
+        let value = |(replicate, index): (usize, usize)| {
+            if !self.is_rough {
+                return (self.response)(&points[replicate][index]);
+            }
+            let run = hash(hash(seed, replicate as u64), index as u64);
+            (self.response)(&(0..INPUTS as u64).map(|input| uniform(run, input)).collect::<Vec<f64>>())
+        };
+        Sample::new(
+            (0..points.len())
+                .map(|replicate| (0..points[replicate].len()).map(move |index| (replicate, index)).map(&value)),
+        )
+    }
+
+    /// Exact statistics in their order, and the limits.
+    fn exact(&self, points: &[Vec<f64>]) -> ([f64; STATISTICS], [f64; TAILS.len()]) {
+        let mut values: Vec<f64> = points.iter().map(|point| (self.response)(point)).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let variance = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count;
+        let [mean, deviation] = self.moments.unwrap_or([mean, variance.sqrt()]);
+        let at = |probability: f64| values[(probability * count) as usize];
+        let limits = TAILS.map(|tail| at(1.0 - tail));
+        let beyond = limits.map(|limit| 1.0 - values.partition_point(|value| *value <= limit) as f64 / count);
+        let exact = [mean, deviation].into_iter().chain(QUANTILES.map(at)).chain(beyond).collect::<Vec<f64>>();
+        (exact.try_into().unwrap(), limits)
+    }
+}
+
+fn estimates(sample: &Sample, limits: &[f64], confidence: &Confidence) -> Vec<Estimate> {
+    let moments = [mean(sample, confidence), standard_deviation(variance(sample, confidence))];
+    let quantiles = QUANTILES.map(|probability| quantile(sample, confidence, probability).low);
+    let shares = limits.iter().map(|&limit| probability(sample, Event::Above(limit), confidence).low);
+    moments.into_iter().chain(quantiles).chain(shares).collect()
+}
+
+/// Counts misses of both ends of every statistic; fails where an end is missed more often than `most_misses` of `seeds` allow.
+#[track_caller]
+fn check_families(
+    families: &[Family],
+    statistics: usize,
+    exact_points: u32,
+    [inner, replicates]: [usize; 2],
+    [seeds, most_misses]: [u64; 2],
+) {
+    let confidence = Confidence::new(0.99, replicates);
+    let exact = {
+        let sobol = ScrambledSobol::try_new(0x6578_6163, INPUTS).unwrap();
+        let point = |index| (0..INPUTS).map(|input| sobol.point(0, index, input)).collect::<Vec<f64>>();
+        let points: Vec<Vec<f64>> = (0..exact_points).into_par_iter().map(point).collect();
+        families.par_iter().map(|family| family.exact(&points)).collect::<Vec<_>>()
+    };
+    let of_seed = |seed: u64| {
+        let sobol = ScrambledSobol::try_new(hash(seed, 0x7361_6d70), INPUTS).unwrap();
+        let mut points = vec![Vec::new(); replicates];
+        let sampling = Sampling { inner, replicates, ..Sampling::default() };
+        inner_points(&sampling, &sobol).for_each(|(replicate, _, point)| points[replicate as usize].push(point));
+        let of_family = |(family, (_, limits)): (&Family, &([f64; STATISTICS], [f64; TAILS.len()]))| {
+            estimates(&family.sample(&points, seed), limits, &confidence)
+        };
+        families.iter().zip(&exact).map(of_family).collect::<Vec<_>>()
+    };
+    let found: Vec<Vec<Vec<Estimate>>> = (0..seeds).into_par_iter().map(of_seed).collect();
+    let mut report = Vec::new();
+    let mut is_covered = true;
+    for (of, (family, (exact, _))) in families.iter().zip(&exact).enumerate() {
+        let mut line = format!("{:32}", family.name);
+        for (statistic, exact) in exact.iter().enumerate().take(statistics) {
+            let own = || found.iter().map(|seed| seed[of][statistic]);
+            let below = own().filter(|at| at.lower_limit() > exact + ROUND_OFF).count() as u64;
+            let above = own().filter(|at| at.value + at.above < exact - ROUND_OFF).count() as u64;
+            let sorted = |of: &dyn Fn(Estimate) -> f64| {
+                let mut values: Vec<f64> = own().map(of).collect();
+                values.sort_unstable_by(f64::total_cmp);
+                values
+            };
+            let stated = sorted(&|at| 0.5 * (at.below + at.above))[found.len() / 2];
+            let actual = sorted(&|at| (at.value - exact).abs())[found.len() * 99 / 100];
+            line += &format!(" {below:2}/{above:2} ({:4.1})", stated / actual);
+            is_covered &= below.max(above) <= most_misses;
+        }
+        report.push(line);
+    }
+    let report = report.join("\n");
+    println!(
+        "{inner} runs, {replicates} replicates, {seeds} seeds: misses below/above (median stated error / 99 % of actual ones)\n{report}"
+    );
+    assert!(is_covered, "more than {most_misses} misses of {seeds}\n{report}");
+}
+
+/// The least m with P(Binomial(seeds, 0.005) > m) < 1e-4: hundreds of ends are counted.
+const MOST_OF_200: u64 = 6;
+const MOST_OF_1000: u64 = 15;
+
+#[test]
+fn analytic_sampling_errors_hold_at_their_confidence_for_skewed_and_stepped_responses() {
+    check_families(&families(), STATISTICS, EXACT_POINTS, [256, 8], [200, MOST_OF_200]);
+}
+
+#[test]
+fn analytic_errors_of_means_hold_at_their_confidence_for_heavy_tails() {
+    check_families(&heavy_families(), 1, EXACT_POINTS, [256, 8], [200, MOST_OF_200]);
+}
+
+#[test]
+#[ignore = "a campaign: minutes"]
+fn analytic_sampling_errors_hold_at_their_confidence_for_families_drawn_from_a_seed() {
+    // LOOSEPIN_SEED draws other families.
+    let seed = std::env::var("LOOSEPIN_SEED").ok().map_or(2611, |seed| seed.parse().unwrap());
+    let drawn: Vec<Family> = (0..40).map(|index| drawn_family(hash(seed, index))).collect();
+    for plan in [[256, 8], [256, 16], [1024, 8], [4096, 16]] {
+        check_families(&drawn, STATISTICS, MORE_EXACT_POINTS, plan, [1000, MOST_OF_1000]);
+    }
+}
