@@ -1,7 +1,7 @@
 //! The sampling error of a mean over runs: of their values, or of the squares of their distances from the mean.
 //!
 //! ```text
-//! t/√R √(max(s², j²) + (e/n)²/R) (1 + γ_R + γ_N/√n),   γ_R, γ_N >= 0: towards the end of the interval
+//! t/√R √(max(s², j²) + (e/n)²/R) (1 + max(γ_R, γ_N/√n, 0)),   γ: positive towards the end of the interval
 //! ```
 //!
 //! with R replicates of n runs each, N = R n, t Student's factor, and
@@ -16,7 +16,7 @@
 //! * γ_R: skewness of the means of the replicates, γ_N/√n that of the mean of n independent runs whose skewness is that of all N.
 //!   The mean of few values from a skewed law is low where their spread is small, so the interval must be longer on that side: N. J.
 //!   Johnson, "Modified t tests and confidence intervals for asymmetrical populations", Journal of the American Statistical Association
-//!   73 (1978) 536-544, whose own correction is for many values. Both are added since each is too small in samples that matter.
+//!   73 (1978) 536-544, whose own correction is for many values.
 //!
 //! No interval of a mean holds for every distribution (R. R. Bahadur and L. J. Savage, "The nonexistence of certain statistical procedures
 //! in nonparametric problems", Annals of Mathematical Statistics 27 (1956) 1115-1122). What is assumed here: values that no run has
@@ -46,7 +46,7 @@ pub(crate) fn error_of_mean(sample: &Sample, excess: [f64; 2], confidence: &Conf
     let towards = |sign: f64, excess: f64| {
         let unseen = (excess / each).powi(2) / replicates;
         let error = confidence.student * ((spread.max(steps) + unseen) / replicates).sqrt();
-        error * (1.0 + skewness.iter().map(|skewness| (sign * skewness).max(0.0)).sum::<f64>())
+        error * (1.0 + skewness.iter().map(|skewness| sign * skewness).fold(0.0, f64::max))
     };
     (towards(-1.0, excess[0]), towards(1.0, excess[1]))
 }

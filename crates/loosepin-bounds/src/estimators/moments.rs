@@ -22,7 +22,8 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
 /// With m the mean of all N values and m_r that of replicate r, E[(y - m)²] falls short of the variance by Var(m), which
 /// the replicates show: v = 1/N Σ(y - m)² + Σ(m_r - m)²/(R(R - 1)). For independent points that is the usual N - 1, for
 /// scrambled nets, whose mean is far better known, nearly N. The error is that of the mean of (y - m)² ([`super::mean_error`]), by the
-/// cube root of v.
+/// cube root of v, and that of what it falls short by, (m - μ)², which lies between 0 and t² Var(m). A coin has (y - m)² = 1/4 in every
+/// run, so that the second is the only one.
 pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     if let Some(smooth) = sample.smooth() {
         return smooth.variance(sample.values(), confidence);
@@ -33,8 +34,10 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     }
     let squares = sample.mapped(|y| (y - mean) * (y - mean));
     let means: Vec<f64> = sample.replicates().map(mean_of).collect();
-    let value = mean_of(squares.values()) + variance_of_mean(&means);
-    variance_with_error(value, error_of_mean(&squares, excess_of_squares(sample, mean), confidence))
+    let shortfall = variance_of_mean(&means);
+    let error = error_of_mean(&squares, excess_of_squares(sample, mean), confidence);
+    let Estimate { value, below, above } = variance_with_error(mean_of(squares.values()) + shortfall, error);
+    Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0) * shortfall }
 }
 
 /// Mean of `values`; nothing of none.
