@@ -210,6 +210,7 @@ pub fn slider_crank_with_play(crank_angle_rad: f64) -> KnownCase {
         parameters: Vec::new(),
         levels: Vec::new(),
         sampling: [110, 128],
+        compared_columns: Vec::new(),
         most_excess: USUAL_EXCESS,
     }
 }

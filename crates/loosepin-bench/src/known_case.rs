@@ -25,6 +25,8 @@ pub struct KnownCase {
     pub function: Function,
     /// Points u, and runs at each.
     pub sampling: [usize; 2],
+    /// Columns for which treatments are compared: runs at random u are made for them too.
+    pub compared_columns: Vec<usize>,
     /// By this share of their true width bounds may be too wide.
     pub most_excess: f64,
 }
@@ -55,6 +57,7 @@ impl KnownCase {
             levels: Vec::new(),
             function: Arc::new(function),
             sampling: [64, 256],
+            compared_columns: Vec::new(),
             most_excess: USUAL_EXCESS,
         }
     }
@@ -78,7 +81,7 @@ impl KnownCase {
             readings_beside: Vec::new(),
             columns: 1,
             requests: self.statistics.iter().map(request).collect(),
-            compared_columns: Vec::new(),
+            compared_columns: self.compared_columns.clone(),
             band_probability: 0.95,
             cut_standard_deviations: 3.0,
             percentiles: Vec::new(),

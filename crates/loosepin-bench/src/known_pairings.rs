@@ -153,6 +153,7 @@ fn pairing(a: Kind, b: Kind) -> KnownCase {
         levels,
         function: Arc::new(function),
         sampling: [128, 128],
+        compared_columns: Vec::new(),
         most_excess: USUAL_EXCESS,
     }
 }
