@@ -282,6 +282,9 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     // None lies outside, and still so few mechanisms would not show a share that is small enough.
     let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
     let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
+    if requirement.promised == Some(0.0) {
+        return "Nothing is promised, for runs failed: find out why (summary.json names them).".to_owned();
+    }
     if requirement.promised.is_some() {
         return "The promised share is too small: increase 'inner' under [promise].".to_owned();
     }

@@ -35,12 +35,16 @@ pub(super) fn promise_sentences(result: &StudyResult, writer: &NumberWriter) -> 
 
 fn statement(result: &StudyResult, promise: &PromiseRecord, writer: &NumberWriter) -> String {
     let boxes = match promise.boxes {
-        1 => "the box of the intervals keeps".to_owned(),
-        many => format!("each of the {} keeps", counted_boxes(many, writer)),
+        1 => "the box of the intervals".to_owned(),
+        many => format!("each of the {}", counted_boxes(many, writer)),
     };
+    let share = writer.percent(promise.share, Rounding::Down);
     let all = match promise.ends.len() + promise.bands.len() {
-        1 => "this bound",
-        _ => "all of these bounds",
+        1 => format!("at least {share} of {boxes} keeps this bound."),
+        _ => format!(
+            "each of these bounds is kept by at least {share} of {boxes}. Where one is broken and where another is may be \
+             different parts of it."
+        ),
     };
     let each = if promise.boxes == 1 {
         String::new()
@@ -53,10 +57,9 @@ fn statement(result: &StudyResult, promise: &PromiseRecord, writer: &NumberWrite
         format!(" {of} has a box of its own, and this holds for each box by itself.")
     };
     format!(
-        "With {} confidence, at least {} of {boxes} {all}. This is a share of the volume of the box, in the coordinates of the file. \
+        "With {} confidence, {all} This is a share of the volume of the box, in the coordinates of the file. \
          It is not a probability of the true values, and it does not hold for every value.{each}",
         writer.percent(promise.confidence, Rounding::Down),
-        writer.percent(promise.share, Rounding::Down),
     )
 }
 

@@ -37,7 +37,7 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     let shortfall = variance_of_mean(&means);
     let error = error_of_mean(&squares, excess_of_squares(sample, mean), confidence);
     let Estimate { value, below, above } = variance_with_error(mean_of(squares.values()) + shortfall, error);
-    Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0) * shortfall }
+    Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall }
 }
 
 /// Mean of `values`; nothing of none.

@@ -4,6 +4,7 @@ use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
 use super::moments::variance;
 use super::probability::effective_runs;
 use super::sample::Sample;
+use loosepin_uncertainty::normal_cdf;
 
 /// The quantile of the finished and failed runs at `probability`.
 ///
@@ -62,8 +63,12 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
 /// ```
 ///
 /// (E. A. Cornish and R. A. Fisher, "Moments and cumulants in the specification of distributions", Revue de l'Institut International de
-/// Statistique 5 (1938) 307-320, to the skewness, with the correction for continuity.)
+/// Statistique 5 (1938) 307-320, to the skewness, with the correction for continuity.) It is above 0 also where n p is near 0, so that the
+/// share (1 - p)ⁿ of no run at all is asked for first.
 fn fewest_below(probability: f64, runs: f64, factor: f64) -> Option<f64> {
+    if runs * libm::log1p(-probability) > libm::log(normal_cdf(-factor)) {
+        return None;
+    }
     let deviation = (runs * probability * (1.0 - probability)).sqrt();
     let skewed = (1.0 - 2.0 * probability) * (factor * factor - 1.0) / 6.0;
     let count = runs * probability - factor * deviation + skewed - 0.5;
@@ -115,8 +120,13 @@ mod tests {
 
     #[test]
     fn an_extreme_quantile_that_the_sample_cannot_resolve_has_an_infinite_error() {
-        let at = quantile(&evenly(256), &Confidence::new(0.95, 8), 0.999);
-        assert!(at.high.above.is_infinite() && at.high.below.is_finite() && at.high.value.is_finite());
+        // 0.999²⁵⁶ = 77 % and 0.9999²⁵⁶ = 97 % of such samples have no run beyond it.
+        for (confidence, probability) in [(0.95, 0.999), (0.99, 0.9999), (0.999, 0.99999)] {
+            let at = quantile(&evenly(256), &Confidence::new(confidence, 8), probability);
+            assert!(at.high.above.is_infinite() && at.high.below.is_finite() && at.high.value.is_finite());
+            let at = quantile(&evenly(256), &Confidence::new(confidence, 8), 1.0 - probability);
+            assert!(at.low.below.is_infinite() && at.low.above.is_finite() && at.low.value.is_finite());
+        }
     }
 
     #[test]

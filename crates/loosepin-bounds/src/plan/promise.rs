@@ -28,7 +28,7 @@ const SAMPLES: u64 = 0x7072_6f6d_6973_6501;
 /// What is promised, and from how many runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PromiseSettings {
-    /// Share of the box that keeps every bound, at least, in (0, 1). Default: 0.99.
+    /// Share of the box that keeps a bound, each of them at least, in (0, 1). Default: 0.99.
     pub share: f64,
     /// Confidence that this is so for all bounds together, in (0, 1). Default: 0.99.
     pub confidence: f64,
@@ -91,6 +91,12 @@ pub enum PromiseError {
         .statistic.word()
     )]
     Unbounded { statistic: Statistic },
+    #[error("inner 0; must be at least 1")]
+    NoRuns,
+    #[error(
+        "{boxes} boxes with {values} values each; must be at most 2^32 values\nhint: fewer ends, or a smaller share"
+    )]
+    TooManyValues { boxes: usize, values: usize },
     #[error("inner {inner}; the quantile at {probability} needs at least {least} runs at each value")]
     TooFewInner { inner: usize, probability: f64, least: usize },
 }
@@ -133,6 +139,9 @@ impl PromisePlan {
             }
         }
         let is_exact = problem.random.is_empty();
+        if settings.inner == 0 && !is_exact {
+            return Err(PromiseError::NoRuns);
+        }
         let miss = if is_exact { 0.0 } else { PROMISE_MISS };
         let inner = if is_exact { InnerRuns::Exact } else { InnerRuns::Independent { miss } };
         let runs = if is_exact { 1 } else { settings.inner };
@@ -161,9 +170,14 @@ impl PromisePlan {
         }
         // Each end may fail with an equal share of what all of them may fail with.
         let miss_each = (1.0 - settings.confidence) / ends as f64;
-        let (name, value) = ("share", settings.share);
+        // Nothing but a confidence that rounds to 0 or 1 has no number of values.
+        let (name, value) = ("confidence", settings.confidence);
         let values = inner.values_for(settings.share, miss_each).ok_or(PromiseError::OutsideUnit { name, value })?;
         let elements = Structure::new(&search_box).widest().elements.clone();
+        let boxes = elements.len() * search_box.combinations();
+        if boxes.checked_mul(values).is_none_or(|points| u32::try_from(points).is_err()) {
+            return Err(PromiseError::TooManyValues { boxes, values });
+        }
         let settings = PromiseSettings { inner: runs, ..settings };
         Ok(Self { problem, search_box, elements, asked, bands, settings, values })
     }

@@ -20,7 +20,7 @@ use crate::search::target::Target;
 /// After the first round, the remaining points are spent in this many rounds.
 const REFINING_ROUNDS: usize = 6;
 
-/// At most one in so many of the points of a round goes where a scout calls.
+/// At most one in so many of the points of a round goes to the u of a single run.
 const CALLED_SHARE: usize = 2;
 
 /// Where each run may have its own u, so many inner runs of every column are searched, to this share of their range.
@@ -134,9 +134,9 @@ impl DoubleLoop {
             &self.setup.candidates,
             targets.iter().map(|(target, _)| target),
         );
-        let mut places = self.called_places(table, pool, &search, count.div_ceil(CALLED_SHARE));
-        places.extend(search.next_places(&targets, &self.searched_elements, count - places.len()));
-        places
+        let called = self.called_places(table, pool, &search, count / CALLED_SHARE);
+        let next = search.next_places(&targets, &self.searched_elements, count);
+        search.new_places(called.into_iter().chain(next), count)
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.

@@ -2,20 +2,24 @@
 
 use std::collections::BTreeSet;
 
+use rayon::prelude::*;
+
 use super::double_loop::DoubleLoop;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
+use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
 use crate::search::scouts::{Expectation, Scout};
 use crate::search::search_box::Place;
+use crate::search::target::Target;
 
-/// Of the poses of curves so many are read, evenly among them.
-const MOST_COLUMNS: usize = 8;
+/// Of more columns than this, which are the poses of curves, so many are read, evenly among them.
+const MOST_COLUMNS: usize = 16;
 
 impl DoubleLoop {
     /// At most `count` places of runs of the probability-only treatment that lie where no model expects them ([`Search::calls`]), those
-    /// of the first columns first.
+    /// of the columns in turn.
     pub(super) fn called_places(
         &self,
         table: &SampleTable,
@@ -23,38 +27,71 @@ impl DoubleLoop {
         search: &Search<'_>,
         count: usize,
     ) -> Vec<Place> {
+        let inputs = table.inputs().iter().enumerate();
+        let runs: Vec<usize> =
+            inputs.filter(|(_, run)| run.purpose == Purpose::Mixture).map(|(index, _)| index).collect();
+        if runs.is_empty() || count == 0 {
+            return Vec::new();
+        }
+        let place = |&run: &usize| self.setup.epistemic_box.place_of(&table.inputs()[run].epistemic);
+        let places: Vec<Place> = runs.iter().map(place).collect();
         let columns: BTreeSet<usize> = self.setup.searched().iter().map(|(request, _)| request.column).collect();
         let step = columns.len().div_ceil(MOST_COLUMNS).max(1);
-        let calls = columns.into_iter().step_by(step).flat_map(|column| self.calls(table, pool, search, column, count));
-        search.new_places(calls, count)
-    }
-
-    fn calls(&self, table: &SampleTable, pool: &Pool, search: &Search<'_>, column: usize, count: usize) -> Vec<Place> {
-        let runs = table.inputs().iter().enumerate().filter(|(_, inputs)| inputs.purpose == Purpose::Mixture);
-        let scouts: Vec<Scout> = runs
-            .map(|(run, inputs)| Scout {
-                place: self.setup.epistemic_box.place_of(&inputs.epistemic),
-                value: table.values(run)[column],
-            })
-            .filter(|scout| scout.value.is_finite())
-            .collect();
-        let samples = pool.samples(column);
-        let means = Measure::mean(&samples, &self.setup.confidence).target;
+        let columns: Vec<usize> = columns.into_iter().step_by(step).collect();
+        let mean = |&column: &usize| Measure::mean(&pool.samples(column), &self.setup.confidence).target;
+        let means: Vec<Target> = columns.iter().map(mean).collect();
         let points = self.setup.outer_places(pool);
-        let models = Search::new(self.setup.epistemic_box.axes(), &points, &[], [&means]);
-        let branches = models.branches(&means);
-        let expected = |scout: &Scout| {
-            let branch = branches.get(scout.place.combination);
-            branch.and_then(|branch| branch.at(&scout.place.at)).map_or(f64::NAN, |forecast| forecast.mean())
+        let at: Vec<Vec<f64>> = places.iter().map(|place| place.at.clone()).collect();
+        let models = Search::new(self.setup.epistemic_box.axes(), &points, &at, &means);
+        let calls = |(column, mean): (&usize, &Target)| {
+            let values = runs.iter().map(|&run| table.values(run)[*column]);
+            let scouts = places.iter().zip(values).map(|(place, value)| Scout { place: place.clone(), value });
+            let scatter = Scatter::new(&pool.samples(*column));
+            let expectation = Expectation {
+                moments: &scatter.moments,
+                means: &expected(&models, mean, &places),
+                scatter: &scatter.standardised,
+            };
+            search.calls(&scouts.collect::<Vec<Scout>>(), &expectation, count)
         };
+        let calls: Vec<Vec<Place>> = columns.par_iter().zip(&means).map(calls).collect();
+        let turns = (0..count).flat_map(|turn| calls.iter().filter_map(move |own| own.get(turn).cloned()));
+        search.new_places(turns, count)
+    }
+}
+
+/// The mean at every one of `places`, those of the candidates of `models`; not a number where there is no model.
+fn expected(models: &Search<'_>, mean: &Target, places: &[Place]) -> Vec<f64> {
+    let branches = models.branches(mean);
+    let of_branch: Vec<Vec<f64>> = branches
+        .iter()
+        .map(|branch| branch.at_candidates().into_iter().flatten().map(|forecast| forecast.mean()).collect())
+        .collect();
+    let at = |(index, place): (usize, &Place)| {
+        let own = of_branch.get(place.combination).and_then(|means: &Vec<f64>| means.get(index));
+        own.copied().unwrap_or(f64::NAN)
+    };
+    places.iter().enumerate().map(at).collect()
+}
+
+/// How the runs at the outer points lie about their means.
+struct Scatter {
+    /// Mean and standard deviation at every point.
+    moments: Vec<(f64, f64)>,
+    /// All of them, less the mean of their point and in its standard deviations, in increasing order.
+    standardised: Vec<f64>,
+}
+
+impl Scatter {
+    fn new(samples: &[&Sample]) -> Self {
         let moments: Vec<(f64, f64)> = samples.iter().map(|sample| sample.mean_and_deviation()).collect();
-        let runs = samples.iter().zip(&moments);
-        let mut scatter: Vec<f64> = runs
+        let mut standardised: Vec<f64> = samples
+            .iter()
+            .zip(&moments)
             .flat_map(|(sample, (mean, deviation))| sample.values().iter().map(move |y| (y - mean) / deviation))
             .filter(|out| out.is_finite())
             .collect();
-        scatter.sort_unstable_by(f64::total_cmp);
-        let means: Vec<f64> = scouts.iter().map(expected).collect();
-        search.calls(&scouts, &Expectation { moments: &moments, means: &means, scatter: &scatter }, count)
+        standardised.sort_unstable_by(f64::total_cmp);
+        Self { moments, standardised }
     }
 }

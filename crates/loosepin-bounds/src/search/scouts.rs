@@ -4,6 +4,9 @@ use super::models::Search;
 use super::search_box::Place;
 use crate::data::direction::{Direction, extreme_among};
 
+/// Where the runs at a point hardly differ they have this share of the largest standard deviation at any point.
+const LEAST_DEVIATION: f64 = 1e-3;
+
 /// A run at a u of its own.
 #[derive(Debug, Clone)]
 pub(crate) struct Scout {
@@ -33,12 +36,14 @@ impl Search<'_> {
         // One in as many runs as there are scouts lies further out.
         let further_out = (runs / scouts.len()).min(runs - 1);
         let ends = [expectation.scatter[further_out], expectation.scatter[runs - 1 - further_out]];
+        let deviations = expectation.moments.iter().map(|(_, deviation)| *deviation);
+        let least = LEAST_DEVIATION * deviations.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max);
         let mut calls: Vec<(f64, &Place)> = Vec::new();
         for (scout, mean) in scouts.iter().zip(expectation.means) {
             let group = self.groups.get(scout.place.combination).map_or(&[][..], |group| group);
             let near: Vec<f64> = self.points.iter().map(|point| self.axes.distance(point, &scout.place)).collect();
             let Some(nearest) = extreme_among(&near, group.iter().copied(), Direction::Minimum) else { continue };
-            let out = (scout.value - mean) / expectation.moments[nearest].1;
+            let out = (scout.value - mean) / expectation.moments[nearest].1.max(least);
             let further = Direction::BOTH.map(|direction| direction.sign() * (out - ends[direction.index()]));
             let furthest = further[0].max(further[1]);
             if furthest > 0.0 {

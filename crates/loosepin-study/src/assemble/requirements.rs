@@ -85,7 +85,7 @@ mod tests {
         BoundPair, Bounds, DoubleLoop, Problem, Reading, Request, SampleTable, Sampling, Statistic, execute,
     };
     use loosepin_result::study::{CountedMechanisms, KnownShare, RequirementOutcome, Verdict};
-    use loosepin_uncertainty::{Distribution, RandomVariable, normal_quantile};
+    use loosepin_uncertainty::{Distribution, RandomVariable};
     use std::path::Path;
 
     const LEAST_SHARE: f64 = 0.75;
@@ -167,12 +167,15 @@ mod tests {
     fn analytic_a_requirement_is_refuted_by_the_lower_end_of_the_share_outside() {
         const TOLERANCE: f64 = 1e-12;
         let pair = counted_outside(60);
-        // Wilson's interval of 60 in 64 is longer downwards than upwards: (0.812, 0.981).
-        let (n, p, z) = (64.0, 60.0 / 64.0, normal_quantile(0.5 + 0.5 * CONFIDENCE));
-        let square = z * z / n;
-        let lower = (p + 0.5 * square - z * (p * (1.0 - p) / n + 0.25 * square / n).sqrt()) / (1.0 + square);
+        // The interval of Clopper and Pearson of 60 in 64 is longer downwards than upwards: (0.816, 0.990). At its lower end 60 or more
+        // of 64 have the probability 0.005, C(64, k) p^k (1 - p)^(64 - k) summed.
         let share = known_share(&pair);
-        assert!((share.seen - (1.0 - lower)).abs() < TOLERANCE, "{share:?}");
+        let (p, mut term, mut at_least) = (1.0 - share.seen, 1.0, 0.0);
+        for (misses, runs) in (0..=4).zip((60..=64).rev()) {
+            at_least += term * p.powi(runs) * share.seen.powi(misses);
+            term *= f64::from(runs) / f64::from(misses + 1);
+        }
+        assert!((at_least - 0.5 * (1.0 - CONFIDENCE)).abs() < TOLERANCE, "{share:?} {at_least}");
         assert_eq!(Verdict::of(share, 0.12), Verdict::Undecided);
         assert_eq!(Verdict::of(share, 0.19), Verdict::NotMet);
         // With the upper half-width instead it would be refuted.

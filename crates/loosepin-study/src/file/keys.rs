@@ -117,7 +117,7 @@ pub(super) static PROMISE_KEYS: Keys = Keys::new(
             "share",
             Kind::Number { rule: Rule::Probability },
             "0.99",
-            "share of the box, by volume, that keeps every promised bound; 0.99 if left out",
+            "share of the box, by volume, that keeps a promised bound, each of them; 0.99 if left out",
         ),
         optional(
             "confidence",

@@ -479,7 +479,7 @@ fn what_is_promised_is_said_to_be_a_share_of_volume_and_never_met() {
         "Requirements promised for a share of the box",
         "in at least 99.81 % of mechanisms, for at least 99 % of the box of the intervals with 99.5 % confidence (not for every value)",
         "Promised for 99 % of the box",
-        "With 99.5 % confidence, at least 99 % of the box of the intervals keeps all of these bounds.",
+        "With 99.5 % confidence, each of these bounds is kept by at least 99 % of the box of the intervals.",
         "It is not a probability of the true values, and it does not hold for every value.",
         "at most 0.6124 mm; the limit is largest at",
         "nothing is promised, for runs failed at 2 values.",
