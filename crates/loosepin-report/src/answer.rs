@@ -282,8 +282,12 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     // None lies outside, and still so few mechanisms would not show a share that is small enough.
     let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
     let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
-    if requirement.promised == Some(0.0) {
-        return "Nothing is promised, for runs failed: find out why (summary.json names them).".to_owned();
+    let failed_values =
+        || result.promise.iter().flat_map(|promise| &promise.ends).map(|end| end.failed_values).max().unwrap_or(0);
+    // A share of 0 may also come from a value at which every mechanism lies outside.
+    if requirement.promised == Some(0.0) && failed_values() > 0 {
+        let values = counted(failed_values(), "value", writer);
+        return format!("Runs failed at {values} of the intervals: nothing is promised there.");
     }
     if requirement.promised.is_some() {
         return "The promised share is too small: increase 'inner' under [promise].".to_owned();

@@ -1,6 +1,6 @@
 //! Estimates with confidence intervals.
 
-use loosepin_uncertainty::{normal_quantile, student_factor};
+use loosepin_uncertainty::{normal_cdf, normal_quantile, student_factor};
 
 /// Factors that turn a standard error into the half-width of a confidence interval.
 #[derive(Debug, Clone, Copy)]
@@ -15,6 +15,11 @@ impl Confidence {
     /// Factors at `level` in (0, 1) for a spread of `replicates` >= 2.
     pub fn new(level: f64, replicates: usize) -> Self {
         Self { student: student_factor(level, replicates - 1), normal: normal_quantile(0.5 + 0.5 * level) }
+    }
+
+    /// Probability that an interval misses on one side.
+    pub fn miss_of_one_side(&self) -> f64 {
+        normal_cdf(-self.normal)
     }
 }
 
@@ -77,6 +82,12 @@ pub(crate) fn mean_of(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
+/// Standard deviation of `values` about their own mean, over their number; not a number of none.
+pub(crate) fn deviation_of(values: &[f64]) -> f64 {
+    let mean = mean_of(values);
+    (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / values.len() as f64).sqrt()
+}
+
 /// Skewness of `values`, 0 where they do not differ.
 pub(crate) fn skewness(values: &[f64]) -> f64 {
     let count = values.len() as f64;
@@ -95,7 +106,7 @@ pub(crate) fn variance_of_mean(values: &[f64]) -> f64 {
     if values.len() < 2 {
         return f64::INFINITY;
     }
-    let mean = values.iter().sum::<f64>() / count;
+    let mean = mean_of(values);
     values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count * (count - 1.0))
 }
 

@@ -31,8 +31,27 @@ const LARGEST_TAIL: f64 = 0.25;
 /// One more run is put where one of this many times N runs would lie.
 const RUNS_FOR_ONE_BEYOND: f64 = 4.0;
 
-/// Distances from the mean over `sample` to both ends of its confidence interval; `excess`: e downwards and upwards.
-pub(crate) fn error_of_mean(sample: &Sample, excess: [f64; 2], confidence: &Confidence) -> (f64, f64) {
+/// Distances from the mean over `sample` to both ends of its confidence interval.
+pub(crate) fn error_of_mean(sample: &Sample, confidence: &Confidence) -> (f64, f64) {
+    let sorted = sample.sorted();
+    let negated: Vec<f64> = sorted.iter().rev().map(|value| -value).collect();
+    let replicates = sample.replicates().count();
+    let excess = [&negated, &sorted].map(|sorted| excess(sorted, replicates, |value| value));
+    error(sample, &sorted, excess, confidence)
+}
+
+/// The same for the squares of its distances from `mean`, which have a tail upwards only; the tail is exponential in the distance.
+pub(crate) fn error_of_mean_square(sample: &Sample, mean: f64, confidence: &Confidence) -> (f64, f64) {
+    let mut distances: Vec<f64> = sample.values().iter().map(|value| (value - mean).abs()).collect();
+    distances.sort_unstable_by(f64::total_cmp);
+    let square = |distance: f64| distance * distance;
+    let excess = [0.0, excess(&distances, sample.replicates().count(), square)];
+    let sorted: Vec<f64> = distances.into_iter().map(square).collect();
+    error(&sample.mapped(|value| square(value - mean)), &sorted, excess, confidence)
+}
+
+/// Both distances; `sorted`: the values of `sample` in increasing order, `excess`: e downwards and upwards.
+fn error(sample: &Sample, sorted: &[f64], excess: [f64; 2], confidence: &Confidence) -> (f64, f64) {
     let means: Vec<f64> = sample.replicates().map(mean_of).collect();
     let replicates = means.len() as f64;
     let each = sample.values().len() as f64 / replicates;
@@ -40,7 +59,7 @@ pub(crate) fn error_of_mean(sample: &Sample, excess: [f64; 2], confidence: &Conf
     if !spread.is_finite() {
         return (spread, spread);
     }
-    let gaps: f64 = sample.sorted().windows(2).map(|pair| (pair[1] - pair[0]) * (pair[1] - pair[0])).sum();
+    let gaps: f64 = sorted.windows(2).map(|pair| (pair[1] - pair[0]) * (pair[1] - pair[0])).sum();
     let steps = (confidence.normal / confidence.student).powi(2) * gaps / (4.0 * each * each);
     let skewness = [skewness(&means), skewness(sample.values()) / each.sqrt()];
     let towards = |sign: f64, excess: f64| {
@@ -49,21 +68,6 @@ pub(crate) fn error_of_mean(sample: &Sample, excess: [f64; 2], confidence: &Conf
         error * (1.0 + skewness.iter().map(|skewness| sign * skewness).fold(0.0, f64::max))
     };
     (towards(-1.0, excess[0]), towards(1.0, excess[1]))
-}
-
-/// e for the values themselves, downwards and upwards.
-pub(crate) fn excess_of_values(sample: &Sample) -> [f64; 2] {
-    let sorted = sample.sorted();
-    let negated: Vec<f64> = sorted.iter().rev().map(|value| -value).collect();
-    let replicates = sample.replicates().count();
-    [&negated, &sorted].map(|sorted| excess(sorted, replicates, |value| value))
-}
-
-/// e for the squares of distances from `mean`, which have a tail upwards only; the tail is exponential in the distance.
-pub(crate) fn excess_of_squares(sample: &Sample, mean: f64) -> [f64; 2] {
-    let mut distances: Vec<f64> = sample.values().iter().map(|value| (value - mean).abs()).collect();
-    distances.sort_unstable_by(f64::total_cmp);
-    [0.0, excess(&distances, sample.replicates().count(), |distance| distance * distance)]
 }
 
 /// By how much `of` one more run lies beyond its mean over the largest values, one for each replicate; 0 where these are all equal, as

@@ -1,7 +1,7 @@
 //! Mean and variance with their sampling errors.
 
 use super::estimate::{Confidence, Estimate, mean_of, variance_of_mean, variance_with_error};
-use super::mean_error::{error_of_mean, excess_of_squares, excess_of_values};
+use super::mean_error::{error_of_mean, error_of_mean_square};
 use super::sample::Sample;
 
 /// Mean over the finished runs, with its error ([`super::mean_error`]).
@@ -13,7 +13,7 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
     }
-    let (below, above) = error_of_mean(sample, excess_of_values(sample), confidence);
+    let (below, above) = error_of_mean(sample, confidence);
     Estimate { value, below, above }
 }
 
@@ -32,11 +32,11 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     if sample.runs() == 1 {
         return Estimate::symmetric(0.0, 0.0);
     }
-    let squares = sample.mapped(|y| (y - mean) * (y - mean));
     let means: Vec<f64> = sample.replicates().map(mean_of).collect();
     let shortfall = variance_of_mean(&means);
-    let error = error_of_mean(&squares, excess_of_squares(sample, mean), confidence);
-    let Estimate { value, below, above } = variance_with_error(mean_of(squares.values()) + shortfall, error);
+    let error = error_of_mean_square(sample, mean, confidence);
+    let square = sample.values().iter().map(|y| (y - mean) * (y - mean)).sum::<f64>() / sample.values().len() as f64;
+    let Estimate { value, below, above } = variance_with_error(square + shortfall, error);
     Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall }
 }
 

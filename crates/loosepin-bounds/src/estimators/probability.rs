@@ -3,7 +3,7 @@
 use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
 use super::sample::Sample;
 use crate::data::statistic::Event;
-use loosepin_uncertainty::{clopper_pearson, normal_cdf};
+use loosepin_uncertainty::clopper_pearson;
 
 /// Below this many hits or misses a replicate the spread of the replicates says nothing.
 const LEAST_PER_REPLICATE: usize = 2;
@@ -38,7 +38,7 @@ pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f6
         if runs == 1 {
             return Estimate::symmetric(value, 0.0);
         }
-        let [low, high] = clopper_pearson(effective, value * effective, normal_cdf(-confidence.normal));
+        let [low, high] = clopper_pearson(effective, value * effective, confidence.miss_of_one_side());
         Estimate { value, below: (value - low).max(0.0), above: (high - value).max(0.0) }
     };
     EitherWay { low: at(hits), high: at(hits + sample.failed()) }

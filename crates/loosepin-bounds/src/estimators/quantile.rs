@@ -4,7 +4,6 @@ use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
 use super::moments::variance;
 use super::probability::effective_runs;
 use super::sample::Sample;
-use loosepin_uncertainty::normal_cdf;
 
 /// The quantile of the finished and failed runs at `probability`.
 ///
@@ -41,7 +40,7 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
         .collect();
     let effective = effective_runs(sample, confidence, hits, &shares);
     let [fewest_below, fewest_above] = [probability, 1.0 - probability]
-        .map(|share| fewest_below(share, effective, confidence.normal).map(|count| (count * runs / effective).floor()));
+        .map(|share| fewest_below(share, effective, confidence).map(|count| (count * runs / effective).floor()));
     let at = |below_everything: f64| {
         let value = interpolate(sorted, probability * runs - below_everything);
         let low = fewest_below.map(|count| count + 1.0 - below_everything);
@@ -55,7 +54,7 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
     EitherWay { low: at(failed), high: at(0.0) }
 }
 
-/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), that of a binomial distribution; nothing where even no run below it
+/// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), z the normal factor of `confidence`, that of a binomial distribution; nothing where even no run below it
 /// is likelier than that.
 ///
 /// ```text
@@ -65,10 +64,11 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
 /// (E. A. Cornish and R. A. Fisher, "Moments and cumulants in the specification of distributions", Revue de l'Institut International de
 /// Statistique 5 (1938) 307-320, to the skewness, with the correction for continuity.) It is above 0 also where n p is near 0, so that the
 /// share (1 - p)ⁿ of no run at all is asked for first.
-fn fewest_below(probability: f64, runs: f64, factor: f64) -> Option<f64> {
-    if runs * libm::log1p(-probability) > libm::log(normal_cdf(-factor)) {
+fn fewest_below(probability: f64, runs: f64, confidence: &Confidence) -> Option<f64> {
+    if runs * libm::log1p(-probability) > libm::log(confidence.miss_of_one_side()) {
         return None;
     }
+    let factor = confidence.normal;
     let deviation = (runs * probability * (1.0 - probability)).sqrt();
     let skewed = (1.0 - 2.0 * probability) * (factor * factor - 1.0) / 6.0;
     let count = runs * probability - factor * deviation + skewed - 0.5;

@@ -76,13 +76,6 @@ impl Sample {
         sorted
     }
 
-    /// Mean and standard deviation of the finished values.
-    pub fn mean_and_deviation(&self) -> (f64, f64) {
-        let count = self.values.len() as f64;
-        let mean = self.values.iter().sum::<f64>() / count;
-        (mean, (self.values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count).sqrt())
-    }
-
     /// The least and the greatest finished value.
     pub fn ends(&self) -> Option<(f64, f64)> {
         let first = *self.values.first()?;

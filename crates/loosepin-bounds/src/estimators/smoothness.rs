@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::estimate::deviation_of;
 use super::inner_basis::{DesignMatrix, InnerBasis};
 use super::sample::Sample;
 use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
@@ -23,7 +24,7 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
     if samples.is_empty() || samples.iter().any(|sample| sample.failed() > 0) {
         return;
     }
-    let deviations: Vec<f64> = samples.iter().map(|sample| deviation(sample.values())).collect();
+    let deviations: Vec<f64> = samples.iter().map(|sample| deviation_of(sample.values())).collect();
     let largest = deviations.iter().fold(0.0_f64, |largest, deviation| largest.max(*deviation));
     let magnitude = samples.iter().fold(0.0_f64, |most, sample| most.max(largest_magnitude(sample.values())));
     // A response that is the same in all runs may still differ in those that were not made.
@@ -73,11 +74,4 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
 /// Some of the degrees, the highest first.
 fn tried_degrees(designs: &[Arc<DesignMatrix>]) -> impl Iterator<Item = &Arc<DesignMatrix>> {
     designs.iter().rev().step_by(designs.len().div_ceil(TRIED_DEGREES).max(1))
-}
-
-/// Standard deviation over all values, those of failed runs left out.
-fn deviation(values: &[f64]) -> f64 {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count).sqrt()
 }

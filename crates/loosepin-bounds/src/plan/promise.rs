@@ -94,7 +94,7 @@ pub enum PromiseError {
     #[error("inner 0; must be at least 1")]
     NoRuns,
     #[error(
-        "{boxes} boxes with {values} values each; must be at most 2^32 values\nhint: fewer ends, or a smaller share"
+        "{boxes} boxes with {values} values each; must be fewer than 2^32 values\nhint: fewer ends, or a smaller share"
     )]
     TooManyValues { boxes: usize, values: usize },
     #[error("inner {inner}; the quantile at {probability} needs at least {least} runs at each value")]
@@ -174,12 +174,13 @@ impl PromisePlan {
         let (name, value) = ("confidence", settings.confidence);
         let values = inner.values_for(settings.share, miss_each).ok_or(PromiseError::OutsideUnit { name, value })?;
         let elements = Structure::new(&search_box).widest().elements.clone();
-        let boxes = elements.len() * search_box.combinations();
+        let settings = PromiseSettings { inner: runs, ..settings };
+        let plan = Self { problem, search_box, elements, asked, bands, settings, values };
+        let boxes = plan.boxes();
         if boxes.checked_mul(values).is_none_or(|points| u32::try_from(points).is_err()) {
             return Err(PromiseError::TooManyValues { boxes, values });
         }
-        let settings = PromiseSettings { inner: runs, ..settings };
-        Ok(Self { problem, search_box, elements, asked, bands, settings, values })
+        Ok(plan)
     }
 
     /// Values of u in each box.

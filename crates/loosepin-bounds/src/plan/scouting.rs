@@ -6,11 +6,12 @@ use rayon::prelude::*;
 
 use super::double_loop::DoubleLoop;
 use crate::data::table::{Purpose, SampleTable};
+use crate::estimators::estimate::{deviation_of, mean_of};
 use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
-use crate::search::scouts::{Expectation, Scout};
+use crate::search::scouts::Observed;
 use crate::search::search_box::Place;
 use crate::search::target::Target;
 
@@ -43,16 +44,17 @@ impl DoubleLoop {
         let points = self.setup.outer_places(pool);
         let at: Vec<Vec<f64>> = places.iter().map(|place| place.at.clone()).collect();
         let models = Search::new(self.setup.epistemic_box.axes(), &points, &at, &means);
+        let scouts = search.scouts(&places);
         let calls = |(column, mean): (&usize, &Target)| {
-            let values = runs.iter().map(|&run| table.values(run)[*column]);
-            let scouts = places.iter().zip(values).map(|(place, value)| Scout { place: place.clone(), value });
+            let values: Vec<f64> = runs.iter().map(|&run| table.values(run)[*column]).collect();
             let scatter = Scatter::new(&pool.samples(*column));
-            let expectation = Expectation {
+            let observed = Observed {
+                values: &values,
                 moments: &scatter.moments,
                 means: &expected(&models, mean, &places),
                 scatter: &scatter.standardised,
             };
-            search.calls(&scouts.collect::<Vec<Scout>>(), &expectation, count)
+            search.calls(&scouts, &observed, count)
         };
         let calls: Vec<Vec<Place>> = columns.par_iter().zip(&means).map(calls).collect();
         let turns = (0..count).flat_map(|turn| calls.iter().filter_map(move |own| own.get(turn).cloned()));
@@ -84,7 +86,8 @@ struct Scatter {
 
 impl Scatter {
     fn new(samples: &[&Sample]) -> Self {
-        let moments: Vec<(f64, f64)> = samples.iter().map(|sample| sample.mean_and_deviation()).collect();
+        let moments = |sample: &&Sample| (mean_of(sample.values()), deviation_of(sample.values()));
+        let moments: Vec<(f64, f64)> = samples.iter().map(moments).collect();
         let mut standardised: Vec<f64> = samples
             .iter()
             .zip(&moments)

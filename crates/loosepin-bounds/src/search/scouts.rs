@@ -2,20 +2,21 @@
 
 use super::models::Search;
 use super::search_box::Place;
-use crate::data::direction::{Direction, extreme_among};
+use crate::data::direction::Direction;
 
 /// Where the runs at a point hardly differ they have this share of the largest standard deviation at any point.
 const LEAST_DEVIATION: f64 = 1e-3;
 
-/// A run at a u of its own.
-#[derive(Debug, Clone)]
-pub(crate) struct Scout {
-    pub place: Place,
-    pub value: f64,
+/// Where single runs were made, each at a u of its own, and the nearest outer point in the same combination of the discrete inputs.
+pub(crate) struct Scouts<'a> {
+    places: &'a [Place],
+    nearest: Vec<Option<usize>>,
 }
 
-/// What scouts of a column are held against.
-pub(crate) struct Expectation<'a> {
+/// A column of the scouts, and what it is held against.
+pub(crate) struct Observed<'a> {
+    /// Values of the scouts; not a number where a run failed.
+    pub values: &'a [f64],
     /// Mean and standard deviation of the runs at every outer point, in the order of the points.
     pub moments: &'a [(f64, f64)],
     /// Mean at the place of every scout, as a model of the means has it.
@@ -25,29 +26,37 @@ pub(crate) struct Expectation<'a> {
 }
 
 impl Search<'_> {
+    /// The scouts at `places`.
+    pub fn scouts<'s>(&self, places: &'s [Place]) -> Scouts<'s> {
+        let nearest = |place: &Place| {
+            let group = self.groups.get(place.combination).map_or(&[][..], |group| group);
+            let distances = group.iter().map(|&point| (self.axes.distance(&self.points[point], place), point));
+            distances.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
+        };
+        Scouts { places, nearest: places.iter().map(nearest).collect() }
+    }
+
     /// The places of those of `scouts` that lie further out, in standard deviations of the runs at the nearest outer point, than runs at
     /// the outer points lie from their own mean in all but one of as many: chance alone brings one of them to either side. The furthest
     /// first; at most `count`.
-    pub fn calls(&self, scouts: &[Scout], expectation: &Expectation<'_>, count: usize) -> Vec<Place> {
-        let runs = expectation.scatter.len();
-        if runs == 0 || scouts.is_empty() {
+    pub fn calls(&self, scouts: &Scouts<'_>, observed: &Observed<'_>, count: usize) -> Vec<Place> {
+        let runs = observed.scatter.len();
+        if runs == 0 || scouts.places.is_empty() {
             return Vec::new();
         }
         // One in as many runs as there are scouts lies further out.
-        let further_out = (runs / scouts.len()).min(runs - 1);
-        let ends = [expectation.scatter[further_out], expectation.scatter[runs - 1 - further_out]];
-        let deviations = expectation.moments.iter().map(|(_, deviation)| *deviation);
+        let further_out = (runs / scouts.places.len()).min(runs - 1);
+        let ends = [observed.scatter[further_out], observed.scatter[runs - 1 - further_out]];
+        let deviations = observed.moments.iter().map(|(_, deviation)| *deviation);
         let least = LEAST_DEVIATION * deviations.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max);
         let mut calls: Vec<(f64, &Place)> = Vec::new();
-        for (scout, mean) in scouts.iter().zip(expectation.means) {
-            let group = self.groups.get(scout.place.combination).map_or(&[][..], |group| group);
-            let near: Vec<f64> = self.points.iter().map(|point| self.axes.distance(point, &scout.place)).collect();
-            let Some(nearest) = extreme_among(&near, group.iter().copied(), Direction::Minimum) else { continue };
-            let out = (scout.value - mean) / expectation.moments[nearest].1.max(least);
+        for (scout, place) in scouts.places.iter().enumerate() {
+            let Some(nearest) = scouts.nearest[scout] else { continue };
+            let out = (observed.values[scout] - observed.means[scout]) / observed.moments[nearest].1.max(least);
             let further = Direction::BOTH.map(|direction| direction.sign() * (out - ends[direction.index()]));
             let furthest = further[0].max(further[1]);
             if furthest > 0.0 {
-                calls.push((furthest, &scout.place));
+                calls.push((furthest, place));
             }
         }
         calls.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -57,7 +66,7 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Expectation, Scout};
+    use super::Observed;
     use crate::data::direction::Direction;
     use crate::search::models::Search;
     use crate::search::search_box::{Axes, Place};
@@ -70,18 +79,17 @@ mod tests {
         let place = |x: f64| Place { combination: 0, at: vec![x] };
         let points: Vec<Place> = (0..=10).map(|i| place(0.1 * f64::from(i))).collect();
         let level = |run: usize| (run as f64 + 0.5) / 1000.0;
-        let scouts: Vec<Scout> = (0..1000)
-            .map(|run| {
-                let x = level(run);
-                let hill = if (0.62..0.63).contains(&x) { 1.0 } else { 0.0 };
-                // Every run has another one of as many quantiles.
-                Scout { place: place(x), value: hill + 0.1 * normal_quantile(level(7 * run % 1000)) }
-            })
-            .collect();
+        let places: Vec<Place> = (0..1000).map(|run| place(level(run))).collect();
+        let value = |run: usize| {
+            let hill = if (0.62..0.63).contains(&level(run)) { 1.0 } else { 0.0 };
+            // Every run has another one of as many quantiles.
+            hill + 0.1 * normal_quantile(level(7 * run % 1000))
+        };
+        let values: Vec<f64> = (0..1000).map(value).collect();
         let scatter: Vec<f64> = (0..10_000).map(|run| normal_quantile((f64::from(run) + 0.5) / 10_000.0)).collect();
-        let expectation = Expectation { moments: &[(0.0, 0.1); 11], means: &[0.0; 1000], scatter: &scatter };
+        let observed = Observed { values: &values, moments: &[(0.0, 0.1); 11], means: &[0.0; 1000], scatter: &scatter };
         let search = Search::new(&axes, &points, &[], []);
-        let called = search.calls(&scouts, &expectation, 4);
+        let called = search.calls(&search.scouts(&places), &observed, 4);
         assert!((0.62..0.63).contains(&called[0].at[0]), "{called:?}");
         // Two places of a round are not nearer than 0.02: one on the hill, and at most one of chance to either side.
         assert!(called.len() <= 1 + Direction::BOTH.len(), "{called:?}");

@@ -75,6 +75,14 @@ fn slow_wave(draw: &mut Draw, dimensions: usize) -> Term {
     Term::Wave { along, height: draw.of_size(0.1, 0.7), turns, phase }
 }
 
+/// One to three bumps of widths between `widths`, centred `at` places.
+fn bumps(draw: &mut Draw, at: impl Fn(&mut Draw) -> Vec<f64>, [least, most]: [f64; 2], terms: &mut Vec<Term>) {
+    for _ in 0..1 + draw.below(3) {
+        let width = draw.of_size(least, most);
+        terms.push(Term::Bump { centre: at(draw), width, height: draw.sign() * draw.between(0.2, 1.5) });
+    }
+}
+
 fn of_one(draw: &mut Draw, character: Character) -> Vec<Term> {
     let mut terms = vec![trend(draw, 0)];
     let at = |draw: &mut Draw| vec![draw.between(0.02, 0.98)];
@@ -109,10 +117,7 @@ fn of_one(draw: &mut Draw, character: Character) -> Vec<Term> {
                 height: draw.sign() * draw.between(0.2, 1.5),
             }),
             _ => {
-                for _ in 0..1 + draw.below(3) {
-                    let width = draw.of_size(0.003, 0.2);
-                    terms.push(Term::Bump { centre: at(draw), width, height: draw.sign() * draw.between(0.2, 1.5) });
-                }
+                bumps(draw, at, [0.003, 0.2], &mut terms);
                 if draw.chance(0.3) {
                     terms.push(slow_wave(draw, 1));
                 }
@@ -192,12 +197,7 @@ fn of_two(draw: &mut Draw, character: Character) -> Vec<Term> {
                 width: draw.of_size(0.05, 0.4),
                 height: draw.sign() * draw.between(0.2, 1.5),
             }),
-            _ => {
-                for _ in 0..1 + draw.below(3) {
-                    let width = draw.of_size(0.035, 0.3);
-                    terms.push(Term::Bump { centre: at(draw), width, height: draw.sign() * draw.between(0.2, 1.5) });
-                }
-            }
+            _ => bumps(draw, at, [0.035, 0.3], &mut terms),
         },
         Character::Rough => {
             let (height, phase) = (draw.of_size(0.02, 0.3), draw.between(0.0, std::f64::consts::TAU));
