@@ -16,8 +16,8 @@ const TIMED_RUNS: usize = 32;
 const TIMED_FREE_RUNS: usize = 3;
 /// Evaluations of each of them, at most.
 const MOST_EVALUATIONS: f64 = 6000.0;
-/// Multiplications of all timed runs, about a tenth of a second; and evaluations without which a run shows nothing.
-const TIMED_MULTIPLICATIONS: f64 = 1e8;
+/// Multiplications of all timed runs, about 30 ms; and evaluations without which a run shows nothing.
+const TIMED_MULTIPLICATIONS: f64 = 5e7;
 const LEAST_EVALUATIONS: f64 = 100.0;
 
 /// What a study will come to.
@@ -117,5 +117,25 @@ fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<O
         Some(reason) if passed == 0.0 => Err(StudyError::AllFailed { runs, reason }),
         _ if passed == 0.0 => Ok(None),
         _ => Ok(Some(preparing_s / f64::from(prepared.max(1)) + stepping_s / passed)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::file::Study;
+    use crate::response::StudyResponse;
+    use loosepin_simulate::{Execution, RunFailure};
+    use std::path::Path;
+
+    #[test]
+    fn a_run_that_is_timed_is_given_up_after_the_evaluations_it_has() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
+        let study = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let mut response = StudyResponse::new(&study).unwrap();
+        response.limit_evaluations(50);
+        let mut waiting = [(0, &[0.05, 0.12][..], &[0.0005, 0.8][..])].into_iter();
+        let mut outcomes = Vec::new();
+        response.run_all(0, Execution::best(), || waiting.next(), |_, outcome| outcomes.push(outcome.map(|_| ())));
+        assert!(matches!(outcomes[..], [Err(RunFailure::TooManyEvaluations { .. })]), "{outcomes:?}");
     }
 }

@@ -265,3 +265,14 @@ fn on_a_full_disk_nobody_is_told_of_runs_that_are_not_kept() {
     let again = desk.run(&["study", "study.toml", "--out", "full", "--resume"]);
     assert!(again.status < 2 && desk.path("full/summary.json").exists(), "{}", again.messages);
 }
+
+/// The process was killed when it had made the store, and the folder did not say yet what it holds.
+#[test]
+fn a_store_without_a_marker_is_gone_on_with() {
+    let desk = desk();
+    fs::create_dir(desk.path("left")).expect("writable");
+    fs::write(desk.path("left/runs.sqlite"), "").expect("writable");
+    let resumed = desk.run(&["study", "study.toml", "--out", "left", "--resume"]);
+    assert!(resumed.status < 2, "{}", resumed.messages);
+    assert!(is_there(&desk.path("left/report.html")) && !is_there(&desk.path("left/runs.sqlite")));
+}

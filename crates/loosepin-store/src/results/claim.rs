@@ -55,12 +55,16 @@ impl Claim {
         }
     }
 
-    /// Whether the folder holds the finished result, which is to be made anew only with force. Nothing is changed.
+    /// Whether the folder holds the finished result, which is to be made anew only with force. Nothing is changed. Files without a
+    /// marker are no result; whether they are in the way is for [`Claim::lock`] to say, which knows what may stand beside it.
     ///
     /// # Errors
-    /// The folder holds something else, or cannot be read.
+    /// The folder holds another result, or cannot be read.
     pub fn is_finished(&self) -> Result<bool, ResultsError> {
-        Ok(self.find(&[])?.is_some_and(|held| self.is_made(&held)))
+        match self.find(&[]) {
+            Err(ResultsError::HoldsOtherFiles { .. }) => Ok(false),
+            found => Ok(found?.is_some_and(|held| self.is_made(&held))),
+        }
     }
 
     /// Takes the folder, making it where there is none. A finished result of the same inputs is left as it is (see
