@@ -22,7 +22,7 @@ import laws
 import model_file
 
 ROOT = Path(__file__).resolve().parents[2]
-ROWS = 1000
+ROWS = 2000
 MOST_S = 10
 TOLERANCE_M = 1e-9
 # What each figure may be at most, and what it is a share of.

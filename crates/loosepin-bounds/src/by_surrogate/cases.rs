@@ -128,17 +128,18 @@ fn analytic_bands_are_as_far_off_as_the_surrogate_concedes() {
 }
 
 /// The interval-only band is searched anew where direct runs at its extremes show a larger error than was conceded: its shares inside
-/// stand at the points of that search. In these seeds they are others than before, and not as many.
+/// stand at the points of that search. In some seeds they are not as many as before.
 #[test]
 fn identity_shares_inside_stand_at_their_own_points_where_direct_runs_widened_a_band() {
     let mut of = problem(&[STANDARD_NORMAL], &[(-0.8, 0.5), (0.1, 1.3)], &[]);
     of.compared_columns = vec![0];
     let response = Function(|x: &[f64], u: &[f64]| x[0] + u[0] + 0.5 * libm::sin(4.0 * u[0] * u[1] + 4.0 * x[0]));
-    for seed in [1, 3] {
+    let mut differ = 0;
+    for seed in 1..=8 {
         let of = Problem { sampling: Sampling { inner: 64, seed, ..Sampling::default() }, ..of.clone() };
         let found = bounds(of, settings(Kind::Chaos, 40), &response);
         let points = &found.groups[0].treatments.as_ref().unwrap().outer_points;
-        assert_ne!(points[1].len(), points[0].len(), "seed {seed}");
+        differ += usize::from(points[1].len() != points[0].len());
         for (band, points) in paired(&bands(&found), points) {
             let coverage = &band.coverage;
             assert_eq!(coverage.points.len(), points.len(), "{:?}, seed {seed}", band.treatment);
@@ -147,6 +148,7 @@ fn identity_shares_inside_stand_at_their_own_points_where_direct_runs_widened_a_
             assert_eq!(points[least.point as usize], witness.epistemic, "{:?}, seed {seed}", band.treatment);
         }
     }
+    assert!(differ > 0, "no seed shows that the points are their own");
 }
 
 /// The slider-crank with play of the closed form: y = r cos θ + sqrt(l² - (r sin θ + c sin ψ)²) + c cos ψ - s, θ = 60°, mm.

@@ -11,6 +11,7 @@ pub(crate) mod pool;
 pub(crate) mod preintegration;
 pub(crate) mod probability;
 pub(crate) mod quantile;
+pub(crate) mod replicates;
 pub(crate) mod sample;
 pub(crate) mod smooth;
 pub(crate) mod smoothness;

@@ -1,7 +1,7 @@
 //! The extreme of a statistic over a box, or a part of it: attained, with what was not resolved.
 
 use super::experiment::{Experiment, Focal};
-use super::limits::{can_change, furthest_possible};
+use super::limits::{can_change, furthest_conceded};
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::{Direction, extreme_among};
 use crate::data::statistic::Event;
@@ -56,7 +56,7 @@ impl Experiment<'_> {
             (sign * (further - value)).max(0.0)
         };
         // What the search concedes ends where no response goes; the sampling error keeps what it needs.
-        let possible = furthest_possible(measure.kind, modelled.samples, direction);
+        let possible = furthest_conceded(measure.kind, modelled.samples, direction);
         let room = (sign * (measure.kind.limited(possible) - value)).max(0.0);
         let error = BoundError::of_runs(sampling, optimisation.min((room - sampling).max(0.0)));
         let bound = Bound {
@@ -126,7 +126,7 @@ impl<'a> Modelled<'a> {
         let known = focal.members.iter().copied().filter(|&point| is_known(point));
         let best = known.clone().reduce(|best, point| if is_better(point, best) { point } else { best })?;
         // Where differences are noise the neighbours of a point have been heard too: its own interval says nothing more.
-        let least_noise = LEAST_NOISE_SHARE * measure.target.noise_variance;
+        let least_noise = LEAST_NOISE_SHARE * measure.target.noise.variance;
         let is_averaged = |point: usize| {
             let own = self.branches.iter().find(|branch| branch.points.contains(&point));
             own.is_some_and(|branch| branch.noise_variance() > least_noise)

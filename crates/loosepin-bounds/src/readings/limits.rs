@@ -6,19 +6,27 @@ use crate::data::statistic::Event;
 use crate::estimators::sample::Sample;
 use crate::search::measure::MeasureKind;
 
-/// By this share of the range of all responses a bound may lie beyond the furthest of them.
+/// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them.
 const RESPONSE_MARGIN: f64 = 0.1;
+
+/// The same for what a search concedes: a hill of which a run has met the upper half may be twice as high.
+const HALF_SEEN_MARGIN: f64 = 1.0;
 
 /// Fewer runs at a point than this do not show the range of the response.
 const LEAST_RUNS_FOR_RANGE: usize = 8;
 
-/// The furthest that a statistic can go when no response lies further than those seen at all points together and a margin: means and
-/// quantiles stay within the range of the responses, deviations within half of it. Infinite where the runs at a point are too few to show
-/// that range. Where the motion is chaotic the statistic is so uneven over u that a model of it alone would concede what no mechanism does.
-pub(crate) fn furthest_possible(kind: MeasureKind, samples: &[&Sample], direction: Direction) -> f64 {
+/// The furthest that a search concedes to a statistic: means and quantiles stay within the range of the responses at all points together
+/// and a margin, deviations within half of it. Infinite where the runs at a point are too few to show that range. A model of many inputs
+/// on few points would concede what no mechanism does.
+pub(crate) fn furthest_conceded(kind: MeasureKind, samples: &[&Sample], direction: Direction) -> f64 {
+    furthest(kind, samples, direction, HALF_SEEN_MARGIN)
+}
+
+/// The same with a margin that is a share of that range.
+fn furthest(kind: MeasureKind, samples: &[&Sample], direction: Direction, margin: f64) -> f64 {
     let unlimited = direction.sign() * f64::INFINITY;
     let Some((low, high)) = responses(samples) else { return unlimited };
-    let margin = RESPONSE_MARGIN * (high - low);
+    let margin = margin * (high - low);
     match kind {
         MeasureKind::Plain => direction.of(low - margin, high + margin),
         MeasureKind::Deviation => direction.of(0.0, 0.5 * (high - low) + margin),
@@ -47,7 +55,7 @@ impl Bound {
     /// far responses have been seen to go: the bound ends there, and says that this is not confirmed. Failed runs may have gone
     /// anywhere, and stay infinite.
     pub(crate) fn within_responses(self, samples: &[&Sample], direction: Direction) -> Self {
-        let possible = furthest_possible(MeasureKind::Plain, samples, direction);
+        let possible = furthest(MeasureKind::Plain, samples, direction, RESPONSE_MARGIN);
         let has_failed = samples.iter().any(|sample| sample.failed() > 0);
         if self.widened.is_finite() || !self.value.is_finite() || !possible.is_finite() || has_failed {
             return self;

@@ -27,6 +27,7 @@ use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
+use crate::search::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 
 /// The ends of the response in one part, sample by sample: as attained, and as far as the models let them go.
@@ -70,7 +71,7 @@ pub(crate) fn values_by_run(table: &SampleTable, column: usize) -> (Vec<u32>, Ve
 /// The response at one inner run over the outer points, as something to search.
 pub(crate) fn run_target(points: &[Vec<f64>], run: usize, resolution: f64) -> Target {
     let values = points.iter().map(|values| values.get(run).copied().unwrap_or(f64::NAN)).collect();
-    Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [resolution; 2] }
+    Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [resolution; 2] }
 }
 
 impl Experiment<'_> {

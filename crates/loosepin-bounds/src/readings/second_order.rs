@@ -26,7 +26,8 @@ use crate::estimators::estimate::{Confidence, replicate_error};
 use crate::search::design::{first_points, structural_point_count};
 use crate::search::measure::Measure;
 use crate::search::models::{Branch, Search};
-use crate::search::reach::CONCEDED;
+use crate::search::noise::Noise;
+use crate::search::prediction::Allowance;
 use crate::search::search_box::{Axes, Place, Region};
 use crate::search::target::{Target, TargetKind};
 use crate::search::target_model::Forecast;
@@ -234,7 +235,7 @@ impl Experiment<'_> {
             return attained;
         }
         let target =
-            Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [f64::MIN_POSITIVE; 2] };
+            Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [f64::MIN_POSITIVE; 2] };
         let search = Search::new(&grid.other_axes, points, &grid.others, [&target]);
         let branches = search.branches(&target);
         let region = Region::whole(grid.other_inputs.len());
@@ -271,8 +272,9 @@ impl Found {
         let sign = direction.sign();
         let means =
             |values: &[Option<Forecast>]| -> Vec<f64> { values.iter().flatten().map(|value| value.mean()).collect() };
-        let conceded =
-            values.iter().map(|value| value.map_or(sign * f64::INFINITY, |value| value.moved(sign * CONCEDED)));
+        let conceded = values
+            .iter()
+            .map(|value| value.map_or(sign * f64::INFINITY, |value| value.moved(Allowance::CONCESSION, sign)));
         let own: Vec<f64> = values.chunks(points).map(|values| order_statistic(means(values), probability)).collect();
         let (below, above) = replicate_error(&own, confidence);
         Self {

@@ -138,15 +138,39 @@ impl Model {
         dot(&rest, &rest)
     }
 
-    /// The largest error of predicting an estimate from all the others, divided by its standard deviation for σ = 1:
-    /// max |(P y)_i|/√P_ii. S. Sundararajan and S. S. Keerthi, "Predictive approaches for choosing hyperparameters in
+    /// The errors of predicting each estimate from all the others, divided by their standard deviations for σ = 1:
+    /// (P y)_i/√P_ii. S. Sundararajan and S. S. Keerthi, "Predictive approaches for choosing hyperparameters in
     /// Gaussian processes", Neural Computation 13 (2001) 1103-1118. A function that is rougher in one place than in others
     /// shows itself here.
-    pub fn largest_error(&self, values: &[f64]) -> f64 {
-        let errors = self.whitened.whitening.multiply_transposed(&self.whitened_rest(values));
-        errors.iter().zip(&self.projection_diagonal).fold(0.0, |largest, (error, diagonal)| {
-            if *diagonal > 0.0 { largest.max(error.abs() / diagonal.sqrt()) } else { largest }
-        })
+    pub fn errors(&self, values: &[f64]) -> Vec<f64> {
+        let projected = self.projected(values);
+        let of = |(error, diagonal): (&f64, &f64)| if *diagonal > 0.0 { error / diagonal.sqrt() } else { 0.0 };
+        projected.iter().zip(&self.projection_diagonal).map(of).collect()
+    }
+
+    /// The variance of what the values have beside the process, estimated from the residuals τ P y at the points and their degrees of
+    /// freedom tr τP:
+    ///
+    /// ```text
+    /// |τ P y|²/(τ tr P)
+    /// ```
+    ///
+    /// Its expectation is τσ² where the process is right. It is quadratic in the values and says what they have even where τ is not
+    /// the likeliest ratio.
+    pub fn nugget(&self, values: &[f64]) -> f64 {
+        let projected = self.projected(values);
+        let trace: f64 = self.projection_diagonal.iter().sum();
+        self.noise_ratio * dot(&projected, &projected) / trace
+    }
+
+    /// tr τP: how many degrees of freedom [`Self::nugget`] has.
+    pub fn nugget_freedom(&self) -> f64 {
+        self.noise_ratio * self.projection_diagonal.iter().sum::<f64>()
+    }
+
+    /// P y
+    fn projected(&self, values: &[f64]) -> Vec<f64> {
+        self.whitened.whitening.multiply_transposed(&self.whitened_rest(values))
     }
 
     /// (1 - B G Bᵀ) W y

@@ -1,5 +1,7 @@
 //! Models of the index of a probability.
 
+use super::noise::Noise;
+use super::prediction::{Allowance, Prediction};
 use super::smoother::{Fit, Smoother};
 use crate::estimators::index::compressed;
 
@@ -10,19 +12,18 @@ pub(crate) struct IndexModel<'a> {
     is_compressed: bool,
 }
 
-/// Prediction of an index: mean and standard deviation of x or of z.
+/// Prediction of an index: of x or of z.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct IndexForecast {
-    pub mean: f64,
-    pub deviation: f64,
+    pub prediction: Prediction,
     /// Whether of x.
     pub is_compressed: bool,
 }
 
 impl IndexForecast {
-    /// The index where the model errs by so many of its standard deviations.
-    pub fn moved(self, deviations: f64) -> f64 {
-        let moved = self.mean + deviations * self.deviation;
+    /// The index where the model errs by `allowance` towards `sign`.
+    pub fn moved(self, allowance: Allowance, sign: f64) -> f64 {
+        let moved = self.prediction.moved(allowance, sign);
         if self.is_compressed { moved } else { compressed(moved) }
     }
 }
@@ -38,7 +39,7 @@ impl<'a> IndexModel<'a> {
     /// Advances in Neural Information Processing Systems 16, 2004).
     pub fn new(smoother: &'a Smoother, indices: &[f64]) -> Self {
         let z: Vec<f64> = indices.iter().map(|&index| libm::sinh(index)).collect();
-        let (of_x, of_z) = (smoother.fit(indices, 0.0), smoother.fit(&z, 0.0));
+        let (of_x, of_z) = (smoother.fit(indices, &Noise::NONE), smoother.fit(&z, &Noise::NONE));
         let slopes = indices.iter().map(|&index| libm::log(libm::cosh(index))).sum::<f64>() / indices.len() as f64;
         let is_compressed = of_x.misfit() < of_z.misfit() - 2.0 * slopes;
         Self { fit: if is_compressed { of_x } else { of_z }, is_compressed }
@@ -59,7 +60,7 @@ impl<'a> IndexModel<'a> {
         self.fit.places()
     }
 
-    fn forecast(&self, (mean, deviation): (f64, f64)) -> IndexForecast {
-        IndexForecast { mean, deviation, is_compressed: self.is_compressed }
+    fn forecast(&self, prediction: Prediction) -> IndexForecast {
+        IndexForecast { prediction, is_compressed: self.is_compressed }
     }
 }

@@ -1,5 +1,6 @@
 //! A statistic at every outer point, and the quantities by which its extremes are searched.
 
+use super::noise::Noise;
 use super::target::{SEARCH_RESOLUTION, Target, TargetKind};
 use crate::data::direction::{Direction, extreme_point, range_of};
 use crate::data::statistic::{Event, Statistic};
@@ -8,6 +9,7 @@ use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::probability::probability;
 use crate::estimators::quantile::quantile;
+use crate::estimators::replicates::{differences, differences_of_quantiles, mean_of};
 use crate::estimators::sample::Sample;
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
@@ -107,12 +109,16 @@ impl Measure {
 
     /// Measures the mean.
     pub fn mean(samples: &[&Sample], confidence: &Confidence) -> Self {
-        Self::plain(samples.iter().map(|sample| EitherWay::both(mean(sample, confidence))), confidence)
+        let at = samples.iter().map(|sample| EitherWay::both(mean(sample, confidence)));
+        Self::plain(at, confidence).with_replicates(differences(samples, |values, _| mean_of(values)))
     }
 
     /// Measures the quantile at `probability`.
     pub fn quantile(samples: &[&Sample], probability: f64, confidence: &Confidence) -> Self {
-        Self::plain(samples.iter().map(|sample| quantile(sample, confidence, probability)), confidence)
+        let measure = Self::plain(samples.iter().map(|sample| quantile(sample, confidence, probability)), confidence);
+        let variances: Vec<f64> = measure.low.iter().map(|estimate| estimate.variance(confidence)).collect();
+        let replicates = differences_of_quantiles(samples, &measure.target.values, &variances);
+        measure.with_replicates(replicates)
     }
 
     /// Measures the probability of `event`.
@@ -133,7 +139,10 @@ impl Measure {
         let mut target = target(&low, confidence);
         target.resolutions = target.resolutions.map(|resolution| resolution.max(PROBABILITY_RESOLUTION));
         let margin = Margin::new(samples, event, confidence);
+        let share =
+            |values: &[f64], _| values.iter().filter(|&&value| event.holds(value)).count() as f64 / values.len() as f64;
         Self { kind: MeasureKind::Probability(event), target_errors: errors(&low), low, high, target, margin }
+            .with_replicates(differences(samples, share))
     }
 
     /// Measures the standard deviation, by way of the variance.
@@ -141,13 +150,26 @@ impl Measure {
         let variances: Vec<Estimate> = samples.iter().map(|sample| variance(sample, confidence)).collect();
         let at: Vec<Estimate> = variances.iter().copied().map(standard_deviation).collect();
         let (target, target_errors) = (target(&variances, confidence), errors(&variances));
+        let means: Vec<f64> = samples.iter().map(|sample| mean(sample, confidence).value).collect();
+        let square = |values: &[f64], point: usize| {
+            values.iter().map(|y| (y - means[point]) * (y - means[point])).sum::<f64>() / values.len() as f64
+        };
         Self { kind: MeasureKind::Deviation, low: at.clone(), high: at, target_errors, target, margin: None }
+            .with_replicates(differences(samples, square))
     }
 
     fn plain(at: impl Iterator<Item = EitherWay>, confidence: &Confidence) -> Self {
         let (low, high): (Vec<Estimate>, Vec<Estimate>) = at.map(|at| (at.low, at.high)).unzip();
         let (target, target_errors) = (target(&low, confidence), errors(&low));
         Self { kind: MeasureKind::Plain, low, high, target_errors, target, margin: None }
+    }
+
+    /// This with what the replicates of the sample say of the target; nothing where no noise is seen.
+    fn with_replicates(mut self, replicates: Vec<Vec<f64>>) -> Self {
+        if self.target.noise.variance > 0.0 {
+            self.target.noise.replicates = replicates;
+        }
+        self
     }
 
     /// The estimates that tell of the end in `direction`.
@@ -202,7 +224,9 @@ impl Margin {
             values.iter().filter(|value| value.is_finite()).fold(f64::INFINITY, |least, value| least.min(value.abs()));
         // Far from the limit a change of the margin changes next to nothing.
         let resolutions = [0.02 * (1.0 + nearest * nearest); 2];
-        let target = Target { values, kind: TargetKind::Plain, noise_variance: finite_mean(&noise), resolutions };
+        let of_mean = differences(samples, |values, point| mean_of(values) / spreads[point]);
+        let noise = Noise { variance: finite_mean(&noise), replicates: of_mean };
+        let target = Target { values, kind: TargetKind::Plain, noise, resolutions };
         Some(Self { target, event, means, spreads, size })
     }
 
@@ -237,7 +261,7 @@ fn index_target(samples: &[&Sample], event: Event, shares: &[Estimate], confiden
         TargetKind::Either([0, 1].map(|side| sides.iter().map(|sides| sides[side]).collect()))
     });
     let change = SMOOTH_PROBABILITY_RESOLUTION * range(&shares.iter().map(|share| share.value).collect::<Vec<f64>>());
-    Some(Target { values, kind, noise_variance: 0.0, resolutions: [change; 2] })
+    Some(Target { values, kind, noise: Noise::NONE, resolutions: [change; 2] })
 }
 
 /// Estimates as something to search the extremes of.
@@ -253,7 +277,8 @@ pub(crate) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
             .map_or(0.0, |point| 0.5 * (estimates[point].below + estimates[point].above));
         if error.is_finite() { (SHARE_OF_SAMPLING_ERROR * error).max(least) } else { least }
     });
-    Target { values, kind: TargetKind::Plain, noise_variance, resolutions }
+    let noise = Noise { variance: noise_variance, replicates: Vec::new() };
+    Target { values, kind: TargetKind::Plain, noise, resolutions }
 }
 
 /// Distances to both ends of the confidence intervals.

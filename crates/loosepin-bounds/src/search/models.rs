@@ -76,14 +76,13 @@ impl<'a> Search<'a> {
         for (index, point) in points.iter().enumerate() {
             groups[point.combination].push(index);
         }
-        // For each set of defined points: whether any target has noise, and how often each point is an extreme.
-        let mut sets: BTreeMap<Vec<usize>, (bool, BTreeMap<usize, usize>)> = BTreeMap::new();
+        // For each set of defined points: how often each point is an extreme.
+        let mut sets: BTreeMap<Vec<usize>, BTreeMap<usize, usize>> = BTreeMap::new();
         let mut target_count = 0;
         for target in targets {
             target_count += 1;
             for group in &groups {
-                let (has_noise, extremes) = sets.entry(defined(target, group)).or_default();
-                *has_noise |= target.noise_variance > 0.0;
+                let extremes = sets.entry(defined(target, group)).or_default();
                 for direction in Direction::BOTH {
                     if let Some(point) = extreme_among(&target.values, group.iter().copied(), direction) {
                         *extremes.entry(point).or_default() += 1;
@@ -91,7 +90,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        let prepare = |(defined, (has_noise, extremes)): (Vec<usize>, (bool, BTreeMap<usize, usize>))| {
+        let prepare = |(defined, extremes): (Vec<usize>, BTreeMap<usize, usize>)| {
             let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
             extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
             let near = extremes
@@ -100,7 +99,7 @@ impl<'a> Search<'a> {
                 .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
-            let smoother = Smoother::try_new(known, &places, has_noise, axes);
+            let smoother = Smoother::try_new(known, &places, true, axes);
             (defined, smoother)
         };
         Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }

@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use super::models::{LEAST_DISTANCE_IN_ROUND, Search, defined};
 use super::parts::Element;
-use super::reach::{OPTIMISM, locate, reach};
+use super::prediction::Allowance;
+use super::reach::{locate, reach};
 use super::search_box::{Axes, Place};
 use super::target::Target;
 use crate::data::direction::{Direction, extreme_among};
@@ -34,7 +35,7 @@ impl Search<'_> {
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
         // What a model expects and what it merely allows take turns: every target allows more than it expects.
         let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
-            promises.into_iter().partition(|promise| promise.optimism == 0.0);
+            promises.into_iter().partition(|promise| promise.allowance == Allowance::NONE);
         let most = LOCATED_PER_POINT * count;
         let (mut expected, mut allowed) =
             (distinct(self.axes, expected, most).into_iter(), distinct(self.axes, allowed, most).into_iter());
@@ -49,7 +50,7 @@ impl Search<'_> {
                 let region = &elements[promise.element].region;
                 Some(Place {
                     combination,
-                    at: locate(self.axes, &model, promise.direction, promise.optimism, promise.place.at, region),
+                    at: locate(self.axes, &model, promise.direction, promise.allowance, promise.place.at, region),
                 })
             })
             .collect();
@@ -70,19 +71,19 @@ impl Search<'_> {
             let Some(model) = branch.model.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
             for (element, (part, members)) in elements.iter().zip(members).enumerate() {
                 for &direction in directions {
-                    let reach = reach(model, direction, &part.region, OPTIMISM);
+                    let reach = reach(model, direction, &part.region, Allowance::HOPED);
                     let attained = extreme_among(&target.values, members.iter().copied(), direction)
                         .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
-                    let mut promise = |value: f64, optimism: f64, at: Vec<f64>| {
+                    let mut promise = |value: f64, allowance: Allowance, at: Vec<f64>| {
                         let gain = part.mass * direction.sign() * (value - attained);
                         let merit = gain / target.resolution(direction, attained);
                         if merit > 1.0 {
                             let place = Place { combination, at };
-                            promises.push(Promise { target: index, element, direction, optimism, merit, place });
+                            promises.push(Promise { target: index, element, direction, allowance, merit, place });
                         }
                     };
-                    promise(reach.optimistic, OPTIMISM, reach.optimistic_at);
-                    promise(reach.expected, 0.0, reach.expected_at);
+                    promise(reach.optimistic, Allowance::HOPED, reach.optimistic_at);
+                    promise(reach.expected, Allowance::NONE, reach.expected_at);
                 }
             }
         }
@@ -94,7 +95,7 @@ struct Promise {
     target: usize,
     element: usize,
     direction: Direction,
-    optimism: f64,
+    allowance: Allowance,
     merit: f64,
     place: Place,
 }
@@ -118,6 +119,7 @@ mod tests {
     use crate::data::direction::{Direction, extreme};
     use crate::search::design::{candidates, first_points};
     use crate::search::models::Search;
+    use crate::search::noise::Noise;
     use crate::search::parts::Element;
     use crate::search::search_box::{Axes, Place, Region};
     use crate::search::target::{Target, TargetKind};
@@ -130,7 +132,7 @@ mod tests {
         loop {
             let values: Vec<f64> = points.iter().map(|u| function(&u.at)).collect();
             let resolutions = [1e-9; 2];
-            let target = Target { values: values.clone(), kind: TargetKind::Plain, noise_variance: 0.0, resolutions };
+            let target = Target { values: values.clone(), kind: TargetKind::Plain, noise: Noise::NONE, resolutions };
             let axes = Axes::open(dimensions);
             let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];

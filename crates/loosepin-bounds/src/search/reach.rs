@@ -2,17 +2,11 @@
 
 use super::kink_reach::reach_of_kink;
 use super::models::{Branch, Search};
+use super::prediction::Allowance;
 use super::search_box::{Axes, Region};
 use super::target::Target;
 use super::target_model::TargetModel;
 use crate::data::direction::Direction;
-
-/// The model's error bar in an optimistic prediction, in standard deviations.
-pub(super) const OPTIMISM: f64 = 2.5;
-
-/// The model's error bar in what is conceded, in standard deviations: a model that is wrong about its own error near an extreme
-/// costs a bound that is too narrow, where in the search it costs a point.
-pub(crate) const CONCEDED: f64 = 4.0;
 
 /// How far a target may go beyond what has been attained, by its model.
 #[derive(Debug, Clone)]
@@ -31,7 +25,7 @@ impl Search<'_> {
     pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
         let Some(model) = &branch.model else { return direction.sign() * f64::INFINITY };
         let most = if self.is_of_curves() {
-            reach(model, direction, region, CONCEDED).optimistic
+            reach(model, direction, region, Allowance::CONCESSION).optimistic
         } else {
             located_reach(self.axes, model, direction, region)
         };
@@ -58,15 +52,15 @@ impl Search<'_> {
     }
 }
 
-/// How far the model lets its target go in `direction`, by `optimism` standard deviations, over all candidates and points in `region`.
-pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, optimism: f64) -> Reach {
+/// How far the model lets its target go in `direction`, with an `allowance`, over all candidates and points in `region`.
+pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
     for (place, forecast) in model.at_places().enumerate() {
         if !region.holds(&model.places()[place]) {
             continue;
         }
-        let most = sign * forecast.moved(sign * optimism);
+        let most = sign * forecast.moved(allowance, sign);
         let expectation = sign * forecast.mean();
         // A model that overflows allows anything.
         let most = if most.is_nan() { f64::INFINITY } else { most };
@@ -94,19 +88,19 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
 
 /// How far the model lets its target go over the whole region: the most that the model allows, located from the best of the places.
 fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
-    let coarse = reach(model, direction, region, OPTIMISM);
-    let place = locate(axes, model, direction, CONCEDED, coarse.optimistic_at, region);
-    let located = model.at(&place).moved(direction.sign() * CONCEDED);
-    if direction.is_beyond(located, coarse.optimistic) { located } else { coarse.optimistic }
+    let coarse = reach(model, direction, region, Allowance::HOPED);
+    let place = locate(axes, model, direction, Allowance::CONCESSION, coarse.optimistic_at, region);
+    let located = model.at(&place).moved(Allowance::CONCESSION, direction.sign());
+    direction.further(located, coarse.optimistic)
 }
 
-/// Moves `place` to the nearest local extreme of mean + optimism x deviation: pattern search along the axes and the last
+/// Moves `place` to the nearest local extreme of what an allowance lets it be: pattern search along the axes and the last
 /// successful move, step halved down to 1e-7 of the box.
 pub(super) fn locate(
     axes: &Axes,
     model: &TargetModel<'_>,
     direction: Direction,
-    optimism: f64,
+    allowance: Allowance,
     mut place: Vec<f64>,
     region: &Region,
 ) -> Vec<f64> {
@@ -116,7 +110,7 @@ pub(super) fn locate(
     const MOST_MOVES: usize = 400;
     const FACE_THICKNESS: f64 = 1e-4;
     let sign = direction.sign();
-    let value = |place: &[f64]| sign * model.at(place).moved(sign * optimism);
+    let value = |place: &[f64]| sign * model.at(place).moved(allowance, sign);
     let mut best = value(&place);
     let mut step = FIRST_STEP;
     let mut moves = 0;

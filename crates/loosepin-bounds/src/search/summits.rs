@@ -102,6 +102,7 @@ mod tests {
     use super::Search;
     use crate::data::direction::Direction;
     use crate::search::design::candidates;
+    use crate::search::noise::Noise;
     use crate::search::parts::Element;
     use crate::search::search_box::{Axes, Place, Region};
     use crate::search::target::{Target, TargetKind};
@@ -113,7 +114,7 @@ mod tests {
         let grid = (0..25).map(|i| vec![beside(0, i % 5 - 2), beside(1, i / 5 - 2)]);
         let points: Vec<Place> = grid.map(|at| Place { combination: 0, at }).collect();
         let values = points.iter().map(|point| function(point.at[0], point.at[1])).collect();
-        let target = Target { values, kind: TargetKind::Plain, noise_variance: 0.0, resolutions: [1e-8; 2] };
+        let target = Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [1e-8; 2] };
         let search = Search::new(axes, &points, &candidates(2).unwrap(), [&target]);
         let elements = [Element { mass: 1.0, region: Region::whole(2) }];
         let mut places = search.surroundings(&[(target, vec![Direction::Maximum])], &elements, 1, 512);

@@ -1,5 +1,6 @@
 //! A quantity whose extremes are sought.
 
+use super::noise::Noise;
 use crate::data::direction::{Direction, extreme};
 use crate::estimators::index::index_resolution;
 
@@ -13,8 +14,8 @@ pub(crate) struct Target {
     pub values: Vec<f64>,
     /// How it is modelled.
     pub kind: TargetKind,
-    /// Mean sampling variance of the values.
-    pub noise_variance: f64,
+    /// What of the values is sampling noise.
+    pub noise: Noise,
     /// Gains below these are not worth a point: of the minimum, of the maximum; of an index, gains of its probability.
     pub resolutions: [f64; 2],
 }

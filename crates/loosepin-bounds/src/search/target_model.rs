@@ -1,6 +1,7 @@
 //! Models of a target over the box.
 
 use super::index_model::{IndexForecast, IndexModel};
+use super::prediction::{Allowance, Prediction};
 use super::smoother::{Fit, Smoother};
 use super::target::{Target, TargetKind};
 use crate::estimators::index::index_of_either;
@@ -8,8 +9,8 @@ use crate::estimators::index::index_of_either;
 /// Prediction of a target at a place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Forecast {
-    /// Mean and standard deviation of the target.
-    Plain(f64, f64),
+    /// Of the target.
+    Plain(Prediction),
     /// Of an index.
     Index(IndexForecast),
     /// Of the indices of two events.
@@ -19,23 +20,23 @@ pub(crate) enum Forecast {
 impl Forecast {
     /// The target where its model is right.
     pub fn mean(self) -> f64 {
-        self.moved(0.0)
+        self.moved(Allowance::NONE, 1.0)
     }
 
     /// By how much it moves where its model, or that of each event, errs by one of its standard deviations.
     pub fn deviation(self) -> f64 {
-        match self {
-            Self::Plain(_, deviation) => deviation,
-            Self::Index(_) | Self::Either(_) => self.moved(1.0) - self.mean(),
-        }
+        self.moved(Allowance::ONE, 1.0) - self.mean()
     }
 
-    /// The target where its model, or that of each event, errs by so many of its standard deviations.
-    pub fn moved(self, deviations: f64) -> f64 {
+    /// The target where its model, or that of each event, errs by `allowance` towards `sign`.
+    pub fn moved(self, allowance: Allowance, sign: f64) -> f64 {
         match self {
-            Self::Plain(mean, deviation) => mean + deviations * deviation,
-            Self::Index(index) => index.moved(deviations),
-            Self::Either([a, b]) => index_of_either(a.moved(deviations), b.moved(deviations)),
+            Self::Plain(prediction) => prediction.moved(allowance, sign),
+            Self::Index(index) => index.moved(allowance, sign),
+            Self::Either(sides) => {
+                let [a, b] = sides.map(|side| side.moved(allowance, sign));
+                index_of_either(a, b)
+            }
         }
     }
 }
@@ -55,7 +56,7 @@ impl<'a> TargetModel<'a> {
     pub fn new(smoother: &'a Smoother, target: &Target, defined: &[usize]) -> Self {
         let among = |values: &[f64]| -> Vec<f64> { defined.iter().map(|&point| values[point]).collect() };
         match &target.kind {
-            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), target.noise_variance)),
+            TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.among(defined))),
             TargetKind::Index => Self::Index(IndexModel::new(smoother, &among(&target.values))),
             TargetKind::Either([a, b]) => Self::Either([a, b].map(|own| IndexModel::new(smoother, &among(own)))),
         }
@@ -64,10 +65,7 @@ impl<'a> TargetModel<'a> {
     /// Prediction at `place`.
     pub fn at(&self, place: &[f64]) -> Forecast {
         match self {
-            Self::Plain(fit) => {
-                let (mean, deviation) = fit.at(place);
-                Forecast::Plain(mean, deviation)
-            }
+            Self::Plain(fit) => Forecast::Plain(fit.at(place)),
             Self::Index(model) => Forecast::Index(model.at(place)),
             Self::Either([a, b]) => Forecast::Either([a.at(place), b.at(place)]),
         }
@@ -76,7 +74,7 @@ impl<'a> TargetModel<'a> {
     /// Predictions at every one of [`Self::places`].
     pub fn at_places(&self) -> Box<dyn Iterator<Item = Forecast> + '_> {
         match self {
-            Self::Plain(fit) => Box::new(fit.at_places().map(|(mean, deviation)| Forecast::Plain(mean, deviation))),
+            Self::Plain(fit) => Box::new(fit.at_places().map(Forecast::Plain)),
             Self::Index(model) => Box::new(model.at_places().map(Forecast::Index)),
             Self::Either([a, b]) => Box::new(a.at_places().zip(b.at_places()).map(|(a, b)| Forecast::Either([a, b]))),
         }
@@ -115,21 +113,28 @@ impl<'a> TargetModel<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Forecast, IndexForecast};
+    use super::{Allowance, Forecast, IndexForecast, Prediction};
+    use crate::search::prediction::Roughness;
 
-    /// An index whose z is `from`, and `to` where its model errs by two of its deviations.
+    /// An index whose z is `from`, and `to` where its model errs by one of its deviations.
     fn index(is_compressed: bool, [from, to]: [f64; 2]) -> IndexForecast {
         let of = |z: f64| if is_compressed { z.asinh() } else { z };
-        IndexForecast { mean: of(from), deviation: 0.5 * (of(to) - of(from)), is_compressed }
+        let deviation = of(to) - of(from);
+        let prediction = Prediction { mean: of(from), deviation, roughness: Roughness::default() };
+        IndexForecast { prediction, is_compressed }
     }
 
     #[test]
     fn analytic_two_events_whose_models_err_join_as_their_probabilities_do() {
-        // Φ(-1.1) + Φ(-0.7) = 0.135666 + 0.241964 = Φ(-0.311712); moved by two deviations, Φ(-0.5) + Φ(-0.3) = 0.690626 = Φ(0.497626).
+        // Φ(-1.1) + Φ(-0.7) = 0.135666 + 0.241964 = Φ(-0.311712); moved by a deviation, Φ(-0.5) + Φ(-0.3) = 0.690626 = Φ(0.497626).
         const TOLERANCE: f64 = 2e-6;
         let forecast = Forecast::Either([index(true, [-1.1, -0.5]), index(false, [-0.7, -0.3])]);
         assert!((forecast.mean() - (-0.311_712_f64).asinh()).abs() < TOLERANCE, "{}", forecast.mean().sinh());
-        assert!((forecast.moved(2.0) - 0.497_626_f64.asinh()).abs() < TOLERANCE, "{}", forecast.moved(2.0).sinh());
+        assert!(
+            (forecast.moved(Allowance::ONE, 1.0) - 0.497_626_f64.asinh()).abs() < TOLERANCE,
+            "{}",
+            forecast.moved(Allowance::ONE, 1.0).sinh()
+        );
     }
 
     #[test]

@@ -1,0 +1,45 @@
+//! By how much each replicate of a sample differs from all of them together: what part of a sampling error neighbouring points share
+//! shows in it.
+
+use super::estimate::variance_of_mean;
+use super::sample::Sample;
+
+/// `of` each replicate less the mean of them, replicate by replicate, at every one of `samples`; nothing where a replicate has no finished
+/// run, or where the samples have polynomials, so that nothing is sampled to speak of.
+pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64) -> Vec<Vec<f64>> {
+    let count = samples.first().map_or(0, |sample| sample.replicates().count());
+    let is_known = |sample: &&Sample| sample.smooth().is_none() && sample.replicates().count() == count;
+    if count < 2 || !samples.iter().all(is_known) {
+        return Vec::new();
+    }
+    let mut differences = vec![Vec::with_capacity(samples.len()); count];
+    for (point, sample) in samples.iter().enumerate() {
+        let own: Vec<f64> = sample.replicates().map(|values| of(values, point)).collect();
+        let mean = own.iter().sum::<f64>() / count as f64;
+        for (replicate, value) in differences.iter_mut().zip(&own) {
+            replicate.push(value - mean);
+        }
+    }
+    differences
+}
+
+/// [`differences`] in shares at or below `limits`, one for each point, in the unit of an estimate with these `variances`.
+pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], variances: &[f64]) -> Vec<Vec<f64>> {
+    let share = |values: &[f64], point: usize| {
+        values.iter().filter(|&&value| value <= limits[point]).count() as f64 / values.len() as f64
+    };
+    let mut differences = differences(samples, share);
+    for point in 0..samples.len() {
+        let own: Vec<f64> = differences.iter().map(|replicate| replicate[point]).collect();
+        let scale = (variances[point] / variance_of_mean(&own)).sqrt();
+        for replicate in &mut differences {
+            replicate[point] *= if scale.is_finite() { -scale } else { 0.0 };
+        }
+    }
+    differences
+}
+
+/// Mean of `values`.
+pub(crate) fn mean_of(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}

@@ -1,0 +1,75 @@
+//! What a model predicts of a statistic at a place, and how far it may err.
+
+/// A prediction from the three parts of a statistic over u: what is smooth, what is rough and belongs to the response, and what is noise
+/// of sampling, which is no part of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Prediction {
+    /// The smooth part.
+    pub mean: f64,
+    /// Its standard deviation.
+    pub deviation: f64,
+    /// The rough part, whose mean is 0.
+    pub roughness: Roughness,
+}
+
+/// The part of a statistic that differs from one u to the next without a rule that the points could show.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Roughness {
+    /// Its standard deviation ω over u.
+    pub deviation: f64,
+    /// By how much the upper end of its one-sided interval of 95 % exceeds it.
+    pub error: f64,
+    /// By how much both are enlarged for what lies below the smooth part, and above it.
+    pub distrust: [f64; 2],
+}
+
+/// By how much a prediction may err.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Allowance {
+    deviations: f64,
+    concedes_roughness: bool,
+}
+
+/// The model's error bar in what is hoped for, in standard deviations.
+const HOPED: f64 = 2.5;
+
+/// The model's error bar in what is conceded: a model that is wrong about its own error near an extreme costs a bound that is too
+/// narrow, where in the search it costs a point.
+const CONCEDED: f64 = 4.0;
+
+/// The greatest of 10,000 independent normal numbers lies at 3.85 on average, and in 99 % not further than 0.9 beyond it.
+const GREATEST: f64 = 3.85;
+const BEYOND_GREATEST: f64 = 0.9;
+
+impl Allowance {
+    /// What is expected.
+    pub const NONE: Self = Self { deviations: 0.0, concedes_roughness: false };
+    /// One deviation of the smooth part.
+    pub const ONE: Self = Self { deviations: 1.0, concedes_roughness: false };
+    /// What the search hopes for: roughness leads nowhere.
+    pub const HOPED: Self = Self { deviations: HOPED, concedes_roughness: false };
+    /// What is conceded.
+    pub const CONCESSION: Self = Self { deviations: CONCEDED, concedes_roughness: true };
+}
+
+impl Prediction {
+    /// The statistic where the model errs by `allowance` towards `sign`:
+    ///
+    /// ```text
+    /// mean ± (3.85 ω + sqrt((4 s)² + (0.9 ω)² + (3.85 δω)²))
+    /// ```
+    ///
+    /// with s the deviation of the smooth part: the greatest of many cells is nearly certain, and adds; what is uncertain of it, of ω
+    /// and of the smooth part errs independently.
+    pub fn moved(&self, allowance: Allowance, sign: f64) -> f64 {
+        let smooth = allowance.deviations * self.deviation;
+        if !allowance.concedes_roughness || self.roughness.deviation == 0.0 && self.roughness.error == 0.0 {
+            return self.mean + sign * smooth;
+        }
+        let Roughness { deviation, error, distrust } = self.roughness;
+        let distrust = distrust[usize::from(sign > 0.0)];
+        let (deviation, error) = (distrust * deviation, distrust * error);
+        let (own, of_estimate) = (BEYOND_GREATEST * deviation, GREATEST * error);
+        self.mean + sign * (GREATEST * deviation + (smooth * smooth + own * own + of_estimate * of_estimate).sqrt())
+    }
+}

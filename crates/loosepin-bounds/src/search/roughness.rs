@@ -1,0 +1,261 @@
+//! How rough a statistic is: what its values have between the points beside a smooth part and sampling noise.
+//!
+//! A model passes beside value i by e_i = (P y)_i/√P_ii, with variance σ² where its nugget is the same everywhere. Where likelihood says so
+//! the variance depends on u:
+//!
+//! ```text
+//! e_i² ~ σ² v(u_i) χ²₁,   ln v(u) = a + bᵀ(u - ū)
+//! nugget(u) = |τ P y|²/(τ tr P) · v(u)/mean v(u_i)
+//! ω²(u) = nugget(u) - nugget of the replicates about their mean/(R (R - 1))
+//! ```
+//!
+//! a and b by maximum likelihood: iterated least squares of a gamma model with the logarithm as link. Source: P. McCullagh and
+//! J. A. Nelder, "Generalized linear models" (1989), chapters 8 and 10.
+
+use super::gaussian_process::Model;
+use super::prediction::Roughness;
+use loosepin_math::dense::{Cholesky, dot, gram, multiply};
+
+/// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
+/// Transactions on Automatic Control 19 (1974) 716-723).
+pub(super) const GAIN_OF_A_PARAMETER: f64 = 2.0;
+
+/// Normal deviations of a one-sided interval of 95 %.
+const ONE_SIDED: f64 = 1.645;
+
+/// Steps of the iteration, and halvings of each, after which it has come to its end.
+const MOST_STEPS: usize = 50;
+const MOST_HALVINGS: usize = 8;
+const LEAST_GAIN: f64 = 1e-9;
+
+/// Standardised errors of predicting each estimate from the others may go up to this before a model is mistrusted.
+const EXPECTED_SURPRISE: f64 = 2.5;
+
+/// How the errors of a model at the points are scattered.
+#[derive(Debug, Clone)]
+pub(super) struct Scatter {
+    /// Where their variance depends on u.
+    slopes: Option<Slopes>,
+    /// By how much the standard deviation is enlarged since the model predicts some estimate worse than it should.
+    pub distrust: f64,
+    /// The same for what lies below a prediction, and above it.
+    sided: [f64; 2],
+    /// What all this adds to -2 ln likelihood.
+    pub price: f64,
+}
+
+/// ln v(u)
+#[derive(Debug, Clone)]
+struct Slopes {
+    centre: Vec<f64>,
+    /// a, b
+    coefficients: Vec<f64>,
+    /// (XᵀX)⁻¹, by which their covariance is 2 (XᵀX)⁻¹.
+    covariance: Vec<f64>,
+    /// Mean v(u_i)
+    mean: f64,
+}
+
+/// The rough part of a statistic over the box.
+#[derive(Debug, Clone)]
+pub(super) struct RoughPart {
+    scatter: Scatter,
+    /// What the values have, and what sampling has of it, with their degrees of freedom.
+    nugget: f64,
+    freedom: f64,
+    of_noise: f64,
+    freedom_of_noise: f64,
+}
+
+impl Scatter {
+    /// That of `errors` with the same variance, in standard deviations.
+    pub fn even(errors: &[f64]) -> Self {
+        Self::with(None, errors, 0.0)
+    }
+
+    /// As [`Scatter::even`], with a variance that depends on u where likelihood says so; `seen` are the points.
+    pub fn new(seen: &[Vec<f64>], errors: &[f64]) -> Self {
+        let even = Self::even(errors);
+        let Some((slopes, gain)) = Slopes::fit(seen, &squares(errors)) else { return even };
+        let parameters = (slopes.coefficients.len() - 1) as f64;
+        let own: Vec<f64> =
+            seen.iter().zip(errors).map(|(point, error)| error / slopes.variance(point).sqrt()).collect();
+        let uneven = Self::with(Some(slopes), &own, GAIN_OF_A_PARAMETER * parameters - gain);
+        if uneven.price < even.price { uneven } else { even }
+    }
+
+    fn with(slopes: Option<Slopes>, errors: &[f64], price_of_slopes: f64) -> Self {
+        let furthest = |sign: f64| errors.iter().fold(0.0_f64, |most, error| most.max(sign * error));
+        let sided = [-1.0, 1.0].map(|sign| (furthest(sign) / EXPECTED_SURPRISE).max(1.0));
+        let distrust = sided[0].max(sided[1]);
+        Self { slopes, distrust, sided, price: errors.len() as f64 * price(distrust) + price_of_slopes }
+    }
+}
+
+impl Slopes {
+    /// The likeliest ones, with what they gain in -2 ln likelihood against the same variance everywhere.
+    fn fit(seen: &[Vec<f64>], ratios: &[f64]) -> Option<(Self, f64)> {
+        let count = ratios.len() as f64;
+        let dimensions = seen.first()?.len();
+        let centre: Vec<f64> =
+            (0..dimensions).map(|axis| seen.iter().map(|point| point[axis]).sum::<f64>() / count).collect();
+        let rows: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
+        let size = dimensions + 1;
+        let covariance = Cholesky::new(gram(&rows, size), size)?.inverse();
+        let misfit = |coefficients: &[f64]| -> f64 {
+            let of = |(row, ratio): (&[f64], &f64)| {
+                let ln_variance = dot(row, coefficients);
+                ln_variance + ratio * libm::exp(-ln_variance)
+            };
+            rows.chunks(size).zip(ratios).map(of).sum()
+        };
+        let mean = ratios.iter().sum::<f64>() / count;
+        if !(mean > 0.0 && mean.is_finite()) {
+            return None;
+        }
+        let mut coefficients = vec![0.0; size];
+        coefficients[0] = libm::log(mean);
+        let even = misfit(&coefficients);
+        let mut least = even;
+        for _ in 0..MOST_STEPS {
+            let mut slope = vec![0.0; size];
+            for (row, ratio) in rows.chunks(size).zip(ratios) {
+                let excess = ratio * libm::exp(-dot(row, &coefficients)) - 1.0;
+                for (slope, entry) in slope.iter_mut().zip(row) {
+                    *slope += entry * excess;
+                }
+            }
+            let step = multiply(&covariance, &slope);
+            let trials = (0..MOST_HALVINGS).map(|halvings| {
+                let share = 0.5_f64.powi(halvings as i32);
+                let trial: Vec<f64> = coefficients.iter().zip(&step).map(|(own, step)| own + share * step).collect();
+                (misfit(&trial), trial)
+            });
+            let Some((found, trial)) = trials.into_iter().find(|(found, _)| *found < least) else { break };
+            let gain = least - found;
+            (least, coefficients) = (found, trial);
+            if gain < LEAST_GAIN {
+                break;
+            }
+        }
+        let mut slopes = Self { centre, coefficients, covariance, mean: 1.0 };
+        slopes.mean = seen.iter().map(|point| slopes.variance(point)).sum::<f64>() / count;
+        slopes.mean.is_finite().then_some((slopes, even - least))
+    }
+
+    /// v(u)
+    fn variance(&self, point: &[f64]) -> f64 {
+        libm::exp(dot(&row(point, &self.centre), &self.coefficients))
+    }
+}
+
+impl RoughPart {
+    /// No roughness.
+    pub fn none() -> Self {
+        let scatter = Scatter::even(&[]);
+        Self { scatter, nugget: 0.0, freedom: 1.0, of_noise: 0.0, freedom_of_noise: 1.0 }
+    }
+
+    /// What `residual` has beside `model`, less what the replicates of the sampling noise have, which `replicates` differ by from their mean.
+    pub fn new(model: &Model, residual: &[f64], replicates: &[Vec<f64>], scatter: Scatter) -> Self {
+        let count = replicates.len() as f64;
+        let freedom = model.nugget_freedom().max(1.0);
+        let of_noise = if count < 2.0 {
+            0.0
+        } else {
+            replicates.iter().map(|own| model.nugget(own)).sum::<f64>() / (count * (count - 1.0))
+        };
+        let freedom_of_noise = freedom * (count - 1.0).max(1.0);
+        Self { scatter, nugget: model.nugget(residual), freedom, of_noise, freedom_of_noise }
+    }
+
+    /// At a place in the coordinates of the models: ω, and how far it may be larger:
+    ///
+    /// ```text
+    /// var ω² = 2 nugget² h + 2 noise²/ν_noise,   h = 1/ν, or xᵀ(XᵀX)⁻¹x, x = 1, u - ū, where it depends on u
+    /// ```
+    pub fn at(&self, place: &[f64]) -> Roughness {
+        if self.nugget == 0.0 {
+            return Roughness::default();
+        }
+        let (share, leverage) = match &self.scatter.slopes {
+            None => (1.0, 1.0 / self.freedom),
+            Some(slopes) => {
+                let row = row(place, &slopes.centre);
+                (slopes.variance(place) / slopes.mean, dot(&row, &multiply(&slopes.covariance, &row)))
+            }
+        };
+        let nugget = share * self.nugget;
+        let variance = (nugget - self.of_noise).max(0.0);
+        let of_variance =
+            (2.0 * (nugget * nugget * leverage + self.of_noise * self.of_noise / self.freedom_of_noise)).sqrt();
+        let error = (variance + ONE_SIDED * of_variance).sqrt() - variance.sqrt();
+        Roughness { deviation: variance.sqrt(), error, distrust: self.scatter.sided }
+    }
+}
+
+/// 1, u - ū
+fn row(point: &[f64], centre: &[f64]) -> Vec<f64> {
+    core::iter::once(1.0).chain(point.iter().zip(centre).map(|(x, centre)| x - centre)).collect()
+}
+
+/// Squares of numbers.
+fn squares(errors: &[f64]) -> Vec<f64> {
+    errors.iter().map(|error| error * error).collect()
+}
+
+/// What an enlarged standard deviation adds to -2 ln likelihood for each value.
+fn price(distrust: f64) -> f64 {
+    2.0 * libm::log(distrust) + 1.0 / (distrust * distrust) - 1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{GAIN_OF_A_PARAMETER, Scatter, Slopes, squares};
+    use crate::search::design::first_points;
+    use loosepin_uncertainty::{hash, normal_quantile};
+
+    /// Normal numbers with variance `of(u)` at points of a square.
+    fn errors(seed: u64, of: impl Fn(&[f64]) -> f64) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let points = first_points(5, 2, 64).unwrap();
+        let number = |i: usize| normal_quantile(((hash(seed, i as u64) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64);
+        let errors = points.iter().enumerate().map(|(i, u)| of(u).sqrt() * number(i)).collect();
+        (points, errors)
+    }
+
+    #[test]
+    fn analytic_the_slopes_of_a_variance_are_found_within_their_errors() {
+        // Standard deviation of a slope from 64 points of a uniform square: √(2 · 12/64) = 0.6.
+        const TOLERANCE: f64 = 0.6;
+        let (mut found, seeds) = ([0.0; 2], 20);
+        for seed in 0..seeds {
+            let (points, errors) = errors(seed, |u| (3.0 * (u[0] - 0.5)).exp());
+            let (slopes, gain) = Slopes::fit(&points, &squares(&errors)).unwrap();
+            assert!(gain > 0.0, "{gain}");
+            for (sum, own) in found.iter_mut().zip(&slopes.coefficients[1..]) {
+                *sum += own / seeds as f64;
+            }
+        }
+        let tolerance = 3.0 * TOLERANCE / (seeds as f64).sqrt();
+        assert!((found[0] - 3.0).abs() < tolerance && found[1].abs() < tolerance, "{found:?}");
+    }
+
+    #[test]
+    fn analytic_an_even_scatter_is_seldom_taken_for_one_with_slopes() {
+        // Two slopes gain more than 4 by chance with probability exp(-2) = 0.135.
+        let seeds = 200;
+        let taken = (0..seeds).filter(|&seed| {
+            let (points, errors) = errors(seed, |_| 1.0);
+            Slopes::fit(&points, &squares(&errors)).unwrap().1 > 2.0 * GAIN_OF_A_PARAMETER
+        });
+        let share = taken.count() as f64 / seeds as f64;
+        assert!((share - 0.135).abs() < 3.0 * (0.135 * 0.865 / seeds as f64).sqrt(), "{share}");
+    }
+
+    #[test]
+    fn identity_where_the_scatter_is_uneven_the_model_is_less_mistrusted() {
+        let (points, errors) = errors(3, |u| (5.0 * (u[0] - 0.5)).exp());
+        let (even, own) = (Scatter::even(&errors), Scatter::new(&points, &errors));
+        assert!(own.slopes.is_some() && own.distrust < even.distrust && own.price < even.price, "{even:?} {own:?}");
+    }
+}
