@@ -3,11 +3,14 @@
 pub mod batch;
 pub mod diagram;
 pub mod equations;
+pub mod fresh_runs;
 pub mod hard_bounds;
 pub mod known_bounds;
 pub mod known_case;
 pub mod known_pairings;
 pub mod precision;
+pub mod worn_pin;
+pub mod worn_pin_reference;
 
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Values};
