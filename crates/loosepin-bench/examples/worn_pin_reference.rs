@@ -7,6 +7,10 @@
 //! 3. *Measure*: 8,192 mechanisms more at each witness. Its statistic there is the end of the reference. Nothing was chosen by these
 //!    runs, so luck does not move it outwards.
 //!
+//! How far the reference itself can be relied on: made once more with seeds from 2,000,001 on, the ends of means moved by 0.01 % of the
+//! width, those of quantiles by 0.4 %, those of the standard deviation of the largest by 6 %, of the rms by 15 %. Standard deviations
+//! have extremes narrower than the distance of 3,000 values of u: the reference of these falls short of the true ones.
+//!
 //! `worn_pin_reference hold SEEDS`: the study with seeds 1 to SEEDS. A bound misses where it does not reach the end of the reference less
 //! 2.6 of its standard errors.
 
