@@ -11,6 +11,7 @@ use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
+use crate::search::prediction::Allowance;
 use crate::search::scouts::Observed;
 use crate::search::search_box::Place;
 use crate::search::target::Target;
@@ -67,7 +68,9 @@ fn expected(models: &Search<'_>, mean: &Target, places: &[Place]) -> Vec<f64> {
     let branches = models.branches(mean);
     let of_branch: Vec<Vec<f64>> = branches
         .iter()
-        .map(|branch| branch.at_candidates().into_iter().flatten().map(|forecast| forecast.mean()).collect())
+        .map(|branch| {
+            branch.at_candidates(Allowance::NONE).into_iter().flatten().map(|forecast| forecast.mean()).collect()
+        })
         .collect();
     let at = |(index, place): (usize, &Place)| {
         let own = of_branch.get(place.combination).and_then(|means: &Vec<f64>| means.get(index));

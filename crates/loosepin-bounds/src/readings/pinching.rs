@@ -6,6 +6,7 @@ use super::experiment::Experiment;
 use crate::data::direction::{Direction, extreme_point};
 use crate::search::measure::Measure;
 use crate::search::models::Branch;
+use crate::search::prediction::Allowance;
 use crate::search::target::Target;
 
 /// Values of an interval at which it is taken as known, in shares of its width.
@@ -143,7 +144,7 @@ impl Experiment<'_> {
                 if let Some((axis, value)) = fixed {
                     at[axis] = value;
                 }
-                let forecast = branch.at(&at)?;
+                let forecast = branch.at(&at, Allowance::ONE)?;
                 take(forecast.mean(), forecast.deviation());
             }
         }

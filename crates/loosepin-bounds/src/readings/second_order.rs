@@ -247,7 +247,7 @@ impl Experiment<'_> {
 impl Grid {
     /// Mean and deviation of a statistic at all places inside the range.
     fn at_places(&self, branch: &Branch<'_>, count: usize) -> Option<Vec<Forecast>> {
-        Some(branch.at_candidates()?.take(count).collect())
+        Some(branch.at_candidates(Allowance::CONCESSION)?.take(count).collect())
     }
 }
 

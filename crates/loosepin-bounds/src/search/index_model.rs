@@ -46,13 +46,13 @@ impl<'a> IndexModel<'a> {
     }
 
     /// Prediction at `place`.
-    pub fn at(&self, place: &[f64]) -> IndexForecast {
-        self.forecast(self.fit.at(place))
+    pub fn at(&self, place: &[f64], allowance: Allowance) -> IndexForecast {
+        self.forecast(self.fit.at(place, allowance))
     }
 
     /// Predictions at every one of [`Self::places`].
-    pub fn at_places(&self) -> impl Iterator<Item = IndexForecast> {
-        self.fit.at_places().map(|found| self.forecast(found))
+    pub fn at_places(&self, allowance: Allowance) -> impl Iterator<Item = IndexForecast> {
+        self.fit.at_places(allowance).map(|found| self.forecast(found))
     }
 
     /// The candidates, then the points.

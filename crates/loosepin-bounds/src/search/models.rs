@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::prediction::Allowance;
 use super::search_box::{Axes, Place};
 use super::smoother::Smoother;
 use super::target::Target;
@@ -53,13 +54,13 @@ impl Branch<'_> {
     }
 
     /// Predictions at the candidates of the search, in their order, then at other places; nothing without a model.
-    pub fn at_candidates(&self) -> Option<impl Iterator<Item = Forecast>> {
-        self.model.as_ref().map(|model| model.at_places())
+    pub fn at_candidates(&self, allowance: Allowance) -> Option<impl Iterator<Item = Forecast>> {
+        self.model.as_ref().map(|model| model.at_places(allowance))
     }
 
     /// Prediction at `place`; nothing without a model.
-    pub fn at(&self, place: &[f64]) -> Option<Forecast> {
-        self.model.as_ref().map(|model| model.at(place))
+    pub fn at(&self, place: &[f64], allowance: Allowance) -> Option<Forecast> {
+        self.model.as_ref().map(|model| model.at(place, allowance))
     }
 }
 
@@ -144,7 +145,7 @@ pub(crate) fn smoothed(target: &Target, branches: &[Branch<'_>], errors: impl Fn
     let mut values = target.values.clone();
     for branch in branches {
         let Some(model) = branch.model.as_ref().filter(|fit| fit.is_smoothed()) else { continue };
-        let means = model.at_places().skip(model.places().len() - branch.defined.len());
+        let means = model.at_places(Allowance::NONE).skip(model.places().len() - branch.defined.len());
         for (&point, forecast) in branch.defined.iter().zip(means) {
             let (below, above) = errors(point);
             values[point] = forecast.mean().max(values[point] - below).min(values[point] + above);

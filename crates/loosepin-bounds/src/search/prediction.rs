@@ -8,7 +8,7 @@ pub(crate) struct Prediction {
     pub mean: f64,
     /// Its standard deviation.
     pub deviation: f64,
-    /// The rough part, whose mean is 0.
+    /// The rough part, whose mean is 0; none where nobody asked for it.
     pub roughness: Roughness,
 }
 
@@ -50,6 +50,13 @@ impl Allowance {
     pub const HOPED: Self = Self { deviations: HOPED, concedes_roughness: false };
     /// What is conceded.
     pub const CONCESSION: Self = Self { deviations: CONCEDED, concedes_roughness: true };
+}
+
+impl Allowance {
+    /// Whether it asks for the rough part, which takes time.
+    pub fn concedes_roughness(self) -> bool {
+        self.concedes_roughness
+    }
 }
 
 impl Prediction {

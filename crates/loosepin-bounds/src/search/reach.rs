@@ -56,7 +56,7 @@ impl Search<'_> {
 pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Reach {
     let sign = direction.sign();
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
-    for (place, forecast) in model.at_places().enumerate() {
+    for (place, forecast) in model.at_places(allowance).enumerate() {
         if !region.holds(&model.places()[place]) {
             continue;
         }
@@ -90,7 +90,7 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
 fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
     let coarse = reach(model, direction, region, Allowance::HOPED);
     let place = locate(axes, model, direction, Allowance::CONCESSION, coarse.optimistic_at, region);
-    let located = model.at(&place).moved(Allowance::CONCESSION, direction.sign());
+    let located = model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign());
     direction.further(located, coarse.optimistic)
 }
 
@@ -110,7 +110,7 @@ pub(super) fn locate(
     const MOST_MOVES: usize = 400;
     const FACE_THICKNESS: f64 = 1e-4;
     let sign = direction.sign();
-    let value = |place: &[f64]| sign * model.at(place).moved(allowance, sign);
+    let value = |place: &[f64]| sign * model.at(place, allowance).moved(allowance, sign);
     let mut best = value(&place);
     let mut step = FIRST_STEP;
     let mut moves = 0;

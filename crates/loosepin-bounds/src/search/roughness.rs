@@ -145,17 +145,21 @@ impl Slopes {
 
     /// v(u)
     fn variance(&self, point: &[f64]) -> f64 {
-        libm::exp(dot(&row(point, &self.centre), &self.coefficients))
+        let [constant, slopes @ ..] = &self.coefficients[..] else { return 1.0 };
+        let sloped = slopes.iter().zip(point).zip(&self.centre).map(|((slope, x), centre)| slope * (x - centre));
+        libm::exp(constant + sloped.sum::<f64>())
+    }
+
+    /// xᵀ(XᵀX)⁻¹x; without a list of its own, for it is asked for at thousands of places.
+    fn leverage(&self, point: &[f64]) -> f64 {
+        let size = self.coefficients.len();
+        let entry = |k: usize| if k == 0 { 1.0 } else { point[k - 1] - self.centre[k - 1] };
+        let of_row = |k: usize| (0..size).map(|other| self.covariance[k * size + other] * entry(other)).sum::<f64>();
+        (0..size).map(|k| entry(k) * of_row(k)).sum()
     }
 }
 
 impl RoughPart {
-    /// No roughness.
-    pub fn none() -> Self {
-        let scatter = Scatter::even(&[]);
-        Self { scatter, nugget: 0.0, freedom: 1.0, of_noise: 0.0, freedom_of_noise: 1.0 }
-    }
-
     /// What `residual` has beside `model`, less what the replicates of the sampling noise have, which `replicates` differ by from their mean.
     pub fn new(model: &Model, residual: &[f64], replicates: &[Vec<f64>], scatter: Scatter) -> Self {
         let count = replicates.len() as f64;
@@ -180,10 +184,7 @@ impl RoughPart {
         }
         let (share, leverage) = match &self.scatter.slopes {
             None => (1.0, 1.0 / self.freedom),
-            Some(slopes) => {
-                let row = row(place, &slopes.centre);
-                (slopes.variance(place) / slopes.mean, dot(&row, &multiply(&slopes.covariance, &row)))
-            }
+            Some(slopes) => (slopes.variance(place) / slopes.mean, slopes.leverage(place)),
         };
         let nugget = share * self.nugget;
         let variance = (nugget - self.of_noise).max(0.0);

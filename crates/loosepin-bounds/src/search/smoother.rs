@@ -25,7 +25,7 @@ use rayon::prelude::*;
 
 use super::gaussian_process::{Kernel, Model, Smoothness};
 use super::noise::Noise;
-use super::prediction::Prediction;
+use super::prediction::{Allowance, Prediction, Roughness};
 use super::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
 use super::search_box::Axes;
 use super::trend::Trend;
@@ -78,7 +78,7 @@ pub(crate) struct Fit<'a> {
     centre: f64,
     deviation: f64,
     noise_variance: f64,
-    roughness: RoughPart,
+    roughness: Option<Rough>,
     /// -2 ln likelihood for each degree of freedom.
     misfit: f64,
 }
@@ -158,12 +158,12 @@ impl Smoother {
             noise_variance: if own.is_noisy() { own.noise_variance() } else { 0.0 },
             // With the variance that is stated in the place of the likeliest one.
             misfit: (own.misfit + scatter.price) / freedom,
-            roughness: if is_rough {
-                let replicates: Vec<Vec<f64>> = noise.replicates.iter().map(|own| self.residual(own)).collect();
-                RoughPart::new(own.model, &residual, &replicates, scatter)
-            } else {
-                RoughPart::none()
-            },
+            roughness: is_rough.then(|| Rough {
+                residual,
+                replicates: noise.replicates.clone(),
+                scatter,
+                part: OnceLock::new(),
+            }),
         }
     }
 
@@ -202,6 +202,23 @@ impl Smoother {
     }
 }
 
+/// What the rough part is worked out of when somebody asks for it.
+struct Rough {
+    residual: Vec<f64>,
+    replicates: Vec<Vec<f64>>,
+    scatter: Scatter,
+    part: OnceLock<RoughPart>,
+}
+
+impl Rough {
+    fn part(&self, fit: &Fit<'_>) -> &RoughPart {
+        self.part.get_or_init(|| {
+            let replicates: Vec<Vec<f64>> = self.replicates.iter().map(|own| fit.smoother.residual(own)).collect();
+            RoughPart::new(fit.model, &self.residual, &replicates, self.scatter.clone())
+        })
+    }
+}
+
 /// A model held against values.
 #[derive(Clone, Copy)]
 struct Assessed<'a> {
@@ -231,14 +248,17 @@ impl Assessed<'_> {
 
 /// The model that is likeliest with the variance that must be stated for it, and its -2 ln likelihood with that.
 fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64]) -> Option<(Assessed<'a>, f64)> {
+    let mut by_misfit: Vec<&Assessed<'a>> = assessed.iter().collect();
+    by_misfit.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
     let mut least: Option<(Assessed<'a>, f64)> = None;
-    for own in assessed {
+    for own in by_misfit {
         // What must be stated is never likelier than what is likeliest.
-        if least.is_none_or(|(_, least)| own.misfit < least) {
-            let honest = own.misfit + Scatter::even(&own.errors(residual)).price;
-            if least.is_none_or(|(_, least)| honest < least) {
-                least = Some((*own, honest));
-            }
+        if least.is_some_and(|(_, least)| own.misfit >= least) {
+            break;
+        }
+        let honest = own.misfit + Scatter::even(&own.errors(residual)).price;
+        if least.is_none_or(|(_, least)| honest < least) {
+            least = Some((*own, honest));
         }
     }
     least
@@ -279,25 +299,24 @@ impl Fit<'_> {
         &self.smoother.places
     }
 
-    /// Predictions of S at every place: first the candidates, then the points.
-    pub fn at_places(&self) -> impl Iterator<Item = Prediction> {
+    /// Predictions of S at every place, with what an allowance asks for: first the candidates, then the points.
+    pub fn at_places(&self, allowance: Allowance) -> impl Iterator<Item = Prediction> {
         let seen = &self.smoother.seen_places;
         let found = self.model.at_places(seen, (&self.whitened.0, &self.whitened.1));
-        seen.iter().zip(found).map(|(seen, found)| self.prediction(seen, found))
+        seen.iter().zip(found).map(move |(seen, found)| self.prediction(seen, found, allowance))
     }
 
-    /// Prediction of S at `place`.
-    pub fn at(&self, place: &[f64]) -> Prediction {
+    /// Prediction of S at `place`, with what an allowance asks for.
+    pub fn at(&self, place: &[f64], allowance: Allowance) -> Prediction {
         let seen = self.smoother.axes.seen(place);
-        self.prediction(&seen, self.model.mean_and_variance(&seen, (&self.whitened.0, &self.whitened.1)))
+        let found = self.model.mean_and_variance(&seen, (&self.whitened.0, &self.whitened.1));
+        self.prediction(&seen, found, allowance)
     }
 
-    fn prediction(&self, seen: &[f64], (mean, variance): (f64, f64)) -> Prediction {
-        Prediction {
-            mean: self.centre + mean,
-            deviation: self.deviation * variance.sqrt(),
-            roughness: self.roughness.at(seen),
-        }
+    fn prediction(&self, seen: &[f64], (mean, variance): (f64, f64), allowance: Allowance) -> Prediction {
+        let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
+        let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(seen));
+        Prediction { mean: self.centre + mean, deviation: self.deviation * variance.sqrt(), roughness }
     }
 }
 
@@ -318,7 +337,7 @@ mod tests {
         let values: Vec<f64> = points.iter().map(|u| function(u)).collect();
         let smoother = Smoother::try_new(points, &candidates(3).unwrap(), true, &Axes::open(3)).unwrap();
         let fit = smoother.fit(&values, &Noise::NONE);
-        for (place, Prediction { mean, deviation, .. }) in fit.places().iter().zip(fit.at_places()) {
+        for (place, Prediction { mean, deviation, .. }) in fit.places().iter().zip(fit.at_places(Allowance::ONE)) {
             assert!((mean - function(place)).abs() < TOLERANCE && deviation < TOLERANCE, "{mean} {deviation}");
         }
     }
@@ -337,13 +356,13 @@ mod tests {
         let within = fit
             .places()
             .iter()
-            .zip(fit.at_places())
+            .zip(fit.at_places(Allowance::ONE))
             .filter(|(place, Prediction { mean, deviation, .. })| {
                 (mean - function(place)).abs() <= 2.0 * deviation + 1e-9
             })
             .count() as f64;
         assert!(within / places > LEAST_SHARE, "{}", within / places);
-        let largest = fit.at_places().fold(0.0_f64, |largest, at| largest.max(at.deviation));
+        let largest = fit.at_places(Allowance::ONE).fold(0.0_f64, |largest, at| largest.max(at.deviation));
         assert!(largest < LARGEST_DEVIATION, "{largest}");
     }
 
@@ -361,7 +380,7 @@ mod tests {
         let worst = fit
             .places()
             .iter()
-            .zip(fit.at_places())
+            .zip(fit.at_places(Allowance::ONE))
             .fold(0.0_f64, |worst, (u, at)| worst.max((at.mean - u[0] * u[0]).abs()));
         assert!(worst < TOLERANCE, "{worst}");
         assert_eq!(smoother.fit(&exact, &Noise { variance: 0.04, ..Noise::NONE }).noise_variance(), 0.0);
@@ -390,11 +409,14 @@ mod tests {
             let values: Vec<f64> = points.iter().map(|u| rough(u)).collect();
             let smoother = Smoother::try_new(points, &candidates(2).unwrap(), true, &Axes::open(2)).unwrap();
             let fit = smoother.fit(&values, &Noise::NONE);
-            let most = fit.at_places().map(|at| at.moved(Allowance::CONCESSION, 1.0)).fold(f64::NEG_INFINITY, f64::max);
+            let most = fit
+                .at_places(Allowance::CONCESSION)
+                .map(|at| at.moved(Allowance::CONCESSION, 1.0))
+                .fold(f64::NEG_INFINITY, f64::max);
             let middles = (0..CELLS * CELLS).map(|i| [i % CELLS, i / CELLS].map(|x| (x as f64 + 0.5) / CELLS as f64));
             let greatest = middles.map(|u| rough(&u)).fold(f64::NEG_INFINITY, f64::max);
             misses += usize::from(most < greatest);
-            found += fit.at(&[0.5, 0.5]).roughness.deviation / SEEDS as f64;
+            found += fit.at(&[0.5, 0.5], Allowance::CONCESSION).roughness.deviation / SEEDS as f64;
             conceded += (most - greatest) / SEEDS as f64;
         }
         assert!(misses <= MOST_MISSES, "{misses} of {SEEDS}");
@@ -420,7 +442,7 @@ mod tests {
             let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
             // Less than there is, so that a model with more is taken for rough if it is taken.
             let noise = Noise { variance: 0.1 * NOISE * NOISE, replicates };
-            found += smoother.fit(&values, &noise).at(&[0.5]).roughness.deviation / SEEDS as f64;
+            found += smoother.fit(&values, &noise).at(&[0.5], Allowance::CONCESSION).roughness.deviation / SEEDS as f64;
         }
         assert!(found < 0.5 * NOISE, "{found}");
     }

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::extremes::Extreme;
 use super::models::{Search, defined};
+use super::prediction::Allowance;
 use super::search_box::{Axes, Place};
 use super::smoother::Smoother;
 use super::target_model::TargetModel;
@@ -57,8 +58,9 @@ impl Search<'_> {
             }
         };
         let ends: Vec<(f64, f64)> = (0..at.len()).map(ends).collect();
-        let depth =
-            |place: &[f64]| extreme.direction.sign() * (extreme.value - model.at(place).mean()) / extreme.resolution;
+        let depth = |place: &[f64]| {
+            extreme.direction.sign() * (extreme.value - model.at(place, Allowance::NONE).mean()) / extreme.resolution
+        };
         let slope = |place: &[f64], axis: usize| {
             let beside = |step: f64| {
                 let mut moved = place.to_vec();

@@ -3,6 +3,7 @@
 use super::extremes::Extreme;
 use super::models::Search;
 use super::parts::Element;
+use super::prediction::Allowance;
 use super::search_box::Place;
 use super::target::Target;
 use crate::data::direction::Direction;
@@ -71,7 +72,7 @@ impl Search<'_> {
         if is_turned && model.is_smoothed() {
             return;
         }
-        let fall = |place: &[f64]| (model.at(place).mean() - value).abs();
+        let fall = |place: &[f64]| (model.at(place, Allowance::NONE).mean() - value).abs();
         let on_face = region.faces(self.axes, at);
         let turn = is_turned.then_some(self.points.len());
         for (axis, direction) in frame(at.len(), &on_face, turn).iter().enumerate() {

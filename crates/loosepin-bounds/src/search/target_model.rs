@@ -62,21 +62,23 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// Prediction at `place`.
-    pub fn at(&self, place: &[f64]) -> Forecast {
+    /// Prediction at `place`, with what an allowance asks for.
+    pub fn at(&self, place: &[f64], allowance: Allowance) -> Forecast {
         match self {
-            Self::Plain(fit) => Forecast::Plain(fit.at(place)),
-            Self::Index(model) => Forecast::Index(model.at(place)),
-            Self::Either([a, b]) => Forecast::Either([a.at(place), b.at(place)]),
+            Self::Plain(fit) => Forecast::Plain(fit.at(place, allowance)),
+            Self::Index(model) => Forecast::Index(model.at(place, allowance)),
+            Self::Either([a, b]) => Forecast::Either([a.at(place, allowance), b.at(place, allowance)]),
         }
     }
 
-    /// Predictions at every one of [`Self::places`].
-    pub fn at_places(&self) -> Box<dyn Iterator<Item = Forecast> + '_> {
+    /// Predictions, with what an allowance asks for, at every one of [`Self::places`].
+    pub fn at_places(&self, allowance: Allowance) -> Box<dyn Iterator<Item = Forecast> + '_> {
         match self {
-            Self::Plain(fit) => Box::new(fit.at_places().map(Forecast::Plain)),
-            Self::Index(model) => Box::new(model.at_places().map(Forecast::Index)),
-            Self::Either([a, b]) => Box::new(a.at_places().zip(b.at_places()).map(|(a, b)| Forecast::Either([a, b]))),
+            Self::Plain(fit) => Box::new(fit.at_places(allowance).map(Forecast::Plain)),
+            Self::Index(model) => Box::new(model.at_places(allowance).map(Forecast::Index)),
+            Self::Either([a, b]) => {
+                Box::new(a.at_places(allowance).zip(b.at_places(allowance)).map(|(a, b)| Forecast::Either([a, b])))
+            }
         }
     }
 
