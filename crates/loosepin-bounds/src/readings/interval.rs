@@ -56,7 +56,8 @@ impl Experiment<'_> {
             (sign * (further - value)).max(0.0)
         };
         // What the search concedes ends where no response goes; the sampling error keeps what it needs.
-        let possible = furthest_conceded(measure.kind, modelled.samples, direction);
+        let is_of_rough_curves = modelled.search.is_of_curves() && modelled.branches.iter().any(Branch::is_rough);
+        let possible = furthest_conceded(measure.kind, is_of_rough_curves, modelled.samples, direction);
         let room = (sign * (measure.kind.limited(possible) - value)).max(0.0);
         let error = BoundError::of_runs(sampling, optimisation.min((room - sampling).max(0.0)));
         let bound = Bound {

@@ -6,10 +6,11 @@ use crate::data::statistic::Event;
 use crate::estimators::sample::Sample;
 use crate::search::measure::MeasureKind;
 
-/// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them.
+/// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them; and a rough
+/// statistic among those of curves, whose models are the poorest.
 const RESPONSE_MARGIN: f64 = 0.1;
 
-/// The same for what a search concedes: a hill of which a run has met the upper half may be twice as high.
+/// The same for what a search concedes to any other statistic: a hill of which a run has met the upper half may be twice as high.
 const HALF_SEEN_MARGIN: f64 = 1.0;
 
 /// Fewer runs at a point than this do not show the range of the response.
@@ -18,8 +19,13 @@ const LEAST_RUNS_FOR_RANGE: usize = 8;
 /// The furthest that a search concedes to a statistic: means and quantiles stay within the range of the responses at all points together
 /// and a margin, deviations within half of it. Infinite where the runs at a point are too few to show that range. A model of many inputs
 /// on few points would concede what no mechanism does.
-pub(crate) fn furthest_conceded(kind: MeasureKind, samples: &[&Sample], direction: Direction) -> f64 {
-    furthest(kind, samples, direction, HALF_SEEN_MARGIN)
+pub(crate) fn furthest_conceded(
+    kind: MeasureKind,
+    is_of_rough_curves: bool,
+    samples: &[&Sample],
+    direction: Direction,
+) -> f64 {
+    furthest(kind, samples, direction, if is_of_rough_curves { RESPONSE_MARGIN } else { HALF_SEEN_MARGIN })
 }
 
 /// The same with a margin that is a share of that range.

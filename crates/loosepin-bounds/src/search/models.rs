@@ -53,6 +53,11 @@ impl Branch<'_> {
         self.model.as_ref().map_or(0.0, TargetModel::noise_variance)
     }
 
+    /// Whether the target is taken for rough.
+    pub fn is_rough(&self) -> bool {
+        self.model.as_ref().is_some_and(TargetModel::is_rough)
+    }
+
     /// Predictions at the candidates of the search, in their order, then at other places; nothing without a model.
     pub fn at_candidates(&self, allowance: Allowance) -> Option<impl Iterator<Item = Forecast>> {
         self.model.as_ref().map(|model| model.at_places(allowance))
@@ -107,7 +112,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether there are so many targets that they are the poses of curves.
-    pub(super) fn is_of_curves(&self) -> bool {
+    pub fn is_of_curves(&self) -> bool {
         self.targets > MOST_LOCATED_TARGETS
     }
 

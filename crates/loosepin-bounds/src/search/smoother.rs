@@ -288,6 +288,11 @@ impl Fit<'_> {
         self.noise_variance == 0.0 && self.model.smoothness() == Smoothness::FourTimes
     }
 
+    /// Whether the values have a rough part.
+    pub fn is_rough(&self) -> bool {
+        self.roughness.is_some()
+    }
+
     /// -2 ln likelihood of the values for each degree of freedom: what models of the same values in other scales are compared by, each
     /// with twice the mean logarithm of the slope of its scale.
     pub fn misfit(&self) -> f64 {

@@ -48,7 +48,7 @@ pub(crate) enum TargetModel<'a> {
     /// Of an index.
     Index(IndexModel<'a>),
     /// Of the indices of two events.
-    Either([IndexModel<'a>; 2]),
+    Either(Box<[IndexModel<'a>; 2]>),
 }
 
 impl<'a> TargetModel<'a> {
@@ -58,7 +58,9 @@ impl<'a> TargetModel<'a> {
         match &target.kind {
             TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.among(defined))),
             TargetKind::Index => Self::Index(IndexModel::new(smoother, &among(&target.values))),
-            TargetKind::Either([a, b]) => Self::Either([a, b].map(|own| IndexModel::new(smoother, &among(own)))),
+            TargetKind::Either([a, b]) => {
+                Self::Either(Box::new([a, b].map(|own| IndexModel::new(smoother, &among(own)))))
+            }
         }
     }
 
@@ -67,7 +69,7 @@ impl<'a> TargetModel<'a> {
         match self {
             Self::Plain(fit) => Forecast::Plain(fit.at(place, allowance)),
             Self::Index(model) => Forecast::Index(model.at(place, allowance)),
-            Self::Either([a, b]) => Forecast::Either([a.at(place, allowance), b.at(place, allowance)]),
+            Self::Either(models) => Forecast::Either([0, 1].map(|side| models[side].at(place, allowance))),
         }
     }
 
@@ -76,7 +78,8 @@ impl<'a> TargetModel<'a> {
         match self {
             Self::Plain(fit) => Box::new(fit.at_places(allowance).map(Forecast::Plain)),
             Self::Index(model) => Box::new(model.at_places(allowance).map(Forecast::Index)),
-            Self::Either([a, b]) => {
+            Self::Either(models) => {
+                let [a, b] = &**models;
                 Box::new(a.at_places(allowance).zip(b.at_places(allowance)).map(|(a, b)| Forecast::Either([a, b])))
             }
         }
@@ -86,7 +89,8 @@ impl<'a> TargetModel<'a> {
     pub fn places(&self) -> &[Vec<f64>] {
         match self {
             Self::Plain(fit) => fit.places(),
-            Self::Index(model) | Self::Either([model, _]) => model.places(),
+            Self::Index(model) => model.places(),
+            Self::Either(models) => models[0].places(),
         }
     }
 
@@ -104,6 +108,14 @@ impl<'a> TargetModel<'a> {
             Self::Plain(fit) => fit.is_smoothest(),
             Self::Index(model) => model.is_smoothest(),
             Self::Either(models) => models.iter().all(IndexModel::is_smoothest),
+        }
+    }
+
+    /// Whether the target is taken for rough.
+    pub fn is_rough(&self) -> bool {
+        match self {
+            Self::Plain(fit) => fit.is_rough(),
+            Self::Index(_) | Self::Either(_) => false,
         }
     }
 
