@@ -16,7 +16,7 @@ const TIMED_RUNS: usize = 32;
 const TIMED_FREE_RUNS: usize = 3;
 /// Evaluations of each of them, at most.
 const MOST_EVALUATIONS: f64 = 6000.0;
-/// Multiplications of all timed runs, about 30 ms; and evaluations without which a run shows nothing.
+/// Multiplications of all timed runs, about a twentieth of a second; and evaluations without which a run shows nothing.
 const TIMED_MULTIPLICATIONS: f64 = 5e7;
 const LEAST_EVALUATIONS: f64 = 100.0;
 

@@ -1,7 +1,7 @@
 //! By how much each replicate of a sample differs from all of them together: what part of a sampling error neighbouring points share
 //! shows in it.
 
-use super::estimate::variance_of_mean;
+use super::estimate::{mean_of, variance_of_mean};
 use super::sample::Sample;
 
 /// `of` each replicate less the mean of them, replicate by replicate, at every one of `samples`; nothing where a replicate has no finished
@@ -15,7 +15,7 @@ pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64
     let mut differences = vec![Vec::with_capacity(samples.len()); count];
     for (point, sample) in samples.iter().enumerate() {
         let own: Vec<f64> = sample.replicates().map(|values| of(values, point)).collect();
-        let mean = own.iter().sum::<f64>() / count as f64;
+        let mean = mean_of(&own);
         for (replicate, value) in differences.iter_mut().zip(&own) {
             replicate.push(value - mean);
         }
@@ -37,9 +37,4 @@ pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], vari
         }
     }
     differences
-}
-
-/// Mean of `values`.
-pub(crate) fn mean_of(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
 }

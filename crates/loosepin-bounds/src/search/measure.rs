@@ -4,12 +4,12 @@ use super::noise::Noise;
 use super::target::{SEARCH_RESOLUTION, Target, TargetKind};
 use crate::data::direction::{Direction, extreme_point, range_of};
 use crate::data::statistic::{Event, Statistic};
-use crate::estimators::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
+use crate::estimators::estimate::{Confidence, EitherWay, Estimate, mean_of, standard_deviation};
 use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::probability::probability;
 use crate::estimators::quantile::quantile;
-use crate::estimators::replicates::{differences, differences_of_quantiles, mean_of};
+use crate::estimators::replicates::{differences, differences_of_quantiles};
 use crate::estimators::sample::Sample;
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.

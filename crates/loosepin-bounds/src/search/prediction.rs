@@ -50,9 +50,7 @@ impl Allowance {
     pub const HOPED: Self = Self { deviations: HOPED, concedes_roughness: false };
     /// What is conceded.
     pub const CONCESSION: Self = Self { deviations: CONCEDED, concedes_roughness: true };
-}
 
-impl Allowance {
     /// Whether it asks for the rough part, which takes time.
     pub fn concedes_roughness(self) -> bool {
         self.concedes_roughness
@@ -66,7 +64,7 @@ impl Prediction {
     /// mean ± (3.85 ω + sqrt((4 s)² + (0.9 ω)² + (3.85 δω)²))
     /// ```
     ///
-    /// with s the deviation of the smooth part: the greatest of many cells is nearly certain, and adds; what is uncertain of it, of ω
+    /// with ω and its error δω enlarged by the distrust of this side, and s the deviation of the smooth part: the greatest of many cells is nearly certain, and adds; what is uncertain of it, of ω
     /// and of the smooth part errs independently.
     pub fn moved(&self, allowance: Allowance, sign: f64) -> f64 {
         let smooth = allowance.deviations * self.deviation;

@@ -6,10 +6,10 @@
 //! ```text
 //! e_i² ~ σ² v(u_i) χ²₁,   ln v(u) = a + bᵀ(u - ū)
 //! nugget(u) = |τ P y|²/(τ tr P) · v(u)/mean v(u_i)
-//! ω²(u) = nugget(u) - nugget of the replicates about their mean/(R (R - 1))
+//! ω²(u) = nugget(u) - Σ_k nugget of (replicate k - mean)/(R (R - 1))
 //! ```
 //!
-//! a and b by maximum likelihood: iterated least squares of a gamma model with the logarithm as link. Source: P. McCullagh and
+//! a and b by maximum likelihood, as if the errors were independent: iterated least squares of a gamma model with the logarithm as link. Source: P. McCullagh and
 //! J. A. Nelder, "Generalized linear models" (1989), chapters 8 and 10.
 
 use super::gaussian_process::Model;
@@ -19,6 +19,9 @@ use loosepin_math::dense::{Cholesky, dot, gram, multiply};
 /// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
 /// Transactions on Automatic Control 19 (1974) 716-723).
 pub(super) const GAIN_OF_A_PARAMETER: f64 = 2.0;
+
+/// Fewer points for each parameter do not show how a variance depends on u.
+const LEAST_POINTS_OF_A_PARAMETER: usize = 4;
 
 /// Normal deviations of a one-sided interval of 95 %.
 const ONE_SIDED: f64 = 1.645;
@@ -68,27 +71,27 @@ pub(super) struct RoughPart {
 }
 
 impl Scatter {
-    /// That of `errors` with the same variance, in standard deviations.
-    pub fn even(errors: &[f64]) -> Self {
-        Self::with(None, errors, 0.0)
+    /// That of `errors` with the same variance, in standard deviations, whose sum of squares has so many degrees of freedom.
+    pub fn even(errors: &[f64], freedom: f64) -> Self {
+        Self::with(None, errors, freedom, 0.0)
     }
 
     /// As [`Scatter::even`], with a variance that depends on u where likelihood says so; `seen` are the points.
-    pub fn new(seen: &[Vec<f64>], errors: &[f64]) -> Self {
-        let even = Self::even(errors);
+    pub fn new(seen: &[Vec<f64>], errors: &[f64], freedom: f64) -> Self {
+        let even = Self::even(errors, freedom);
         let Some((slopes, gain)) = Slopes::fit(seen, &squares(errors)) else { return even };
         let parameters = (slopes.coefficients.len() - 1) as f64;
         let own: Vec<f64> =
             seen.iter().zip(errors).map(|(point, error)| error / slopes.variance(point).sqrt()).collect();
-        let uneven = Self::with(Some(slopes), &own, GAIN_OF_A_PARAMETER * parameters - gain);
+        let uneven = Self::with(Some(slopes), &own, freedom, GAIN_OF_A_PARAMETER * parameters - gain);
         if uneven.price < even.price { uneven } else { even }
     }
 
-    fn with(slopes: Option<Slopes>, errors: &[f64], price_of_slopes: f64) -> Self {
+    fn with(slopes: Option<Slopes>, errors: &[f64], freedom: f64, price_of_slopes: f64) -> Self {
         let furthest = |sign: f64| errors.iter().fold(0.0_f64, |most, error| most.max(sign * error));
         let sided = [-1.0, 1.0].map(|sign| (furthest(sign) / EXPECTED_SURPRISE).max(1.0));
         let distrust = sided[0].max(sided[1]);
-        Self { slopes, distrust, sided, price: errors.len() as f64 * price(distrust) + price_of_slopes }
+        Self { slopes, distrust, sided, price: freedom * price(distrust) + price_of_slopes }
     }
 }
 
@@ -101,6 +104,9 @@ impl Slopes {
             (0..dimensions).map(|axis| seen.iter().map(|point| point[axis]).sum::<f64>() / count).collect();
         let rows: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
         let size = dimensions + 1;
+        if seen.len() < LEAST_POINTS_OF_A_PARAMETER * size {
+            return None;
+        }
         let covariance = Cholesky::new(gram(&rows, size), size)?.inverse();
         let misfit = |coefficients: &[f64]| -> f64 {
             let of = |(row, ratio): (&[f64], &f64)| {
@@ -205,7 +211,7 @@ fn squares(errors: &[f64]) -> Vec<f64> {
     errors.iter().map(|error| error * error).collect()
 }
 
-/// What an enlarged standard deviation adds to -2 ln likelihood for each value.
+/// What an enlarged standard deviation adds to -2 ln likelihood for each degree of freedom.
 fn price(distrust: f64) -> f64 {
     2.0 * libm::log(distrust) + 1.0 / (distrust * distrust) - 1.0
 }
@@ -256,7 +262,7 @@ mod tests {
     #[test]
     fn identity_where_the_scatter_is_uneven_the_model_is_less_mistrusted() {
         let (points, errors) = errors(3, |u| (5.0 * (u[0] - 0.5)).exp());
-        let (even, own) = (Scatter::even(&errors), Scatter::new(&points, &errors));
+        let (even, own) = (Scatter::even(&errors, 58.0), Scatter::new(&points, &errors, 58.0));
         assert!(own.slopes.is_some() && own.distrust < even.distrust && own.price < even.price, "{even:?} {own:?}");
     }
 }

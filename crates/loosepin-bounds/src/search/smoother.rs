@@ -44,8 +44,8 @@ const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.0, 100.0];
 const LEAST_DEVIATION: f64 = 1e-12;
 
 /// Of the models whose misfit, -2 ln likelihood, exceeds the least one by no more than this, those with the most noise are
-/// preferred; of them the likeliest, or without noise the roughest one with the shortest ℓ. What cannot be told apart is
-/// taken the cautious way: rather noise than an extreme, rather rough than smooth.
+/// preferred; of them the likeliest, or without noise the least differentiable one with the shortest ℓ. What cannot be told apart is
+/// taken the cautious way: rather noise than an extreme, rather few derivatives than many.
 const TOLERATED_MISFIT: f64 = 4.0;
 
 /// Where every model with some noise is worse than one with less by this, those with more noise are not tried.
@@ -85,13 +85,13 @@ pub(crate) struct Fit<'a> {
 
 impl Smoother {
     /// Prepares the grid for `points` of the unit box; predictions are wanted at `candidates` and at the points themselves. Models that
-    /// pass beside the values take part where it `may_be_rough`. Nothing where there are too few points for any model.
-    pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_be_rough: bool, axes: &Axes) -> Option<Self> {
+    /// pass beside the values take part where it `may_pass_beside`. Nothing where there are too few points for any model.
+    pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
         let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
         let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
         let seen_places = places.iter().map(|place| axes.seen(place)).collect();
-        let ratios = if may_be_rough { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
+        let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let levels = ratios.iter().map(|_| OnceLock::new()).collect();
         let smoother = Self { places, seen_places, axes: axes.clone(), terms, normal_equations, seen, trend, levels };
         let without_noise: Vec<Model> =
@@ -134,12 +134,15 @@ impl Smoother {
         let freedom = (count - self.terms.len() / count) as f64;
         let floor = (LEAST_DEVIATION * range).powi(2);
         let of_noise = if noise.variance > floor { noise.variance } else { 0.0 };
-        let assessed = self.assess(&residual, freedom, floor);
+        // What polynomials in the random inputs give exactly is smooth in u as well.
+        let may_be_rough = !noise.replicates.is_empty();
+        let levels = if may_be_rough || of_noise > 0.0 { self.levels.len() } else { 1 };
+        let assessed = self.assess(levels, &residual, freedom, floor);
         let (smooth, rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
             assessed.into_iter().partition(|own| !own.is_noisy() || own.noise_variance() <= of_noise);
-        let least = least_honest(&smooth, &residual).map_or(f64::INFINITY, |(_, honest)| honest);
-        let rough = least_honest(&rough, &residual).and_then(|(own, _)| {
-            let scatter = Scatter::new(&self.seen, &own.errors(&residual));
+        let least = least_honest(&smooth, &residual, freedom).map_or(f64::INFINITY, |(_, honest)| honest);
+        let rough = least_honest(&rough, &residual, freedom).filter(|_| may_be_rough).and_then(|(own, _)| {
+            let scatter = Scatter::new(&self.seen, &own.errors(&residual), freedom);
             (own.misfit + scatter.price + GAIN_OF_A_PARAMETER < least).then_some((own, scatter))
         });
         let is_rough = rough.is_some();
@@ -147,7 +150,7 @@ impl Smoother {
             // Models without noise are always allowed: where none is chosen, no misfit is a number.
             let unknown = Assessed { model: &self.level(0)[0], variance: f64::INFINITY, misfit: f64::INFINITY };
             let own = cautious(smooth).unwrap_or(unknown);
-            (own, Scatter::even(&own.errors(&residual)))
+            (own, Scatter::even(&own.errors(&residual), freedom))
         });
         Fit {
             smoother: self,
@@ -168,10 +171,10 @@ impl Smoother {
     }
 
     /// All models that are worth it, held against `residual`.
-    fn assess(&self, residual: &[f64], freedom: f64, floor: f64) -> Vec<Assessed<'_>> {
+    fn assess(&self, levels: usize, residual: &[f64], freedom: f64, floor: f64) -> Vec<Assessed<'_>> {
         let mut assessed = Vec::new();
         let mut least = f64::INFINITY;
-        for level in 0..self.levels.len() {
+        for level in 0..levels {
             let mut least_of_level = f64::INFINITY;
             for model in self.level(level) {
                 let variance = (model.misfit(residual) / freedom).max(floor);
@@ -247,8 +250,8 @@ impl Assessed<'_> {
 }
 
 /// The model that is likeliest with the variance that must be stated for it, and its -2 ln likelihood with that.
-fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64]) -> Option<(Assessed<'a>, f64)> {
-    let mut by_misfit: Vec<&Assessed<'a>> = assessed.iter().collect();
+fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64], freedom: f64) -> Option<(Assessed<'a>, f64)> {
+    let mut by_misfit: Vec<&Assessed<'a>> = assessed.iter().filter(|own| !own.misfit.is_nan()).collect();
     by_misfit.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
     let mut least: Option<(Assessed<'a>, f64)> = None;
     for own in by_misfit {
@@ -256,7 +259,7 @@ fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64]) -> Option<(Asse
         if least.is_some_and(|(_, least)| own.misfit >= least) {
             break;
         }
-        let honest = own.misfit + Scatter::even(&own.errors(residual)).price;
+        let honest = own.misfit + Scatter::even(&own.errors(residual), freedom).price;
         if least.is_none_or(|(_, least)| honest < least) {
             least = Some((*own, honest));
         }
@@ -413,7 +416,9 @@ mod tests {
             let points = first_points(seed, 2, 64).unwrap();
             let values: Vec<f64> = points.iter().map(|u| rough(u)).collect();
             let smoother = Smoother::try_new(points, &candidates(2).unwrap(), true, &Axes::open(2)).unwrap();
-            let fit = smoother.fit(&values, &Noise::NONE);
+            // Every replicate shows the same: nothing is sampled.
+            let noise = Noise { variance: 0.0, replicates: vec![vec![0.0; values.len()]; 2] };
+            let fit = smoother.fit(&values, &noise);
             let most = fit
                 .at_places(Allowance::CONCESSION)
                 .map(|at| at.moved(Allowance::CONCESSION, 1.0))

@@ -111,7 +111,7 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// Whether the target is taken for rough.
+    /// Whether the target is taken for rough; indices are known exactly, and never are.
     pub fn is_rough(&self) -> bool {
         match self {
             Self::Plain(fit) => fit.is_rough(),
