@@ -1,13 +1,22 @@
 //! Bounds of the slider-crank with play, seed after seed, as rows for `tools/compare/bounds.py`: this library's part in that
 //! comparison.
 //!
-//! `slider_crank_bounds SEEDS` prints `seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds`; the mean, the
-//! deviation and the quantiles are in mm.
+//! `slider_crank_bounds SEEDS [rough]` prints `seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds`; the mean, the
+//! deviation and the quantiles are in mm. The rough problem adds a normal number to each of 60 x 60 cells of the box, and another one to
+//! each evaluation, as `tools/compare/bounds/problem.py` does.
 
 use loosepin::bounds::{Statistic, evaluate};
+use loosepin::uncertainty::{hash, normal};
 use loosepin_bench::known_bounds::slider_crank_with_play;
+use loosepin_bench::known_case::KnownCase;
 use std::f64::consts::FRAC_PI_3;
+use std::sync::Arc;
 use std::time::Instant;
+
+/// Cells along each side of the box, and the standard deviations of what they and single evaluations add.
+const CELLS: f64 = 60.0;
+const ROUGHNESS_MM: f64 = 0.07;
+const NOISE_MM: f64 = 0.03;
 
 /// What `tools/compare/bounds/problem.py` calls a statistic of this case.
 fn name(statistic: Statistic) -> String {
@@ -20,10 +29,28 @@ fn name(statistic: Statistic) -> String {
     }
 }
 
+/// `case` with what its cell and the evaluation itself add.
+fn roughened(case: KnownCase) -> KnownCase {
+    let smooth = case.function.clone();
+    let ends: Vec<[f64; 2]> = case.epistemic.iter().map(|input| input.ends()).collect();
+    let function = move |x: &[f64], u: &[f64]| {
+        let cell = |axis: usize| {
+            let [low, high] = ends[axis];
+            ((CELLS * ((u[axis] - low) / (high - low))).floor() as u64).min(CELLS as u64 - 1)
+        };
+        let own = hash(hash(x[0].to_bits(), x[1].to_bits()), u[0].to_bits());
+        let rough = ROUGHNESS_MM * normal(0, cell(0) * CELLS as u64 + cell(1));
+        smooth(x, u) + rough + NOISE_MM * normal(own, u[1].to_bits())
+    };
+    KnownCase { function: Arc::new(function), ..case }
+}
+
 fn main() {
-    let seeds = std::env::args().nth(1).map_or(12, |word| word.parse::<u64>().expect("a number of seeds"));
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let seeds = words.first().map_or(12, |word| word.parse::<u64>().expect("a number of seeds"));
     // As the other programs are asked.
-    let case = slider_crank_with_play(FRAC_PI_3).cut_open();
+    let smooth = slider_crank_with_play(FRAC_PI_3).cut_open();
+    let case = if words.get(1).is_some_and(|word| word == "rough") { roughened(smooth) } else { smooth };
     println!("seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds");
     for seed in 1..=seeds {
         let started = Instant::now();

@@ -3,8 +3,8 @@
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::wording::{
-    capitalised, counted, deviation_words, is_by_surrogate, listed, output_words, place_words, statistic_words,
-    verdict_words,
+    capitalised, counted, deviation_words, failed_words, is_by_surrogate, listed, output_words, place_words,
+    statistic_words, verdict_words,
 };
 use loosepin_result::study::{
     BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PromiseRecord, Reduction,
@@ -282,14 +282,12 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     // None lies outside, and still so few mechanisms would not show a share that is small enough.
     let too_few = requirement.counted.filter(|counted| counted.outside == 0 && counted.sampling_error > allowed);
     let needed = |counted: &CountedMechanisms| counted.mechanisms as f64 * counted.sampling_error / allowed;
-    let failed_values =
-        || result.promise.iter().flat_map(|promise| &promise.ends).map(|end| end.failed_values).max().unwrap_or(0);
-    // A share of 0 may also come from a value at which every mechanism lies outside.
-    if requirement.promised == Some(0.0) && failed_values() > 0 {
-        let values = counted(failed_values(), "value", writer);
-        return format!("Runs failed at {values} of the intervals: nothing is promised there.");
-    }
     if requirement.promised.is_some() {
+        // A share of 0 may also come from a value at which every mechanism lies outside.
+        if let (Some(promise), 1..) = (&result.promise, requirement.failed_values) {
+            let values = failed_words(promise, requirement.failed_values, writer);
+            return format!("Runs failed at {values}: nothing is promised.");
+        }
         return "The promised share is too small: increase 'inner' under [promise].".to_owned();
     }
     if is_by_surrogate(result) && result.counts.failed > 0 {

@@ -2,7 +2,9 @@
 
 use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
-use super::wording::{capitalised, count, counted, deviation_words, output_words, place_words, statistic_words};
+use super::wording::{
+    capitalised, count, counted, deviation_words, failed_words, output_words, place_words, statistic_words,
+};
 use loosepin_result::study::{InputKind, PromiseRecord, PromisedBand, PromisedEnd, ResponsePoint, Side, StudyResult};
 use loosepin_text::units::SiUnit;
 
@@ -21,8 +23,8 @@ pub(super) fn promise_sentences(result: &StudyResult, writer: &NumberWriter) -> 
     let shown: Vec<&PromisedEnd> = promise.ends.iter().filter(is_shown).take(MOST_ENDS).collect();
     let left = promise.ends.len() - shown.len();
     let mut sentences = vec![statement(result, promise, writer), cost(promise, writer)];
-    sentences.extend(shown.into_iter().map(|end| end_sentence(result, end, writer)));
-    sentences.extend(promise.bands.iter().map(|band| band_sentence(result, band, writer)));
+    sentences.extend(shown.into_iter().map(|end| end_sentence(result, promise, end, writer)));
+    sentences.extend(promise.bands.iter().map(|band| band_sentence(result, promise, band, writer)));
     if left > 0 {
         sentences.push(format!(
             "{} more promised {} in summary.json.",
@@ -96,7 +98,7 @@ fn cost(promise: &PromiseRecord, writer: &NumberWriter) -> String {
     )
 }
 
-fn end_sentence(result: &StudyResult, end: &PromisedEnd, writer: &NumberWriter) -> String {
+fn end_sentence(result: &StudyResult, promise: &PromiseRecord, end: &PromisedEnd, writer: &NumberWriter) -> String {
     let unit = output_unit(result, &end.output);
     let subject = format!(
         "{} of {} ({}, {})",
@@ -108,7 +110,7 @@ fn end_sentence(result: &StudyResult, end: &PromisedEnd, writer: &NumberWriter) 
     if end.failed_values > 0 {
         return format!(
             "{subject}: nothing is promised, for runs failed at {}.",
-            counted(end.failed_values, "value", writer)
+            failed_words(promise, end.failed_values, writer)
         );
     }
     let (at_most, extreme, rounding) = match end.side {
@@ -123,7 +125,7 @@ fn end_sentence(result: &StudyResult, end: &PromisedEnd, writer: &NumberWriter) 
     format!("{subject}: {at_most} {bound}; the limit is {extreme} at {}.", writer.witness(&end.witness, &result.inputs))
 }
 
-fn band_sentence(result: &StudyResult, band: &PromisedBand, writer: &NumberWriter) -> String {
+fn band_sentence(result: &StudyResult, promise: &PromiseRecord, band: &PromisedBand, writer: &NumberWriter) -> String {
     let subject = format!(
         "Band of {} for the whole cycle of {} ({})",
         writer.percent(band.share, Rounding::Nearest),
@@ -133,7 +135,7 @@ fn band_sentence(result: &StudyResult, band: &PromisedBand, writer: &NumberWrite
     if band.failed_values > 0 {
         return format!(
             "{subject}: nothing is promised, for runs failed at {}.",
-            counted(band.failed_values, "value", writer)
+            failed_words(promise, band.failed_values, writer)
         );
     }
     format!(

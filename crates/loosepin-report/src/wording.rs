@@ -2,8 +2,9 @@
 
 use super::number::{NumberWriter, Rounding};
 use loosepin_result::study::{
-    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, Reading, Reduction,
-    ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand, TreatmentComparison, Verdict,
+    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, PromiseRecord, Reading,
+    Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand, TreatmentComparison,
+    Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -196,6 +197,12 @@ pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
 /// `1 run`, `2 runs`.
 pub(super) fn counted(value: u64, singular: &str, writer: &NumberWriter) -> String {
     counted_as(value, singular, &format!("{singular}s"), writer)
+}
+
+/// "2 of the 533 values that were tried".
+pub(super) fn failed_words(promise: &PromiseRecord, failed: u64, writer: &NumberWriter) -> String {
+    let tried = count(promise.values * promise.boxes, writer);
+    format!("{} of the {tried} values that were tried", count(failed, writer))
 }
 
 /// Where the bounds are that no table shows, for all `count` are points of curves; nothing where there are none.

@@ -79,6 +79,27 @@ fn analytic_what_no_run_has_shown_is_not_taken_for_impossible() {
 }
 
 #[test]
+fn analytic_where_a_bounded_response_nearly_reaches_the_limit_is_found() {
+    // Y = hill(u) + X, X uniform in (-1/2, 1/2): above the limit only where the hill exceeds 0.8, in 0.1 % of the box.
+    const LIMIT: f64 = 1.3;
+    const TOP: [f64; 4] = [0.31, 0.62, 0.45, 0.58];
+    const WIDTH: f64 = 0.3;
+    let hill = |x: &[f64], u: &[f64]| {
+        let square: f64 = u.iter().zip(TOP).map(|(u, top)| (u - top) * (u - top)).sum();
+        x[0] + libm::exp(-square / (WIDTH * WIDTH))
+    };
+    let mut missed = 0;
+    for seed in 0..SEEDS {
+        let uniform = Distribution::Uniform { lower: -0.5, upper: 0.5 };
+        let mut problem = problem(&[uniform], &[(0.0, 1.0); 4], &[Statistic::ProbabilityAbove(LIMIT)]);
+        problem.sampling = Sampling { outer: 64, inner: 128, seed, ..Sampling::default() };
+        let upper = evaluate(problem, &Function(hill)).unwrap().pairs[0].upper.clone();
+        missed += usize::from(upper.widened < 1.5 - LIMIT);
+    }
+    assert_eq!(missed, 0, "of {SEEDS}");
+}
+
+#[test]
 fn analytic_scatter_where_the_estimate_is_not_the_furthest_counts() {
     // The mean is 1 + 0.02 u, exactly known at u = 0 alone: in many samples its estimate is largest there.
     let mut missed = 0;

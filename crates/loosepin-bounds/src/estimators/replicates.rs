@@ -7,8 +7,10 @@ use super::sample::Sample;
 /// `of` each replicate less the mean of them, replicate by replicate, at every one of `samples`; nothing where a replicate has no finished
 /// run, or where the samples have polynomials, so that nothing is sampled to speak of.
 pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64) -> Vec<Vec<f64>> {
-    let count = samples.first().map_or(0, |sample| sample.replicates().count());
-    let is_known = |sample: &&Sample| sample.smooth().is_none() && sample.replicates().count() == count;
+    let count = samples.first().map_or(0, |sample| sample.planned_replicates());
+    let is_known = |sample: &&Sample| {
+        sample.smooth().is_none() && sample.planned_replicates() == count && sample.replicates().count() == count
+    };
     if count < 2 || !samples.iter().all(is_known) {
         return Vec::new();
     }

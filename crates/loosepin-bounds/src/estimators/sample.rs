@@ -93,6 +93,11 @@ impl Sample {
             .filter(|values| !values.is_empty())
     }
 
+    /// Number of replicates in the plan, those without a finished value included.
+    pub fn planned_replicates(&self) -> usize {
+        self.replicate_ends.len()
+    }
+
     /// How many of the finished values do not exceed `limit`.
     pub fn count_up_to(&self, limit: f64) -> usize {
         self.values.iter().filter(|&&value| value <= limit).count()

@@ -119,7 +119,8 @@ impl Smooth {
     ///
     /// ```text
     /// asinh z, z = Φ⁻¹(P) where P is neither below ε = 1e-4 nor above 1 - ε;
-    /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there;
+    /// elsewhere from the distance of the limit to the quantile at ε or 1 - ε, in the scale that the distribution has there, at least its
+    /// standard deviation;
     /// beyond a limit on either side: one for each
     /// ```
     ///
@@ -148,7 +149,8 @@ impl Smooth {
         }
     }
 
-    /// The quantile at `probability` with the scale of the distribution there, φ(Φ⁻¹(probability))/density.
+    /// The quantile at `probability` with the scale of the distribution there, φ(Φ⁻¹(probability))/density, at least its standard
+    /// deviation.
     fn find_tail(&self, probability: f64, values: &[f64], confidence: &Confidence) -> (f64, f64) {
         let mean = self.mean(confidence).value;
         let deviation = standard_deviation(self.variance(values, confidence)).value;
@@ -156,7 +158,8 @@ impl Smooth {
         let near = mean + z * deviation;
         let at = self.quantile(probability, near, deviation).map_or(near, |estimate| estimate.value);
         let scale = Axis::Hermite.density(z) / self.at(at).density;
-        (at, if scale.is_finite() { scale } else { deviation })
+        // Where a distribution ends, its scale vanishes: in units of it the limit is so far away that nothing tells where it is nearer.
+        (at, if scale.is_finite() { scale.max(deviation) } else { deviation })
     }
 
     /// The quantile at `probability`, sought from `near`; `deviation` is that of the sample.

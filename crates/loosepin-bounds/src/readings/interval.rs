@@ -130,7 +130,7 @@ impl<'a> Modelled<'a> {
         let least_noise = LEAST_NOISE_SHARE * measure.target.noise.variance;
         let is_averaged = |point: usize| {
             let own = self.branches.iter().find(|branch| branch.points.contains(&point));
-            own.is_some_and(|branch| branch.noise_variance() > least_noise)
+            own.is_some_and(|branch| branch.averaged_noise() > least_noise)
         };
         let beyond = |point: usize| {
             direction.sign() * (self.compared(direction, point) - estimates[best].value) + own_error(point)

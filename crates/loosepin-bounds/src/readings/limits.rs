@@ -7,7 +7,7 @@ use crate::estimators::sample::Sample;
 use crate::search::measure::MeasureKind;
 
 /// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them; and a rough
-/// statistic among those of curves, whose models are the poorest.
+/// statistic among those of curves, whose reach is not located between the candidates.
 const RESPONSE_MARGIN: f64 = 0.1;
 
 /// The same for what a search concedes to any other statistic: a hill of which a run has met the upper half may be twice as high.
@@ -40,11 +40,11 @@ fn furthest(kind: MeasureKind, samples: &[&Sample], direction: Direction, margin
     }
 }
 
-/// Whether any response, moved by the margin beyond the furthest of all, is on the other side of the limit than one that was seen:
-/// otherwise the probability of `event` is the same at every u.
+/// Whether `event` happens, or would where responses went beyond the furthest run as far as a search concedes it to them: otherwise its
+/// probability is 0 at every u.
 pub(crate) fn can_change(event: Event, samples: &[&Sample]) -> bool {
     let Some((low, high)) = responses(samples) else { return true };
-    let margin = RESPONSE_MARGIN * (high - low);
+    let margin = HALF_SEEN_MARGIN * (high - low);
     event.holds(low - margin) || event.holds(high + margin)
 }
 

@@ -1,10 +1,10 @@
 //! The search for extremes over the box of the epistemic inputs: models of statistics, what they leave open, and the next points.
 
+mod broken_reach;
 pub(crate) mod design;
 mod extremes;
 mod gaussian_process;
 mod index_model;
-mod kink_reach;
 mod kinks;
 pub(crate) mod measure;
 pub(crate) mod models;

@@ -18,6 +18,9 @@ pub(super) const LEAST_DISTANCE: f64 = 1e-6;
 /// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
 pub(crate) const MOST_LOCATED_TARGETS: usize = 256;
 
+/// From this share of noise on, what values differ by from one point to the next says more of it than of the statistic.
+const MOSTLY_NOISE: f64 = 0.5;
+
 /// Around this many points, those that are extremes of the most targets, the near surroundings are candidates too.
 const MOST_NEIGHBOURHOODS: usize = 12;
 
@@ -48,9 +51,15 @@ pub(crate) struct Branch<'a> {
 }
 
 impl Branch<'_> {
-    /// Variance of the noise that the model sees between the points.
-    pub fn noise_variance(&self) -> f64 {
-        self.model.as_ref().map_or(0.0, TargetModel::noise_variance)
+    /// Variance of the sampling noise that the model sees between the points, where most of what it sees there is noise; else 0.
+    pub fn averaged_noise(&self) -> f64 {
+        let noisy = self.model.as_ref().filter(|model| model.noise_share() >= MOSTLY_NOISE);
+        noisy.map_or(0.0, TargetModel::noise_variance)
+    }
+
+    /// Whether the model passes beside the values.
+    pub fn is_beside(&self) -> bool {
+        self.model.as_ref().is_some_and(TargetModel::is_beside)
     }
 
     /// Whether the target is taken for rough.
@@ -149,11 +158,13 @@ impl<'a> Search<'a> {
 pub(crate) fn smoothed(target: &Target, branches: &[Branch<'_>], errors: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
     let mut values = target.values.clone();
     for branch in branches {
-        let Some(model) = branch.model.as_ref().filter(|fit| fit.is_smoothed()) else { continue };
+        let Some(model) = branch.model.as_ref().filter(|fit| fit.is_beside()) else { continue };
         let means = model.at_places(Allowance::NONE).skip(model.places().len() - branch.defined.len());
+        let share = model.noise_share();
         for (&point, forecast) in branch.defined.iter().zip(means) {
             let (below, above) = errors(point);
-            values[point] = forecast.mean().max(values[point] - below).min(values[point] + above);
+            let heard = values[point] + share * (forecast.mean() - values[point]);
+            values[point] = heard.max(values[point] - below).min(values[point] + above);
         }
     }
     values

@@ -1,6 +1,6 @@
 //! How far models let a target go.
 
-use super::kink_reach::reach_of_kink;
+use super::broken_reach::reach_of_break;
 use super::models::{Branch, Search};
 use super::prediction::Allowance;
 use super::search_box::{Axes, Region};
@@ -29,13 +29,13 @@ impl Search<'_> {
         } else {
             located_reach(self.axes, model, direction, region)
         };
-        // Noise does not become less towards an extreme, so that it looks like a kink.
-        let kink = if branch.noise_variance() > 0.0 {
+        // Noise does not become less towards an extreme, so that it looks like a kink or an edge.
+        let beyond_break = if branch.is_beside() {
             None
         } else {
-            reach_of_kink(self.axes, self.points, &target.values, &branch.defined, direction, region)
+            reach_of_break(self.axes, self.points, &target.values, &branch.defined, direction, region)
         };
-        let most = kink.filter(|kink| direction.is_beyond(*kink, most)).unwrap_or(most);
+        let most = beyond_break.map_or(most, |further| direction.further(most, further));
         most + target.conceded(direction)
     }
 

@@ -53,7 +53,7 @@ struct Slopes {
     centre: Vec<f64>,
     /// a, b
     coefficients: Vec<f64>,
-    /// (XᵀX)⁻¹, by which their covariance is 2 (XᵀX)⁻¹.
+    /// (XᵀX)⁻¹; the covariance of a and b is 2 (n/ν) (XᵀX)⁻¹.
     covariance: Vec<f64>,
     /// Mean v(u_i)
     mean: f64,
@@ -68,6 +68,8 @@ pub(super) struct RoughPart {
     freedom: f64,
     of_noise: f64,
     freedom_of_noise: f64,
+    /// Number of points.
+    points: f64,
 }
 
 impl Scatter {
@@ -80,6 +82,8 @@ impl Scatter {
     pub fn new(seen: &[Vec<f64>], errors: &[f64], freedom: f64) -> Self {
         let even = Self::even(errors, freedom);
         let Some((slopes, gain)) = Slopes::fit(seen, &squares(errors)) else { return even };
+        // n errors of a model that has been fitted to them tell as much as ν independent ones.
+        let gain = gain * freedom / errors.len() as f64;
         let parameters = (slopes.coefficients.len() - 1) as f64;
         let own: Vec<f64> =
             seen.iter().zip(errors).map(|(point, error)| error / slopes.variance(point).sqrt()).collect();
@@ -176,21 +180,37 @@ impl RoughPart {
             replicates.iter().map(|own| model.nugget(own)).sum::<f64>() / (count * (count - 1.0))
         };
         let freedom_of_noise = freedom * (count - 1.0).max(1.0);
-        Self { scatter, nugget: model.nugget(residual), freedom, of_noise, freedom_of_noise }
+        let points = residual.len() as f64;
+        Self { scatter, nugget: model.nugget(residual), freedom, of_noise, freedom_of_noise, points }
+    }
+
+    /// Variance of the sampling noise between the points.
+    pub fn noise_variance(&self) -> f64 {
+        self.of_noise.min(self.nugget)
+    }
+
+    /// The share of sampling noise in what the values have between the points, over the whole box.
+    pub fn noise_share(&self) -> f64 {
+        if self.nugget > 0.0 { self.noise_variance() / self.nugget } else { 1.0 }
     }
 
     /// At a place in the coordinates of the models: ω, and how far it may be larger:
     ///
     /// ```text
-    /// var ω² = 2 nugget² h + 2 noise²/ν_noise,   h = 1/ν, or xᵀ(XᵀX)⁻¹x, x = 1, u - ū, where it depends on u
+    /// var ω² = 2 nugget² h + 2 noise²/ν_noise,   h = 1/ν, or (n/ν) xᵀ(XᵀX)⁻¹x, x = 1, u - ū, where it depends on u
     /// ```
+    ///
+    /// The factor n/ν: n errors of a model that has been fitted to them tell as much as ν independent ones.
     pub fn at(&self, place: &[f64]) -> Roughness {
         if self.nugget == 0.0 {
             return Roughness::default();
         }
         let (share, leverage) = match &self.scatter.slopes {
             None => (1.0, 1.0 / self.freedom),
-            Some(slopes) => (slopes.variance(place) / slopes.mean, slopes.leverage(place)),
+            Some(slopes) => {
+                let leverage = self.points / self.freedom * slopes.leverage(place);
+                (slopes.variance(place) / slopes.mean, leverage)
+            }
         };
         let nugget = share * self.nugget;
         let variance = (nugget - self.of_noise).max(0.0);

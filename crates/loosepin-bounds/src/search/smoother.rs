@@ -77,7 +77,8 @@ pub(crate) struct Fit<'a> {
     whitened: (Vec<f64>, Vec<f64>),
     centre: f64,
     deviation: f64,
-    noise_variance: f64,
+    /// Variance of what is independent from point to point, 0 where the fit passes through the estimates.
+    nugget: f64,
     roughness: Option<Rough>,
     /// -2 ln likelihood for each degree of freedom.
     misfit: f64,
@@ -139,7 +140,7 @@ impl Smoother {
         let levels = if may_be_rough || of_noise > 0.0 { self.levels.len() } else { 1 };
         let assessed = self.assess(levels, &residual, freedom, floor);
         let (smooth, rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
-            assessed.into_iter().partition(|own| !own.is_noisy() || own.noise_variance() <= of_noise);
+            assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
         let least = least_honest(&smooth, &residual, freedom).map_or(f64::INFINITY, |(_, honest)| honest);
         let rough = least_honest(&rough, &residual, freedom).filter(|_| may_be_rough).and_then(|(own, _)| {
             let scatter = Scatter::new(&self.seen, &own.errors(&residual), freedom);
@@ -158,7 +159,7 @@ impl Smoother {
             whitened: own.model.whitened(&values),
             centre,
             deviation: own.variance.sqrt() * scatter.distrust,
-            noise_variance: if own.is_noisy() { own.noise_variance() } else { 0.0 },
+            nugget: if own.is_noisy() { own.nugget() } else { 0.0 },
             // With the variance that is stated in the place of the likeliest one.
             misfit: (own.misfit + scatter.price) / freedom,
             roughness: is_rough.then(|| Rough {
@@ -238,7 +239,7 @@ impl Assessed<'_> {
     }
 
     /// τσ²
-    fn noise_variance(&self) -> f64 {
+    fn nugget(&self) -> f64 {
         self.model.noise_ratio() * self.variance
     }
 
@@ -281,14 +282,24 @@ fn cautious(mut assessed: Vec<Assessed<'_>>) -> Option<Assessed<'_>> {
 }
 
 impl Fit<'_> {
-    /// Variance of the noise, 0 where the fit passes through the estimates.
+    /// Whether it passes beside the values rather than through them.
+    pub fn is_beside(&self) -> bool {
+        self.nugget > 0.0
+    }
+
+    /// Variance of the sampling noise between the points, 0 where the fit passes through the estimates.
     pub fn noise_variance(&self) -> f64 {
-        self.noise_variance
+        self.roughness.as_ref().map_or(self.nugget, |rough| rough.part(self).noise_variance())
+    }
+
+    /// The share of sampling noise in what the values differ by from one point to the next; the rest is rough, and belongs to them.
+    pub fn noise_share(&self) -> f64 {
+        self.roughness.as_ref().map_or(1.0, |rough| rough.part(self).noise_share())
     }
 
     /// Whether it passes through the values and they are those of something as smooth as the smoothest processes.
     pub fn is_smoothest(&self) -> bool {
-        self.noise_variance == 0.0 && self.model.smoothness() == Smoothness::FourTimes
+        !self.is_beside() && self.model.smoothness() == Smoothness::FourTimes
     }
 
     /// Whether the values have a rough part.

@@ -94,7 +94,15 @@ impl<'a> TargetModel<'a> {
         }
     }
 
-    /// Variance of the noise that it sees between the points; 0 for indices.
+    /// The share of sampling noise in what it sees between the points.
+    pub fn noise_share(&self) -> f64 {
+        match self {
+            Self::Plain(fit) => fit.noise_share(),
+            Self::Index(_) | Self::Either(_) => 1.0,
+        }
+    }
+
+    /// Variance of the sampling noise that it sees between the points; 0 for indices.
     pub fn noise_variance(&self) -> f64 {
         match self {
             Self::Plain(fit) => fit.noise_variance(),
@@ -120,8 +128,11 @@ impl<'a> TargetModel<'a> {
     }
 
     /// Whether it passes beside the values rather than through them.
-    pub fn is_smoothed(&self) -> bool {
-        self.noise_variance() > 0.0
+    pub fn is_beside(&self) -> bool {
+        match self {
+            Self::Plain(fit) => fit.is_beside(),
+            Self::Index(_) | Self::Either(_) => false,
+        }
     }
 }
 

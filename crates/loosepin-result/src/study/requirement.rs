@@ -33,11 +33,20 @@ pub struct RequirementOutcome {
     /// Least share that a promise for a share of the box states, where the requirement is decided by one.
     #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
     pub promised: Option<f64>,
+    /// Values of the epistemic inputs at which a run failed, so that this promise states nothing.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub failed_values: u64,
     /// Mechanisms that were counted at the witness; nothing where the share is no count at one value of the epistemic inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub counted: Option<CountedMechanisms>,
     /// The verdict.
     pub verdict: Verdict,
+}
+
+/// Whether there are none: then a file says nothing of them.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it so")]
+fn is_zero(count: &u64) -> bool {
+    *count == 0
 }
 
 /// Mechanisms counted at one value of the epistemic inputs.

@@ -70,6 +70,7 @@ pub fn decide(material: &Material<'_>, found: &[PromisedBound], outcomes: &mut [
         let bound = found.iter().find(|bound| bound.asked.request == request && bound.asked.side == Side::Upper);
         let least = bound.map_or(0.0, |bound| 1.0 - bound.bound);
         outcome.promised = Some(least);
+        outcome.failed_values = bound.map_or(0, |bound| bound.failed_values as u64);
         outcome.verdict = outcome.verdict.by_promise(least >= outcome.probability_at_least);
     }
 }

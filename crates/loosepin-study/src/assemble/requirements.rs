@@ -33,6 +33,7 @@ fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize)
         probability: [share.least.max(0.0), most.min(1.0)],
         witness: pair.map_or_else(Witness::new, |pair| material.end(&pair.upper).witness),
         promised: None,
+        failed_values: 0,
         counted: pair.and_then(|pair| counted(material, pair)),
         verdict: Verdict::of(share, requirement.probability_at_least),
     }

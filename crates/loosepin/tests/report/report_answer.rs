@@ -482,7 +482,7 @@ fn what_is_promised_is_said_to_be_a_share_of_volume_and_never_met() {
         "With 99.5 % confidence, each of these bounds is kept by at least 99 % of the box of the intervals.",
         "It is not a probability of the true values, and it does not hold for every value.",
         "at most 0.6124 mm; the limit is largest at",
-        "nothing is promised, for runs failed at 2 values.",
+        "nothing is promised, for runs failed at 2 of the 533 values that were tried.",
     ] {
         assert_says(&result, words);
     }
@@ -490,4 +490,9 @@ fn what_is_promised_is_said_to_be_a_share_of_volume_and_never_met() {
     assert!(!text.contains("All requirements met") && !text.contains("Met:"), "{text}");
     // In the answer and in the table.
     assert_eq!(page.matches("class=\"verdict promised\"").count(), 2, "{page}");
+
+    // Undecided for failed runs.
+    let undecided = &mut result.requirements[0];
+    (undecided.promised, undecided.failed_values, undecided.verdict) = (Some(0.0), 3, Verdict::Undecided);
+    assert_says(&result, "Runs failed at 3 of the 533 values that were tried: nothing is promised.");
 }
