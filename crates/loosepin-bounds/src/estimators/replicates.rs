@@ -40,3 +40,29 @@ pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], vari
     }
     differences
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::estimate::mean_of;
+    use super::super::sample::Sample;
+    use super::differences;
+
+    fn sample(replicates: [[f64; 2]; 3]) -> Sample {
+        Sample::new(replicates.into_iter().map(IntoIterator::into_iter))
+    }
+
+    #[test]
+    fn analytic_each_replicate_differs_from_the_mean_of_all() {
+        let samples = [sample([[1.0, 3.0], [4.0, 6.0], [7.0, 9.0]]), sample([[0.0, 0.0], [0.0, 0.0], [3.0, 3.0]])];
+        let found = differences(&samples.each_ref(), |values, _| mean_of(values));
+        assert_eq!(found, [vec![-3.0, -1.0], vec![0.0, -1.0], vec![3.0, 2.0]]);
+    }
+
+    #[test]
+    fn a_replicate_without_a_finished_run_belongs_to_no_other() {
+        // Each point lacks another replicate: the two that are left at each of them do not belong together.
+        const FAILED: [f64; 2] = [f64::NAN; 2];
+        let samples = [sample([FAILED, [4.0, 6.0], [7.0, 9.0]]), sample([[0.0, 0.0], [1.0, 1.0], FAILED])];
+        assert!(differences(&samples.each_ref(), |values, _| mean_of(values)).is_empty());
+    }
+}

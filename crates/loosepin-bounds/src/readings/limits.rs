@@ -72,3 +72,23 @@ impl Bound {
         Self { widened, error, guarantee: Guarantee::Inner, ..self }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::can_change;
+    use crate::data::statistic::Event;
+    use crate::estimators::sample::Sample;
+
+    #[test]
+    fn analytic_an_event_within_the_range_of_all_responses_beyond_the_last_can_happen() {
+        // From 0 to 2 at both points together.
+        let samples =
+            [0.0, 1.0].map(|least| Sample::new([(0..8).map(move |i| least + f64::from(i) / 7.0)].into_iter()));
+        let samples = samples.each_ref();
+        assert!(can_change(Event::Above(3.9), &samples) && !can_change(Event::Above(4.1), &samples));
+        assert!(can_change(Event::Below(-1.9), &samples) && !can_change(Event::Below(-2.1), &samples));
+        // Seven runs at a point do not show a range.
+        let few = Sample::new([(0..7).map(f64::from)].into_iter());
+        assert!(can_change(Event::Above(1e9), &[&few]));
+    }
+}

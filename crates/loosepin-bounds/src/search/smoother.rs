@@ -452,7 +452,7 @@ mod tests {
         const NOISE: f64 = 0.2;
         const REPLICATES: u64 = 16;
         const SEEDS: u64 = 20;
-        let mut found = 0.0;
+        let (mut found, mut rough) = (0.0, 0);
         for seed in 0..SEEDS {
             let points = first_points(seed, 1, 40).unwrap();
             let own = |replicate: u64, point: usize| NOISE * 4.0 * number(seed, replicate * 1000 + point as u64);
@@ -463,8 +463,42 @@ mod tests {
             let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
             // Less than there is, so that a model with more is taken for rough if it is taken.
             let noise = Noise { variance: 0.1 * NOISE * NOISE, replicates };
-            found += smoother.fit(&values, &noise).at(&[0.5], Allowance::CONCESSION).roughness.deviation / SEEDS as f64;
+            let fit = smoother.fit(&values, &noise);
+            rough += usize::from(fit.is_rough());
+            found += fit.at(&[0.5], Allowance::CONCESSION).roughness.deviation / SEEDS as f64;
         }
+        assert!(rough > 0, "no model takes any of it for rough");
         assert!(found < 0.5 * NOISE, "{found}");
+    }
+
+    #[test]
+    fn analytic_the_share_of_noise_is_told_from_roughness_by_the_replicates() {
+        // A standard deviation of 0.1 belongs to the response and one of 0.05 to the sample: a share of 0.2.
+        const ROUGHNESS: f64 = 0.1;
+        const NOISE: f64 = 0.05;
+        const REPLICATES: u64 = 16;
+        const SEEDS: u64 = 20;
+        // Of a share from 36 degrees of freedom, in the mean of 20.
+        const TOLERANCE: f64 = 0.05;
+        let (mut share, mut rough) = (0.0, 0);
+        for seed in 0..SEEDS {
+            let points = first_points(seed, 1, 40).unwrap();
+            let own = |replicate: u64, point: usize| NOISE * 4.0 * number(seed, replicate * 1000 + point as u64);
+            let mean = |point: usize| (0..REPLICATES).map(|k| own(k, point)).sum::<f64>() / REPLICATES as f64;
+            let of = |i: usize, u: &[f64]| u[0] * u[0] + mean(i) + ROUGHNESS * number(seed + 1000, i as u64);
+            let values: Vec<f64> = points.iter().enumerate().map(|(i, u)| of(i, u)).collect();
+            let replicates =
+                (0..REPLICATES).map(|k| (0..values.len()).map(|i| own(k, i) - mean(i)).collect()).collect();
+            let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
+            let fit = smoother.fit(&values, &Noise { variance: NOISE * NOISE, replicates });
+            assert!(fit.is_beside() && fit.noise_variance() <= 2.0 * NOISE * NOISE, "{}", fit.noise_variance());
+            if fit.is_rough() {
+                rough += 1;
+                share += fit.noise_share();
+            }
+        }
+        assert!(rough > SEEDS / 2, "{rough}");
+        let share = share / rough as f64;
+        assert!((share - 0.2).abs() < TOLERANCE, "{share}");
     }
 }
